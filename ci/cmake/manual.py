@@ -30,7 +30,7 @@ def read_help(program, *words):
     usage, *lines = rest.splitlines()
     groups, footer, entries = {}, [], None
     for line in lines:
-        if line in ("Positionals:", "Options:", "Subcommands:"):
+        if line in ("Positionals:", "Options:", "Run and report:", "Score and compare:", "Maintenance:"):
             entries = groups.setdefault(line[:-1], [])
         elif entries is None or (line and not line.startswith("  ")):
             entries = None
@@ -121,7 +121,7 @@ def exit_status(lines):
     if not found:
         raise SystemExit("manual.py: --help says nothing of the exit status")
     return "\n".join(f".TP\n.B {number}\n{prose(text)}"
-                     for number, text in re.findall(r"(\d) (.*?)(?:, (?=\d )|$)", found[1]))
+                     for number, text in re.findall(r"(\d) (.*?)(?:[,;] (?=\d )|$)", found[1]))
 
 
 def page(program, template, version):
@@ -129,7 +129,8 @@ def page(program, template, version):
     said = read_help(program)
     about, _, _ = said.description.partition("\n")
     about = about.removeprefix(f"{name}: ").rstrip(".")
-    commands = [command(program, sub, text, said.footer) for sub, text in said.groups.get("Subcommands", [])]
+    commands = [command(program, sub, text, said.footer) for heading, group in said.groups.items()
+                if heading not in ("Positionals", "Options") for sub, text in group]
     usages = [usage for _, usage in commands] or [said.usage]
     filled = {
         "VERSION": version,

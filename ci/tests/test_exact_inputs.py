@@ -130,7 +130,7 @@ class Inputs(unittest.TestCase):
     def test_openfoam(self, name, _):
         if name not in WATER:
             told = self.refused(name, "--write", "openfoam", *self.centres([(0, 0, 0), (0, 0, 1)]))
-            self.assertIn("knows no velocity" if name in NO_VELOCITY else "no surface over x", told)
+            self.assertIn("knows no velocity" if name in NO_VELOCITY else "does not define the free surface", told)
             return
         words, places, low, surface, time = self.columns_of(name)
         low = np.maximum(low, -2.6)
@@ -167,7 +167,7 @@ class Inputs(unittest.TestCase):
             told = self.refused(name, "--write", "geoclaw", "--grid", "x=0:1:2,t=0" if name == "gerstner"
                                 else grid_of(CATALOGUE[name]) or "x=0:1:2")
             self.assertIn("knows no velocity" if name in NO_VELOCITY else "finite depth" if name in WATER else
-                          "no surface over x", told)
+                          "does not define the free surface", told)
             return
         words, places, low, surface, time = self.columns_of(name)
         files = self.written(name, "geoclaw", *words, "--origin", "10,1", "--width", "2", "--grid",

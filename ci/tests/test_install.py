@@ -119,7 +119,7 @@ class Manual(InstalledTest):
             # Sections of commands end where the next one begins.
             sections = {name: section for name, section in re.findall(rf"\.SS {program} (\w+)\n(.*?)(?=\n\.S)", text,
                                                                       re.DOTALL)}
-            commands = re.findall(r"^  ([a-z]\w*)", help_of().partition("Subcommands:")[2], re.MULTILINE)
+            commands = re.findall(r"^  ([a-z]\w*)", help_of().partition("Run and report:")[2], re.MULTILINE)
             self.assertEqual(commands, list(sections))
             for command in commands:
                 own = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", help_of(command), re.MULTILINE)) - {"--help"}

@@ -231,7 +231,7 @@ class Score(Scoring):
         self.accepted(alone, status=1)
         self.assertEqual(self.verdicts("thacker.alone"), {"shorelines-coverage": "fail", "gauges-coverage": "pass",
                                                           "h-shift": "pass", "h-skill": "pass"})
-        self.assertIn("not judged", alone.stdout)
+        self.assertIn("not scored", alone.stdout)
         self.accepted(self.score("thacker", "--data", gauges, "--table", "gauges", solver="alone"))
         self.assertEqual([left["id"] for left in self.record("thacker.alone")["left_out"]],
                          ["left-largest_error", "right-largest_error"])

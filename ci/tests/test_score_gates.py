@@ -38,7 +38,7 @@ class Ladders(Sines):
         report = seiche("report", self.out)
         self.assertEqual(report.returncode, 0, report.stderr)
         page = (self.out / "report/cases/standing_wave.html").read_text()
-        self.assertIn("At first sight: mine", page)
+        self.assertIn("Summary: mine", page)
         self.assertIn("your order is 1", page)
 
     def test_the_finest_is_judged_in_whatever_order_it_comes(self):
@@ -51,7 +51,7 @@ class Ladders(Sines):
     def test_wrong_numbers_of_files_sizes_and_times_are_refused(self):
         file = self.wave()
         for words, expected in [
-                (["--sizes", "0.1,0.2,0.3"], ["1 files for 3", "as many for each"]),
+                (["--sizes", "0.1,0.2,0.3"], ["got 1 files for 3", "same number for each"]),
                 (["--data", file, "--sizes", "0.1,0.2"], ["three or more"]),
                 (["--data", file, "--data", file, "--sizes", "0.1,0.1,0.2"], ["all different"]),
                 (["--data", file, "--data", file, "--sizes", "0.1,0.05,0.2", "--seconds", "3"], ["one for each of the 3"]),
@@ -75,7 +75,7 @@ class RepeatedRuns(Sines):
     def test_wrong_numbers_of_runs_are_refused(self):
         file = self.wave()
         for words, expected in [
-                (["--repeats", "2"], ["1 files for 2", "as many for each"]),
+                (["--repeats", "2"], ["got 1 files for 2", "same number for each"]),
                 (["--repeats", "1"], ["--repeats"]),
                 (["--data", file, "--data", file, "--repeats", "3", "--sizes", "0.1,0.2,0.3"], ["leave one of the two out"])]:
             with self.subTest(words=words[-2:]):
@@ -154,11 +154,11 @@ class FirstLook(Sines):
     def test_the_first_lines_say_what_where_whose_and_what_next(self):
         said = self.judged("--data", self.wave(0.2), status=1)
         lines = dict(line.split(": ", 1) for line in said.splitlines() if ": " in line)
-        self.assertIn("not met", lines["verdict"])
-        self.assertIn("eta-relative_l2", lines["in one line"])
-        self.assertIn("amplitude: 100 %", lines["of what kind"])
-        self.assertIn("t = ", lines["where the error is"])
-        self.assertIn("amplitude is wrong", lines["look first at"])
+        self.assertIn("not met", lines["result"])
+        self.assertIn("eta-relative_l2", lines["closest limit"])
+        self.assertIn("amplitude: 100 %", lines["type of error"])
+        self.assertIn("t = ", lines["largest error"])
+        self.assertIn("amplitude is wrong", lines["start with"])
         self.assertIn("check the file", lines["next step"])
         import jsonschema
 

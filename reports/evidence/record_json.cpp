@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
@@ -154,8 +155,14 @@ std::string to_json(const Record& record, const std::map<std::string, std::strin
                          {"contradicted", set.contradicted},
                          {"here", set.here}});
   }
+  std::map<std::string, int> uses;  // a sentence that several claims share is completed by the id: each stands alone
+  for (const JudgedClaim& judged : record.claims()) ++uses[judged.claim.text];
   Json claims = Json::array();
-  for (const JudgedClaim& judged : record.claims()) claims.push_back(describe(judged));
+  for (JudgedClaim judged : record.claims()) {
+    std::string& text = judged.claim.text;
+    if (uses[text] > 1) text = fmt::format("{} ({}).", text.substr(0, text.find_last_not_of('.') + 1), judged.claim.id);
+    claims.push_back(describe(judged));
+  }
   Json left_out = Json::array();
   for (const ClaimLeftOut& one : record.left_out()) {
     left_out.push_back({{"id", one.claim.id}, {"text", one.claim.text}, {"reason", one.reason}});

@@ -1,6 +1,7 @@
 """The drawing of one figure of one record to SVG."""
 import os
 import pathlib
+import re
 
 from render.drawings import DRAWINGS
 
@@ -40,10 +41,21 @@ def draw(data_file, figure_id, drawing_name, small, key, target):
 
 def _slim(svg):
     """Drops what a browser does not need: comments, metadata, doctype, line indentation, digits below .1 of a point,
-    the style of markers that are alike."""
-    import re
-    svg = re.sub(r"<!--.*?-->|<!DOCTYPE.*?>|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
+    names that nothing refers to, the style of markers that are alike; other names become short."""
+    svg = re.sub(r"<!--.*?-->|<!DOCTYPE.*?>|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL).replace("xlink:href", "href")
     svg = re.sub(r"\n\s*", "\n", svg)
+    svg = re.sub(r'(<use href="[^"]*") transform="translate\(([-\d.]+) ([-\d.]+)\)"', r'\1 x="\2" y="\3"', svg)
     svg = re.sub(r' (?:d|x|y)="[^"]*"', lambda found: re.sub(r"(\.\d)\d+", r"\1", found[0]), svg)
-    alike = r'<use xlink:href="([^"]+)" x="[^"]*" y="[^"]*" style="([^"]*)"/>(?:\s*<use xlink:href="\1" x="[^"]*" y="[^"]*" style="\2"/>)+'
-    return re.sub(alike, lambda run: f'<g style="{run[2]}">' + run[0].replace(f' style="{run[2]}"', "") + "</g>", svg)
+    names = {name: f"n{k}" for k, name in enumerate(dict.fromkeys(re.findall(r'(?:href="|url\()#([^")]+)', svg)))}
+    svg = re.sub(r'(href="|url\()#([^")]+)', lambda found: f"{found[1]}#{names[found[2]]}", svg)
+    svg = re.sub(r' id="([^"]*)"', lambda found: f' id="{names[found[1]]}"' if found[1] in names else "", svg)
+    alike = r'<use href="#([^"]+)" x="[^"]*" y="[^"]*" style="([^"]*)"/>(?:\s*<use href="#\1" x="[^"]*" y="[^"]*" style="\2"/>)+'
+    return re.sub(alike, _polyline, svg)
+
+
+def _polyline(run):
+    """Markers that are alike as the vertices of one line."""
+    points = re.findall(r' x="([^"]*)" y="([^"]*)"', run[0])
+    name = f"m{run.start()}"
+    return (f'<marker id="{name}" overflow="visible" markerUnits="userSpaceOnUse"><use href="#{run[1]}" style="{run[2]}"/>'
+            f'</marker><path d="M{" ".join(" ".join(point) for point in points)}" style="fill: none; marker: url(#{name})"/>')

@@ -76,7 +76,7 @@ def _svg(line, tex, display):
     vertices = [(x * SIZE / engine.FONT_SCALE, y * SIZE / engine.FONT_SCALE) for x, y in vertices]
     pad = 0.04 * SIZE
     scale = 1 / SIZE
-    box = f"{-pad:.2f} {-(height - depth) - pad:.2f} {width + 2 * pad:.2f} {height + 2 * pad:.2f}"
+    box = " ".join(f"{100 * side:.0f}" for side in (-pad, -(height - depth) - pad, width + 2 * pad, height + 2 * pad))
     style = (f"width:{(width + 2 * pad) * scale:.3f}em;height:{(height + 2 * pad) * scale:.3f}em;"
              f"vertical-align:{-(depth + pad) * scale:.3f}em;margin:0 {-pad * scale:.3f}em")
     label = escape(" ".join(tex.split()))
@@ -85,12 +85,14 @@ def _svg(line, tex, display):
 
 
 def _path(vertices, codes):
-    """SVG path data of a matplotlib path, y downwards, in hundredths of the unit."""
-    names = {1: ("M", 1), 2: ("L", 1), 3: ("Q", 2), 4: ("C", 3), 79: ("Z", 1)}
-    parts, index = [], 0
+    """SVG path data of a matplotlib path, y downwards, in hundredths of the unit, each point from the one before."""
+    names = {1: ("M", 1), 2: ("l", 1), 3: ("q", 2), 4: ("c", 3), 79: ("z", 1)}
+    parts, index, here = [], 0, (0, 0)
     while index < len(codes):
         letter, count = names[int(codes[index])]
-        points = vertices[index:index + count]
-        parts.append(letter if letter == "Z" else letter + " ".join(f"{x:.2f} {-y:.2f}" for x, y in points))
+        points = [(round(100 * x), round(-100 * y)) for x, y in vertices[index:index + count]]
+        left, up = (0, 0) if letter == "M" else here
+        parts.append(letter if letter == "z" else letter + " ".join(f"{x - left} {y - up}" for x, y in points))
+        here = here if letter == "z" else points[-1]
         index += count
-    return re.sub(r"\.?0+(?=[ MLQCZ]|$)", lambda m: "" if m[0].startswith(".") else m[0], "".join(parts))
+    return "".join(parts).replace(" -", "-")

@@ -74,6 +74,11 @@ def share(claim, over=None):
     return abs(measured - expected) / (over or 1.0)
 
 
+def causes(path=PROBLEMS):
+    """The causes of known deviations, in the order in which they are asked: title, claims."""
+    return tomllib.loads(path.read_text(encoding="utf-8"))["cause"]
+
+
 def survey(cases, drawn, others, path=PROBLEMS):
     """What the first screen, the pages of problems and those of models show.
 

@@ -1,5 +1,6 @@
 """Pages from templates: the overview, one page per case, how to read it, and everything in one for printing."""
 import collections
+import fnmatch
 import math
 import pathlib
 import re
@@ -127,7 +128,7 @@ def overview(cases, broken, problems):
         "broken": broken, "problems": problems,
         "unexpected_count": len(surprises),
         "unexpected_elsewhere": sum(1 for record, _ in surprises if record not in own),
-        "evidence": _evidence(own), "deviations": _by_group(declared),
+        "evidence": _evidence(own), "deviations": by_cause(declared),
         "wall_time": sum(record.wall_time or 0 for record in own),
         "slowest": sorted(own, key=lambda record: -(record.wall_time or 0))[:5],
         "quiet": not (surprises or broken or any(record.status == "error" for record in records)),
@@ -148,13 +149,19 @@ def _evidence(records):
             for name, claims in found.items()]
 
 
-def _by_group(declared):
-    """[(group, [(case, page, its declared failures)])], the largest group first."""
-    groups = collections.defaultdict(collections.Counter)
-    for record, _ in declared:
-        groups[record.group][record.case, record.page] += 1
-    return [(group, counts.most_common()) for group, counts in
-            sorted(groups.items(), key=lambda item: (-item[1].total(), item[0]))]
+def cause_of(case, claim, causes):
+    """The title of the first cause that names the claim of the case."""
+    return next((cause["title"] for cause in causes
+                 if any(fnmatch.fnmatchcase(f"{case}/{claim}", pattern) for pattern in cause["claims"])), "Other causes")
+
+
+def by_cause(declared):
+    """[(cause, [(record, claim)], [((case, page), how many)])] of known deviations, the most frequent cause first."""
+    causes, groups = matrix.causes(), collections.defaultdict(list)
+    for record, claim in declared:
+        groups[cause_of(record.case, claim.id, causes)].append((record, claim))
+    return [(cause, members, collections.Counter((record.case, record.page) for record, _ in members).most_common())
+            for cause, members in sorted(groups.items(), key=lambda item: (-len(item[1]), item[0]))]
 
 
 def facts(records):

@@ -65,6 +65,7 @@ class Record:
         self.raw = raw
         self.stem = pathlib.PurePath(file).stem      # names the files that belong to it; unique in the directory
         self.claims = [Claim(claim) for claim in raw["claims"]]
+        self.sheet = ""         # of a verification: what its page is called beside its group, "-2" of the second
 
     def __getattr__(self, name):
         if name.startswith("__") or name == "raw":
@@ -80,7 +81,7 @@ class Record:
         """Where the report shows it: validation case by case, verification by group."""
         if self.raw["kind"] == "validation":
             return f"cases/{self.raw['case']}.html"
-        return f"verification/{slug(self.raw['group'])}.html"
+        return f"verification/{slug(self.raw['group'])}{self.sheet}.html"
 
     @property
     def shown(self):

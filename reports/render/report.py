@@ -16,6 +16,7 @@ PAGES = {"cases": "Cases and tests", "agreement": "Data agreement", "atlas": "Fi
          "formulas": "Formulas as printed and as solved", "league": "Solvers", "deviations": "Known deviations",
          "quality": "Test quality", "reading": "How to read", "provenance": "Provenance"}
 _HERE = pathlib.Path(__file__).resolve().parent
+SHEET = 170_000    # bytes of tests on a page of the verification, beside its frame
 
 
 def build(evidence, stage, out, options):
@@ -37,6 +38,7 @@ def build(evidence, stage, out, options):
     shared = {"title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn,
               "with_data": options.with_data, "menu": _menu(bool(others))}
     write = _Writer(pages.environment(typesetter), stage, shared)
+    sheets = _sheets(cases, write, broken)
     made = [case for case in cases if _made(case, cases, drawn, titles, write, broken)]
     kept = {case.name for case in made}
     cases = [case for case in cases if case.name in kept or case.first.kind != "validation"]
@@ -60,11 +62,11 @@ def build(evidence, stage, out, options):
         write("page.html.j2", f"problems/{problem.id}.html", "../", body="problem", heading=problem.title, problem=problem, **whole)
     for model in whole["matrix"]["models"]:
         write("page.html.j2", f"models/{model['id']}.html", "../", body="model", heading=model["title"], model=model, **whole)
-    for group, members in dict(whole["kinds"]).get("verification", []):
-        tests = [record for case in members for record in case.records]
-        write("page.html.j2", tests[0].page, "../", body="verification", heading=pages.capital(group.replace("_", " ")),
-              claims=[claim for record in tests for claim in record.claims],
-              members=[(record, write.part("verification_body.html.j2", record, broken)) for record in tests], **whole)
+    for page, members in sheets.items():
+        first = members[0][0]
+        write("page.html.j2", page, "../", body="verification", heading=pages.capital(first.group) + first.sheet.replace("-", " "),
+              claims=[claim for record, _ in members for claim in record.claims], members=members,
+              siblings=[other for other, of in sheets.items() if of[0][0].group == first.group], **whole)
     if options.pdf:
         write("print.html.j2", "print.html", "", **whole)
     search.write(stage / "assets" / "search.js", whole["matrix"], cases)
@@ -79,13 +81,28 @@ def build(evidence, stage, out, options):
     store.save()
     return (f"{pages.plural(whole['summary']['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
             f"{whole['summary']['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
-            f"of {counts['all']} tiles {atlas.in_words(counts)}")
+            f"of {counts['all']} figures {atlas.in_words(counts)}")
 
 
 def _menu(others):
     """[(page, words)] of the links above every page."""
     return [("index.html", "Overview")] + [(f"{name}.html", words) for name, words in PAGES.items()
                                            if name not in ("provenance", "formulas") and (others or name != "league")]
+
+
+def _sheets(cases, write, broken):
+    """{page: [(record, its test as HTML)]} of the verification: a group begins a page, and goes on where one is full."""
+    sheets = {}
+    for _, members in dict(pages.grouped(cases)).get("verification", []):
+        size, number = 0, 1
+        for record in (record for case in members for record in case.records):
+            part = write.part("verification_body.html.j2", record, broken)
+            size += len(part.encode())
+            if size > SHEET and size > len(part.encode()):
+                size, number = len(part.encode()), number + 1
+            record.sheet = f"-{number}" if number > 1 else ""
+            sheets.setdefault(record.page, []).append((record, part))
+    return sheets
 
 
 def _made(case, cases, drawn, titles, write, broken):

@@ -139,7 +139,7 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
   check("velocity", "The water stays at rest", "rms velocity over sqrt(g H)", &Rest::velocity,
         {.limit = pressure.limit.value() * std::sqrt(compression),
          .reason = "waves of sound, of pressure rho c u, as high as the pressure may be wrong"});
-  check("core", "Away from walls and surface the pressure is that of the depth", "rms error over rho g H", &Rest::core,
+  check("core", "Away from walls and surface the pressure agrees with the depth", "rms error over rho g H", &Rest::core,
         pressure);
   Bound level{.limit = 2 * settings_of(values).smoothing * cell * compression,
               .reason =

@@ -189,9 +189,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
           },
           Bound{0, "every force is a product with an elevation, which is zero"});
     };
-    exactly_zero("velocity", "Water at rest has no velocity.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
-    exactly_zero("elevation", "Its surface stays level.", "largest elevation", "H", &Unrest::elevation);
-    exactly_zero("displacement", "No marker moves.", "largest displacement", "H", &Unrest::displacement);
+    exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
+    exactly_zero("elevation", "The surface of water at rest stays level.", "largest elevation", "H",
+                 &Unrest::elevation);
+    exactly_zero("displacement", "Markers of the water at rest do not move.", "largest displacement", "H",
+                 &Unrest::displacement);
   }
 }
 

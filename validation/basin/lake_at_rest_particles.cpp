@@ -67,7 +67,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                          "depths are as uncertain as widths, and a wave of relative height e has the velocity e c"});
   at_rest.from("the same")
       .check(
-          "drift", "No edge moves.", "largest displacement of an edge [m]", &Results::drift,
+          "drift", "Edges of the water at rest stay in place to round-off.", "largest displacement of an edge [m]",
+          &Results::drift,
           Roundoff{.operations = two_edges,
                    .scale = length,
                    .reason = "these waves, two particles long, move edges by the rounding of two edges of this size"});

@@ -168,7 +168,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto here = claims.at(s.discretisation.text());
   here.only_if(s.reflected(), "the bore has not met the wall")
       .from("jump conditions (11) of the paper")
-      .check("wall_depth", "The depth at the wall is that of the jump conditions.", "depth at the wall [m]", at_wall,
+      .check("wall_depth", "The depth at the wall agrees with the jump conditions.", "depth at the wall [m]", at_wall,
              Roundoff{.operations = 8 * std::round(s.time / s.discretisation.time_step) *
                                     static_cast<double>(s.discretisation.particles),
                       .scale = reflected_depth,

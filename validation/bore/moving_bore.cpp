@@ -238,8 +238,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
             .reason = "half a unit of the last printed digit",
             .expected = printed.column("bore_speed")[0]});
   published.check(
-      "printed-velocity", "So does the velocity behind the bore.", "velocity behind [m/s]",
-      [](const Results& r) { return r.set_up.bore.behind_velocity(); },
+      "printed-velocity", "The velocity behind the bore that the paper prints follows from the jump conditions.",
+      "velocity behind [m/s]", [](const Results& r) { return r.set_up.bore.behind_velocity(); },
       Bound{.limit = 0.05,
             .reason = "half a unit of the last printed digit",
             .expected = printed.column("bore_velocity")[0]});

@@ -216,8 +216,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   claims
       .only_if(pressure == 0.1 && values.real("height") == 0.6,
                "the frames are met with a height of 0.6 and a pressure of 0.1")
-      .check("overturns",
-             "With the fitted pressure the surface overturns after the frame of 6.2 and before that of 7.2.",
+      .check("overturns", "With the fitted pressure the surface overturns between the frames of 6.2 and 7.2.",
              "time at which the line of markers first goes backwards [(g k)^(-1/2)]", &Results::overturned,
              Bound{.limit = 0.5,
                    .reason = "half of the time between the frames in which the source draws a steep front and a jet",
@@ -238,7 +237,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                    .expected = half_length * (last * last - first * first),
                    .relative = true});
   claims.only_if(values.real("at") <= 6.2, "the crest then is a jet, which no lattice resolves")
-      .check("crest", fmt::format("The crest at t = {:g} is as high as on cells a third wider.", values.real("at")),
+      .check("crest", fmt::format("The crest height at t = {:g} agrees with cells a third wider.", values.real("at")),
              "difference of its heights [1/k]", &Results::crest_change,
              Bound{0.01 * values.real("height"),
                    "a hundredth of the wave's height: in a figure in which it is 3 cm high, the width of a line"});

@@ -133,8 +133,8 @@ void claim_model(const Claims<Runs>& claims, const Model& model, bool by_rule) {
       return {.value = measure(finest), .resolution = sph_resolution(finest.spacing, finest.particles)};
     };
   };
-  claims.check("plunges-" + model.id, fmt::format("The second wave overturns ({}).", model.name), "it does",
-               on_finest([](const SphPlunged& run) { return std::isnan(run.hangs_over) ? 0.0 : 1.0; }),
+  claims.check("plunges-" + model.id, fmt::format("The second wave behind the flap overturns ({}).", model.name),
+               "it does", on_finest([](const SphPlunged& run) { return std::isnan(run.hangs_over) ? 0.0 : 1.0; }),
                Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
                            .reason = "a wave as high as the water is deep is above the steepest permanent one"});
   claims.check(

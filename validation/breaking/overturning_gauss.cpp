@@ -223,7 +223,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        instants[i].when + " the surface is that of potential flow, as far as the lattice resolves it.",
+        instants[i].when + " the surface agrees with potential flow, as far as the lattice resolves it.",
         "largest distance of the surfaces [1/k]",
         [i](const Results& r) -> Measurement {
           return {.value = r.finest().distances.at(i).largest,
@@ -256,7 +256,7 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("surfaces", "The wave turns over", "Finer lattice of the free particles, and SPH.");
+  auto& figure = exhibit.figure("surfaces", "The wave overturns", "Finer lattice of the free particles, and SPH.");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     auto& panel =
         figure.panel({.x = "k x", .y = "k y", .title = fmt::format("t = {:.2f}", r.times[i]), .equal_aspect = true});

@@ -195,7 +195,7 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        fmt::format("{} the surface is that of potential flow to one spacing.", instants[i].when),
+        fmt::format("{} the surface agrees with potential flow to one spacing.", instants[i].when),
         "rms distance of the surfaces [m]",
         [i](const Results& r) -> Measurement {
           return {.value = r.distances.at(i).back().rms,
@@ -237,13 +237,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double period = period_of(wave_of(values));
   claim_distances(claims, values);
   claim_stress(claims);
-  claims.check("overturns", "The wave turns over.", "it does",
+  claims.check("overturns", "The free surface of the wave overturns in SPH.", "it does",
                on_finest([](const Results& r) { return std::isnan(r.finest().hangs_over) ? 0.0 : 1.0; }),
                Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
                            .reason = "potential flow from the same start does"});
   claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
       .check(
-          "overhang-time", "The front hangs over when that of potential flow does.",
+          "overhang-time", "The front overhangs at the time of potential flow.",
           "when it hangs over by a hundredth of the wavelength [s]",
           [](const Results& r) -> Measurement {
             return {.value = r.finest().hangs_over,

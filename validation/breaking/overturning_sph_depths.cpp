@@ -131,7 +131,7 @@ void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& va
   const auto surface = [&](const std::string& id, const std::string& when, std::size_t instant) {
     const evidence::Claim claim{
         .id = id + shape.id,
-        .text = fmt::format("{} the surface is that of potential flow to one spacing ({}).", when, shape.name),
+        .text = fmt::format("{} the surface agrees with potential flow to one spacing ({}).", when, shape.name),
         .quantity = "rms distance of the surfaces",
         .unit = "m",
         .source = source};

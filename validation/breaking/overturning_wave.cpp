@@ -88,7 +88,7 @@ void claim_self_test(const Claims<exact::SelfTest>& claims) {
 void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claim_self_test(claims.of(&Results::identities));
   claims.check(
-      "overturns", "The wave turns over.", "the front becomes vertical",
+      "overturns", "The free surface of the wave overturns.", "the front becomes vertical",
       [](const Results& r) { return r.wave.vertical_tangent_time() ? 1.0 : 0.0; },
       Qualitative{.detector = "x stops increasing along the surface",
                   .reason = "a cosine of this amplitude is far steeper than any steady wave",
@@ -139,7 +139,7 @@ std::vector<WantedTable> wanted(const Values& values) {
        .criterion = Bound{.limit = values.real("tolerance") * values.real("amplitude"),
                           .reason = "the case's parameter `tolerance`, of the amplitude; by default 3.5 %, "
                                     "less than the jet grows between the instants asked for"},
-       .text = "The surface is that of potential flow.",
+       .text = "The surface agrees with potential flow.",
        .source = source}};
   return {{.name = "surface",
            .kind = WantedTable::Kind::profile,

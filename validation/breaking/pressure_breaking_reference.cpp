@@ -55,7 +55,7 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
     claims.from(source).check(
         fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
-        fmt::format("At t = {:g} the surface is that of potential flow, as far as the lattice resolves it.",
+        fmt::format("At t = {:g} the surface agrees with potential flow, as far as the lattice resolves it.",
                     times[frame]),
         "largest distance of the two surfaces [1/k]",
         [frame](const BreakingComparison& c) -> Measurement {

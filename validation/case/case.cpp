@@ -23,9 +23,9 @@ const Published& Case::published_set(std::string_view tile) const {
   if (found != published.end()) return *found;
   std::vector<std::string> tiles;
   for (const Published& set : published) tiles.insert(tiles.end(), set.tiles.begin(), set.tiles.end());
-  throw std::invalid_argument(
-      tiles.empty() ? fmt::format("{} has no published set {}: it has none", name, tile)
-                    : fmt::format("{} has no published set {}: must be one of {}", name, tile, fmt::join(tiles, ", ")));
+  throw std::invalid_argument(tiles.empty() ? fmt::format("{} has no as-published set {}: it has none", name, tile)
+                                            : fmt::format("{} has no as-published set {}: must be one of {}", name,
+                                                          tile, fmt::join(tiles, ", ")));
 }
 
 std::vector<Values> Case::runs_of(Tier tier) const {
@@ -45,9 +45,10 @@ std::vector<Values> Case::runs_of(Tier tier) const {
 void Case::check_published() const {
   std::set<std::string> tiles;
   for (const Published& set : published) {
-    if (set.tiles.empty()) throw std::logic_error(fmt::format("{}: a published set names no tile", name));
+    if (set.tiles.empty()) throw std::logic_error(fmt::format("{}: an as-published set names no figure", name));
     for (const std::string& tile : set.tiles) {
-      if (!tiles.insert(tile).second) throw std::logic_error(fmt::format("{}: tile {} has two sets", name, tile));
+      if (!tiles.insert(tile).second)
+        throw std::logic_error(fmt::format("{}: figure {} has two as-published sets", name, tile));
     }
     std::vector<std::string> named = set.stated;
     for (const auto& [parameter, theirs] : set.different) named.push_back(parameter);
@@ -59,7 +60,7 @@ void Case::check_published() const {
     try {
       static_cast<void>(values(set));
     } catch (const std::invalid_argument& wrong) {
-      throw std::logic_error(fmt::format("{}: published set {}: {}", name, set.name(), wrong.what()));
+      throw std::logic_error(fmt::format("{}: as-published set {}: {}", name, set.name(), wrong.what()));
     }
   }
 }

@@ -33,13 +33,13 @@ void check_tiles(const evidence::Record& record) {
     for (const std::string& tile : set.tiles) {
       if (shown.count(tile) == 0) {
         throw std::logic_error(
-            fmt::format("published set {} is to show tile {}: no figure or table does", set.tiles.front(), tile));
+            fmt::format("as-published set {} must show figure {}: no figure or table does", set.tiles.front(), tile));
       }
     }
   }
   for (const std::string& tile : shown) {
     if (published.count(tile) == 0)
-      throw std::logic_error(fmt::format("tile {} is shown without a published set", tile));
+      throw std::logic_error(fmt::format("figure {} is shown without an as-published set", tile));
   }
 }
 
@@ -172,7 +172,7 @@ void write_error_record(const Job& job, const std::filesystem::path& directory, 
         },
         most_seconds);
   } catch (const std::exception& failure) {
-    const std::string more = fmt::format("{}; its claims cannot be told: {}", reason, failure.what());
+    const std::string more = fmt::format("{}; its claims could not be listed: {}", reason, failure.what());
     evidence::write(error_record(job, more, wall_time, {}), directory);
   }
 }

@@ -190,7 +190,8 @@ bool Values::are(const NamedValues& settings) const {
 
 bool Values::as_published(std::string_view tile) const {
   const auto found = std::find_if(sets_->begin(), sets_->end(), [&](const Published& set) { return set.shows(tile); });
-  if (found == sets_->end()) throw std::logic_error(fmt::format("no published set of the case shows tile {}", tile));
+  if (found == sets_->end())
+    throw std::logic_error(fmt::format("no as-published set of the case shows figure {}", tile));
   return are(*found);
 }
 

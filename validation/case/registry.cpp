@@ -18,7 +18,7 @@ const Case& find_case(std::string_view name) {
   std::vector<std::string> names;
   for (const Case& one : cases) names.push_back(one.name);
   throw std::invalid_argument(
-      fmt::format("case {} is unknown{} 'seiche list' shows all", name, did_you_mean(name, names)));
+      fmt::format("unknown case '{}'{} 'seiche list' shows all cases", name, did_you_mean(name, names)));
 }
 
 }  // namespace seiche::validation

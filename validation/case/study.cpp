@@ -84,7 +84,7 @@ void Study::run(const Run& run, evidence::Record& record) const {
     if (!run.standard()) throw;
     return broken(refused);
   } catch (const std::bad_alloc&) {
-    return broken(std::runtime_error("out of memory: needs less with fewer cells, particles or steps that are kept"));
+    return broken(std::runtime_error("out of memory; reduce cells or particles, or store fewer time steps"));
   } catch (const std::exception& failure) {
     return broken(failure);
   }

@@ -55,8 +55,9 @@ class Water {
     surface_ = output("eta"), depth_ = output("h"), bed_ = output("z"), velocity_ = {output("u"), {}, {}};
     velocity_[height_ ? 2 : 1] = y ? output("v") : std::nullopt;
     if (!x_ || !(surface_ || depth_)) {
-      throw std::invalid_argument(
-          fmt::format("{}: has no surface over x, which other solvers start from", solution.name));
+      throw std::invalid_argument(fmt::format(
+          "{}: cannot write initial conditions, this solution does not define the free surface as a function of x",
+          solution.name));
     }
     if (!velocity_[0]) {
       throw std::invalid_argument(fmt::format("{}: knows no velocity, which other solvers start from", solution.name));

@@ -53,14 +53,16 @@ using Action = std::function<int()>;
 
 void add_list(CLI::App& app, Action& action) {
   auto options = std::make_shared<ListOptions>();
-  CLI::App* command = app.add_subcommand("list", "Show the cases and the exact solutions");
-  command->add_option("CASE", options->claims, "the same as --claims");
-  command->add_flag("--json", options->json, "as JSON, with every parameter");
-  command->add_flag("--scores", options->scores, "the cases that score others, with what they ask for");
-  command->add_flag("--published", options->published, "the parameters that the sources used, tile by tile");
-  command->add_option("--claims", options->claims, "all that this case claims, with limits and reasons");
-  command->add_option("--tier", options->tier, "with --claims: quick (default), full or paper");
-  command->add_option("--set", options->settings, "with --claims: parameter of the case, as name=value")
+  CLI::App* command = app.add_subcommand("list", "List cases, scored cases and as-published parameter sets");
+  command->group("Run and report");
+  command->add_option("CASE", options->claims, "Case whose claims are listed, as --claims");
+  command->add_flag("--json", options->json, "Print JSON, with every parameter");
+  command->add_flag("--scores", options->scores,
+                    "List cases that accept external results, with their tables and columns");
+  command->add_flag("--published", options->published, "List as-published parameter sets, by figure and table");
+  command->add_option("--claims", options->claims, "List the claims of this case, with limits and reasons");
+  command->add_option("--tier", options->tier, "Test level, with --claims: quick, full or paper [quick]");
+  command->add_option("--set", options->settings, "Parameter of the case, with --claims, as name=value")
       ->allow_extra_args(false);
   command->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
   command->add_option("--evidence", options->evidence, "folder that those tests write to")->group("");
@@ -71,34 +73,36 @@ void add_list(CLI::App& app, Action& action) {
 
 void add_run(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Run cases and write their records");
-  command->add_option("CASE", options->cases, "names of cases, see 'seiche list', or patterns such as 'dam*'");
-  command->add_option("--tier", options->tier, "quick (default), full or paper; without CASE: every case of the tier");
-  command->add_option("--as", options->as, "with the parameters that a source used, see 'seiche list --published'");
-  command->add_option("--set", options->settings, "parameter of the case, as name=value; may be repeated")
+  CLI::App* command = app.add_subcommand("run", "Run cases and write their results (JSON, HDF5)");
+  command->group("Run and report");
+  command->add_option("CASE", options->cases, "Names of cases ('seiche list'), or patterns such as 'dam*'");
+  command->add_option("--tier", options->tier,
+                      "Test level: quick, full or paper [quick]; without CASE, all cases of the level");
+  command->add_option("--as", options->as,
+                      "Run with as-published parameters, e.g. bzz-fig-6 ('seiche list --published')");
+  command->add_option("--set", options->settings, "Parameter of the case, as name=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters; tables [CASE] for single cases");
-  command->add_option("--jobs,-j", options->run.jobs, "how many cases run at once")->check(CLI::Range(1U, 1024U));
+  command->add_option("--jobs,-j", options->run.jobs, "Number of cases that run at once")->check(CLI::Range(1U, 1024U));
   command
       ->add_option("--threads", options->run.threads,
-                   "threads of each case; without: one, and for a case that runs alone one per core. Results do not "
+                   "Threads of each case [1; one per core for a case that runs alone]. Results do not "
                    "depend on it")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--out", options->run.directory, "folder for the records")->capture_default_str();
-  command->add_flag("--resume", options->run.resume,
-                    "keep what an earlier run of the same program finished, go on from its checkpoints");
+  command->add_option("--out", options->run.directory, "Folder for the records")->capture_default_str();
+  command->add_flag("--resume", options->run.resume, "Keep finished results and continue from checkpoints");
   command
       ->add_option_function<long>(
           "--checkpoint-every",
           [options](long seconds) { options->run.checkpoint_every = std::chrono::seconds(seconds); },
-          "seconds after which a long computation keeps its state again (120)")
+          "Time between checkpoints of a long computation [120 s]")
       ->check(CLI::Range(0L, 86400L));
   command
       ->add_option_function<long>(
           "--most-seconds", [options](long seconds) { options->run.most_seconds = std::chrono::seconds(seconds); },
-          "wall time after which a case is stopped and recorded as unfinished; without: the limit of its tier")
+          "Stop a case after this wall-clock time and mark it incomplete [limit of the level]")
       ->check(CLI::Range(1L, 100000000L));
-  command->add_flag("--help-parameters", options->help_parameters, "show what the cases let you set, and stop");
+  command->add_flag("--help-parameters", options->help_parameters, "Print the parameters of the cases, then exit");
   command->footer(
       "Examples:\n"
       "  seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence\n"
@@ -108,12 +112,13 @@ void add_run(CLI::App& app, Action& action) {
 
 void add_report(CLI::App& app, Action& action) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Make the HTML report from records");
-  command->add_option("DIR", options->evidence, "folder with the records")->capture_default_str();
-  command->add_option("--out", options->out, "folder for the report; DIR/report if not given");
-  command->add_option("--pdf", options->pdf, "also print the report to this PDF file (needs Chromium)");
-  command->add_flag("--with-data", options->with_data, "also copy the records and their arrays into the report");
-  command->add_option("--jobs,-j", options->jobs, "how many figures are drawn at once")->check(CLI::Range(1U, 1024U));
+  CLI::App* command = app.add_subcommand("report", "Write the HTML report (optionally PDF)");
+  command->group("Run and report");
+  command->add_option("DIR", options->evidence, "Folder with the records")->capture_default_str();
+  command->add_option("--out", options->out, "Folder for the report [DIR/report]");
+  command->add_option("--pdf", options->pdf, "Also print the report to this PDF file (needs Chromium)");
+  command->add_flag("--with-data", options->with_data, "Also copy the records and their arrays into the report");
+  command->add_option("--jobs,-j", options->jobs, "Number of figures drawn at once")->check(CLI::Range(1U, 1024U));
   command->footer(
       "The environment's SEICHE_PYTHON names the Python interpreter, which needs numpy, h5py, matplotlib, jinja2 and\n"
       "markdown.");
@@ -122,19 +127,21 @@ void add_report(CLI::App& app, Action& action) {
 
 void add_exact(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExactOptions>();
-  CLI::App* command = app.add_subcommand("exact", "Print an exact solution; 'seiche exact list' shows them all");
-  command->add_option("NAME", options->name, "name of the solution, or list")->required();
-  command->add_option("--set", options->settings, "parameters, as name=value; may be repeated");
-  command->add_option("--at", options->points, "points, as x=1,y=-0.2,t=2; may be repeated");
-  command->add_option("--grid", options->grid, "points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the fluid");
-  CLI::Option* format = command->add_option("--format", options->format, "csv, json or hdf5")
+  CLI::App* command =
+      app.add_subcommand("exact", "Evaluate an exact solution at points or on a grid ('seiche exact list')");
+  command->group("Score and compare");
+  command->add_option("NAME", options->name, "Name of the solution, or list")->required();
+  command->add_option("--set", options->settings, "Parameters, as name=value; may be repeated");
+  command->add_option("--at", options->points, "Points, as x=1,y=-0.2,t=2; may be repeated");
+  command->add_option("--grid", options->grid, "Points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the fluid");
+  CLI::Option* format = command->add_option("--format", options->format, "Output format: csv, json or hdf5")
                             ->check(CLI::IsMember({"csv", "json", "hdf5"}))
                             ->capture_default_str();
-  command->add_option("--out", options->out, "file to write instead of printing; HDF5 always goes to a file, NAME.h5");
+  command->add_option("--out", options->out, "File to write instead of printing; HDF5 always goes to a file, NAME.h5");
   command
       ->add_option(
           "--write", options->write,
-          "write what another solver starts from, into the folder --out (the current one): openfoam "
+          "Write initial conditions for another solver into the folder --out [.]: openfoam "
           "(alpha.water.internalField and U.internalField, to be included in 0/alpha.water and 0/U; needs "
           "--centres, and --at t=... where not from t=0), geoclaw (topo.xyz, eta.xyz for qinit_type 4, hu.xyz, "
           "hv.xyz where the solution knows y, topotype 1, on --grid), dualsphysics (paddle.csv, time;position of a "
@@ -143,25 +150,25 @@ void add_exact(CLI::App& app, Action& action) {
           "structured grid, on --grid), csv (on --grid)")
       ->check(CLI::IsMember(input_formats()))
       ->excludes(format);
-  command->add_option(
-      "--centres", options->centres,
-      "with --write openfoam: centres of the cells, the field C that 'postProcess -func writeCellCentres' "
-      "writes as text");
-  command->add_option("--up", options->up, "with --write openfoam: the axis that points upward, y or z")
+  command->add_option("--centres", options->centres,
+                      "Cell centres, with --write openfoam: the field C that 'postProcess -func writeCellCentres' "
+                      "writes as text");
+  command->add_option("--up", options->up, "Axis that points upward, with --write openfoam: y or z")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
   command
       ->add_option("--origin", options->origin,
-                   "with --write: X,Z: where the solution's x = 0 and height 0 are in the other solver")
+                   "X,Z: position of the solution's x = 0 and height 0 in the other solver, with --write")
       ->delimiter(',')
       ->expected(2);
   command
       ->add_option("--width", options->width,
-                   "with --write geoclaw: of the strip over which a solution without y is repeated [m]")
+                   "Width of the strip over which a solution without y is repeated, with --write geoclaw [m]")
       ->transform(positive("m"))
       ->capture_default_str();
-  command->add_flag("--integrals", options->integrals, "also the scalar results and the numerical uncertainty");
-  command->add_flag("--self-test", options->self_test, "by how much the solution misses its own identities, and stop");
+  command->add_flag("--integrals", options->integrals, "Also print scalar results and the numerical uncertainty");
+  command->add_flag("--self-test", options->self_test,
+                    "Print the residuals of the solution's built-in identities, then exit");
   command->footer(
       "Examples:\n"
       "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5,t=0 --integrals\n"
@@ -174,78 +181,77 @@ void add_exact(CLI::App& app, Action& action) {
 
 void add_score(CLI::App& app, Action& action) {
   auto options = std::make_shared<ScoreOptions>();
-  CLI::App* command = app.add_subcommand("score", "Judge somebody else's result against a case's reference");
-  command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
-  command->add_option("FILE", options->files, "the same as --data")->check(CLI::ExistingPath);
+  CLI::App* command = app.add_subcommand("score", "Compare your solver's results with a reference");
+  command->group("Score and compare");
+  command->add_option("CASE", options->name, "Name of a case that accepts external results ('seiche list --scores')")
+      ->required();
+  command->add_option("FILE", options->files, "File with the result, as --data")->check(CLI::ExistingPath);
   command
       ->add_option("--data", options->data,
-                   "file with the result: CSV, HDF5, or as solvers write it (--format), or the folder of its times; "
+                   "File with the result: CSV, HDF5, a solver's own format (--format), or the folder of its times; "
                    "repeated where a case takes several tables, or a gauge has a file of its own")
       ->allow_extra_args(false)
       ->check(CLI::ExistingPath);
   command
       ->add_option("--format", options->format,
-                   "how the files are written: auto (their content decides), " +
+                   "Format of the files: auto (decided by content), " +
                        fmt::format("{}", fmt::join(validation::solver_formats(), ", ")))
       ->capture_default_str();
-  command->add_option("--columns", options->columns, "names of the columns of a file without names, as t,eta");
+  command->add_option("--columns", options->columns, "Names of the columns of a file without names, as t,eta");
   command
       ->add_option("--gauges", options->gauges,
                    "NAME=6,...: gauge that a column, or a file of this name, holds: its number or position in the "
-                   "template's column of gauges, or its place X:Y [m]")
+                   "template's column of gauges, or its position X:Y [m]")
       ->allow_extra_args(false);
-  command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
+  command->add_option("--solver", options->solver, "Name of the solver in the report")->capture_default_str();
   command
       ->add_option("--map", options->map,
-                   "column=quantity,... where the file names columns (datasets) differently; may be repeated")
+                   "column=quantity,... for columns (datasets) with other names; may be repeated")
       ->allow_extra_args(false);
   command
       ->add_option("--uncertainty", options->uncertainty,
-                   "quantity=value,...: your result's standard numerical uncertainty, in the wanted unit, or relative "
+                   "quantity=value,...: standard numerical uncertainty of your result, in the wanted unit, or relative "
                    "to the reference's largest value as in h=1%; where none is stated, comparisons with measured data "
                    "are inconclusive")
       ->allow_extra_args(false);
-  command->add_option("--set", options->settings, "parameters of the case, as name=value,...; may be repeated")
+  command->add_option("--set", options->settings, "Parameters of the case, as name=value,...; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters");
-  command->add_option("--out", options->out, "folder for the record")->capture_default_str();
-  command->add_option("--dx", options->cell, "size of your cells or spacing of your particles [m]")
-      ->transform(positive("m"));
+  command->add_option("--out", options->out, "Folder for the record")->capture_default_str();
+  command->add_option("--dx", options->cell, "Cell size or particle spacing of your run [m]")->transform(positive("m"));
   command
-      ->add_option(
-          "--sizes", options->sizes,
-          "H1,H2,H3,...: sizes [m] of three resolutions or more; as many --data for each, in the same order. The "
-          "finest is judged; the page tells your order, its error, what reaches 1 % and what that costs")
+      ->add_option("--sizes", options->sizes,
+                   "H1,H2,H3,...: cell sizes of three or more grids, coarse or fine first; one set of --data per size. "
+                   "Reports order and cost; scores the finest [m]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(positive("m"));
   command
       ->add_option("--repeats", options->repeats,
-                   "runs of the same set-up, as many --data for each: their mean is judged, and their scatter counts "
-                   "in the uncertainty that you state")
+                   "Number of repeated runs, one set of --data each; scores their mean and adds the scatter to the "
+                   "uncertainty")
       ->check(CLI::Range(2, 1000));
   command
-      ->add_option("--seconds", options->seconds,
-                   "processor time that your run took; with --sizes one for each, T1,T2,T3")
+      ->add_option("--seconds", options->seconds, "Processor time of your run; with --sizes one for each, T1,T2,T3 [s]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(positive("s"));
-  command->add_option("--threads", options->threads, "threads that it used")->check(CLI::Range(1L, 100000000L));
-  command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
+  command->add_option("--threads", options->threads, "Number of threads of your run")
+      ->check(CLI::Range(1L, 100000000L));
+  command->add_flag("--template", options->template_only, "Print the CSV file to fill in, then exit");
   command->add_flag("--resolving-power", options->resolving_power,
                     "print which wrong results the case notices, and from what size on, and stop");
   command->add_option("--table", options->table,
-                      "where a case takes several: which one --template shall print, or which one alone is judged");
+                      "Table of a case with several: the one that --template prints, or the only one scored");
   CLI::Option* baseline = command->add_option(
       "--baseline", options->baseline,
-      "folder, not that of --out, with an earlier record of the same case, parameters and solver: status 1 where an "
-      "error grew beyond the uncertainties of both, and 0 otherwise, whatever the verdicts; claims that pass now and "
-      "did not are shown");
-  command->add_flag("--bless", options->bless, "make this score the baseline, whatever changed")->needs(baseline);
-  command->add_flag("--json", options->json, "print verdict, notes, diagnosis and record as JSON");
+      "Folder (other than --out) with an earlier result of the same case, parameters and solver; exit 1 if an error "
+      "grew beyond both uncertainties, 0 otherwise, whatever the verdicts; newly passing claims are shown");
+  command->add_flag("--bless", options->bless, "Accept this result as the new baseline")->needs(baseline);
+  command->add_flag("--json", options->json, "Print verdict, notes, diagnosis and record as JSON");
   command->footer(
-      "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
-      "extrapolated. A further file with columns t and volume, energy or momentum is judged for what is conserved.\n"
+      "Results are interpolated linearly to the reference's points and never extrapolated. A further file with\n"
+      "columns t and volume, energy or momentum is checked for conservation.\n"
       "Examples:\n"
       "  seiche score riemann --template > mine.csv          # fill it in\n"
       "  seiche score riemann --data mine.csv --solver mine --out evidence\n"
@@ -260,25 +266,25 @@ void add_compare(CLI::App& app, Action& action) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
       "compare",
-      "What changed between two sets of records: verdicts, errors, times (status 1 if a verdict or an error got "
-      "worse);\n"
-      "of one set: the solvers of each case side by side (status 1 unless all are as declared);\n"
-      "with --record, against the evidence of record (status 1 if anything changed beyond uncertainty)");
-  command->add_option("A", options->before, "folder with records, the earlier ones of two")->required();
-  command->add_option("B", options->after, "folder with the later records; with --record a table");
+      "Compare two sets of results: verdicts, errors, times (exit 1 if a verdict or an error got worse);\n"
+      "one set: the solvers of each case side by side (exit 1 unless all claims are as expected);\n"
+      "with --record: with the baseline (exit 1 if anything changed beyond uncertainty)");
+  command->group("Score and compare");
+  command->add_option("A", options->before, "Folder with records, the earlier one of two")->required();
+  command->add_option("B", options->after, "Folder with the later records; with --record a table");
   command
       ->add_option("--factor", options->factor,
-                   "smallest growth of an error, beyond its uncertainty, that is worse; smaller ones are not shown")
+                   "Smallest growth of an error, beyond its uncertainty, that counts as worse")
       ->capture_default_str()
       ->check([](const std::string& text) {
         double factor = 0;
         const bool number = CLI::detail::lexical_cast(text, factor) && factor >= 1 && factor <= 1e6;  // NaN is neither
         return number ? std::string() : fmt::format("factor = {} is out of range: must be in [1, 1e6]", text);
       });
-  CLI::Option* record = command->add_flag(
-      "--record", options->record, "compare A with the evidence of record: with table B, or that of this version");
-  command->add_flag("--whole", options->whole, "with --record: what A has not counts as changed")->needs(record);
-  command->add_option("--tier", options->tier, "with --record: quick, full or paper")
+  CLI::Option* record = command->add_flag("--record", options->record,
+                                          "Compare A with the baseline: table B, or the table of this version");
+  command->add_flag("--whole", options->whole, "Treat claims missing from A as changed, with --record")->needs(record);
+  command->add_option("--tier", options->tier, "Test level, with --record: quick, full or paper")
       ->capture_default_str()
       ->needs(record);
   command->callback([options, &action] {
@@ -288,11 +294,12 @@ void add_compare(CLI::App& app, Action& action) {
 
 void add_record(CLI::App& app, Action& action) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command = app.add_subcommand(
-      "record", "Write the evidence of record of a tier: a table of claims, measured values, verdicts");
-  command->add_option("DIR", options->evidence, "folder with the records of the whole tier")->capture_default_str();
-  command->add_option("--tier", options->tier, "quick, full or paper")->capture_default_str();
-  command->add_option("--out", options->out, "file to write; reports/record/TIER.csv of the project if not given");
+  CLI::App* command =
+      app.add_subcommand("record", "Write the baseline table of a test level: claims, measured values, verdicts");
+  command->group("Maintenance");
+  command->add_option("DIR", options->evidence, "Folder with the records of the whole level")->capture_default_str();
+  command->add_option("--tier", options->tier, "Test level: quick, full or paper")->capture_default_str();
+  command->add_option("--out", options->out, "File to write [reports/record/TIER.csv of the project]");
   command->callback([options, &action] { action = [options] { return record(*options); }; });
 }
 
@@ -305,18 +312,23 @@ void require_command(const CLI::App& app, int argc, char** argv) {
     known.push_back(command->get_name());
   }
   throw std::invalid_argument(
-      fmt::format("command {} is unknown{} 'seiche --help' shows all", argv[1], did_you_mean(argv[1], known)));
+      fmt::format("unknown command '{}'{} 'seiche --help' shows all", argv[1], did_you_mean(argv[1], known)));
 }
 
 int parse_and_call(int argc, char** argv) {
   CLI::App app{
-      "seiche: verification and validation of free-surface water-wave solvers.\n"
-      "Start with 'seiche list', then 'seiche run CASE' and 'seiche report'."};
+      "seiche: verification and validation of free-surface water-wave solvers.\n\n"
+      "Start here:\n"
+      " seiche list                                        what is available\n"
+      " seiche run riemann --out results                   one case, 0.1 s\n"
+      " seiche report results                              results/report/index.html\n"
+      " seiche score riemann --template > mine.csv         table for your solver to fill in"};
   app.set_version_flag("--version", std::string(build_facts::version));
   app.require_subcommand(0, 1);
   app.footer(
-      "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
-      "3 the run could not finish (diverged, disk full, killed).");
+      "'seiche COMMAND --help' shows options; 'man seiche' the manual.\n"
+      "Exit status: 0 all claims as expected; 1 at least one unexpected result; 2 invalid input or usage;\n"
+      "3 run not completed (diverged, disk full, killed).");
 
   // Words that others use for options: seiche help, seiche version.
   for (const char* word : {"help", "version"}) {

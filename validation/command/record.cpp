@@ -34,7 +34,9 @@ std::vector<Summary> records_of(Tier tier, const std::string& directory) {
 std::vector<std::string> gaps(Tier tier, const std::string& directory, const std::vector<Summary>& records) {
   std::vector<std::string> found;
   for (const Summary& one : records) {
-    if (!one.standard) found.push_back(fmt::format("{}: ran with parameters that are not the tier's", one.stem()));
+    if (!one.standard)
+      found.push_back(fmt::format("{}: parameters differ from the defaults of the test level; not usable as a baseline",
+                                  one.stem()));
   }
   for (const validation::Case& one : validation::all_cases()) {
     for (const validation::Values& values : one.runs_of(tier)) {
@@ -92,7 +94,7 @@ int compare_with_record(const CompareOptions& options) {
   const Tier tier = tier_from(options.tier);
   const std::filesystem::path file = file_of(tier, options.after);
   if (!std::filesystem::is_regular_file(file)) {
-    throw std::invalid_argument(fmt::format("compare: there is no evidence of record {}", file.string()));
+    throw std::invalid_argument(fmt::format("compare --record: no baseline {}", file.string()));
   }
   const std::vector<Summary> records = records_of(tier, options.before);
   if (records.empty()) {
@@ -101,7 +103,9 @@ int compare_with_record(const CompareOptions& options) {
   }
   std::vector<std::string> changed;
   for (const Summary& one : records) {
-    if (!one.standard) changed.push_back(fmt::format("{}: ran with parameters that are not the tier's", one.stem()));
+    if (!one.standard)
+      changed.push_back(fmt::format(
+          "{}: parameters differ from the defaults of the test level; not usable as a baseline", one.stem()));
   }
   const auto now = evidence::recorded_claims(records);
   std::vector<evidence::RecordedClaim> before = evidence::read_recorded_claims(file);

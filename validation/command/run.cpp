@@ -60,12 +60,14 @@ Tier usual_tier(const Case& one) {
 
 /// The one case that --as is about, with its set.
 Job published_job(const std::vector<const Case*>& cases, const RunOptions& options) {
-  if (cases.size() != 1) throw std::invalid_argument("run: --as needs one case, whose set it names");
+  if (cases.size() != 1)
+    throw std::invalid_argument(
+        "run --as: name exactly one case; its as-published sets are listed by 'seiche list --published'");
   if (!options.config.empty()) throw std::invalid_argument("run: --as and --config: leave one of the two out");
   Job job{cases.front(), published_values(*cases.front(), options.as, options.settings)};
   if (!options.tier.empty() && tier_from(options.tier) != job.values.tier()) {
-    throw std::invalid_argument(fmt::format("run: the published set {} runs in the tier {}, not --tier {}", options.as,
-                                            name(job.values.tier()), options.tier));
+    throw std::invalid_argument(fmt::format("run --as: the as-published set {} belongs to the level {}, not --tier {}",
+                                            options.as, name(job.values.tier()), options.tier));
   }
   return job;
 }

@@ -169,7 +169,7 @@ void print(const evidence::Record& record, const std::vector<validation::Finding
                j.resolution, j.note.empty() ? "" : "; ", j.note);
   }
   for (const evidence::ClaimLeftOut& left : record.left_out()) {
-    fmt::print("  {:<12} {} ({})\n", "not judged", left.claim.text, left.reason);
+    fmt::print("  {:<12} {} ({})\n", "not scored", left.claim.text, left.reason);
   }
   for (const validation::Finding& one : findings)
     fmt::print("  {:<12} {}: your result {}\n", "look", one.where, one.words);
@@ -195,9 +195,9 @@ void require_repeats(const ScoreOptions& options) {
   if (options.repeats == 1) return;
   if (!options.sizes.empty()) throw std::invalid_argument("--repeats and --sizes: leave one of the two out");
   if (options.data.size() % options.repeats != 0) {
-    throw std::invalid_argument(
-        fmt::format("--data: {} files for {} --repeats: must be as many for each, first those of the first run",
-                    options.data.size(), options.repeats));
+    throw std::invalid_argument(fmt::format(
+        "--data: got {} files for {} repeats; give the same number for each run, all files of the first run first",
+        options.data.size(), options.repeats));
   }
 }
 
@@ -214,9 +214,9 @@ void require_ladder(const ScoreOptions& options) {
         fmt::format("--seconds {:g}: must be one for each of the {} --sizes", options.seconds.front(), sizes));
   }
   if (options.data.size() % sizes != 0) {
-    throw std::invalid_argument(
-        fmt::format("--data: {} files for {} --sizes: must be as many for each, first those of the first size",
-                    options.data.size(), sizes));
+    throw std::invalid_argument(fmt::format(
+        "--data: got {} files for {} cell sizes; give the same number for each size, all files of the first size first",
+        options.data.size(), sizes));
   }
 }
 
@@ -269,7 +269,9 @@ Read read(const ScoreOptions& options, const std::vector<std::string>& data, con
   }
   result.history = validation::take_history(tables, wanted, renamed);
   if (tables.empty()) {
-    throw std::invalid_argument(fmt::format("{}: holds a history and no table of the case", fmt::join(data, ", ")));
+    throw std::invalid_argument(
+        fmt::format("{}: contains only a volume, energy or momentum history; the case also needs one of its tables",
+                    fmt::join(data, ", ")));
   }
   result.submitted = validation::submitted_from(tables, wanted, understood);
   result.notes = understood.notes;

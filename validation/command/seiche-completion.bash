@@ -10,7 +10,7 @@ _seiche() {
     --baseline | --centres | --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
     *)
       if ((COMP_CWORD == 1)); then
-        words="$("$program" --help 2>/dev/null | awk '/^Subcommands:/ {on = 1} on && /^  [a-z]/ {print $1}') --help --version"
+        words="$("$program" --help 2>/dev/null | awk '/^[A-Z].*:$/ {on = !/^(Options|Positionals):/} on && /^  [a-z]/ {print $1}') --help --version"
       elif [[ $word == -* ]]; then
         words=$("$program" "${COMP_WORDS[1]}" --help 2>/dev/null | grep -o -- '--[a-z-]*')
       else

@@ -88,7 +88,7 @@ validation::Values published_values(const validation::Case& one, const std::stri
   }
   if (!values.are(published)) {
     throw std::invalid_argument(
-        fmt::format("{}: --set changes the published set {} of --as: leave one of the two out", one.name, set));
+        fmt::format("{}: --set changes the as-published set {}; give either --set or --as", one.name, set));
   }
   return values;
 }

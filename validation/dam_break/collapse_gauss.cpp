@@ -165,7 +165,7 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
                           "none there is greater than that of gravity"});
   claims.from("Ritter (1892)")
       .check(
-          "ritter", "The front stays behind that of shallow water.", "at every step it does",
+          "ritter", "The front stays behind the shallow-water front.", "at every step it does",
           [](const Collapse& run) {
             bool behind = true;
             for (std::size_t k = 0; k < run.T.size(); ++k) behind = behind && run.front[k] <= 1 + 2 * run.T[k];
@@ -197,7 +197,8 @@ void claim_speed(const Column& column, const ColumnFront& data, const Claims<Res
                "a square column's front is thin by then, and friction, which the method has not, holds the measured "
                "one back")
       .check(
-          "speed", "The front is as fast as the measured one.", "dX/dT between T = 2 and 3.3, in sqrt(n^2 g a)",
+          "speed", "The speed of the front agrees with the measured speed.",
+          "dX/dT between T = 2 and 3.3, in sqrt(n^2 g a)",
           [](const Results& r) -> Measurement {
             const std::vector<double> speeds = r.speeds();
             std::vector<double> finest_first(speeds.rbegin(), speeds.rend());

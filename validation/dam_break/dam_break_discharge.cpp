@@ -86,7 +86,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     claims.at(fmt::format("N = {}", s.particles))
         .check(
             "discharge-" + s.id,
-            fmt::format("The discharge through the dam stays that of the exact solution, depth ratio {:g}.", s.ratio),
+            fmt::format("The discharge through the dam stays equal to the exact solution, depth ratio {:g}.", s.ratio),
             "largest deviation of the discharge [m^2/s]",
             [k, exact = s.exact](const Results& r) -> Measurement {
               const Discharge& q = r.discharges.at(k);

@@ -131,7 +131,8 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, lon
 /// is judged within the uncertainties.
 void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   claims.check(
-      "speed", "With the publication's spacing, or that of the quick tier, the front is as fast as the measured one.",
+      "speed",
+      "The speed of the front agrees with the measured speed, with the publication's spacing or the quick tier's.",
       "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
       [](const SphCollapse& run) -> Measurement { return {.value = front_speed(run), .resolution = run.resolution()}; },
       Bound{.limit = 0.04,

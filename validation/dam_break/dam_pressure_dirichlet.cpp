@@ -143,7 +143,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(tabulated && stabilisation == 0.1, "less leaves the pressure chequered, more smooths it; " + other_shape)
       .at(fmt::format("h = H/{}", mesh_of_corner))
       .check(
-          "corner", "The pressure at the foot of the wall is that of the series.", "error over rho g H",
+          "corner", "The pressure at the foot of the wall agrees with the series.", "error over rho g H",
           [](const Results& r) { return r.corner - r.exact.pressure(0, 0) / r.height; },
           Bound{.limit = std::pow(std::numbers::pi / 2 / mesh_of_corner, 2) / 8,
                 .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): what a second-order difference is off by"});

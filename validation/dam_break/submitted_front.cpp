@@ -198,7 +198,7 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
   using evidence::Bound;
   const auto times = [&](double factor) { return stated ? std::optional(factor * *fit.rate_numerical) : std::nullopt; };
   record.check({.id = "rate",
-                .text = "The front runs as fast as the published one.",
+                .text = "The speed of the front agrees with the published one.",
                 .quantity = "rate at which its clock would have to run",
                 .source = data.citation},
                {.value = fit.rate, .uncertainty = times(2), .resolution = counted},
@@ -231,7 +231,7 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                      .reason = "root mean square of sqrt(u_X^2 + (X' u_T)^2) over the points, and two standard "
                                "deviations of such a mean of n, a part 1/sqrt(2n) of it each"});
   record.check({.id = "advance",
-                .text = "The front never falls back.",
+                .text = "The position of the front never falls back.",
                 .quantity = "largest retreat of X/a",
                 .source = "water on a dry floor runs on until it meets a wall"},
                {.value = largest_retreat(X), .resolution = fmt::format("cells of {:.3g} a", cell)},

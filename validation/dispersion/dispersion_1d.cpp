@@ -211,8 +211,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
         "The law holds " + others[k].text + ".", largest, "the law of formula (13) with general alpha, beta, gamma",
         others[k].boxes(), "kH = 0.7, 1.5, 3; s = 0.25, tau = 0.125, both schemes");
   }
-  law(&Results::figure, "figure", "So do all waves of the figure, up to the shortest that the markers resolve.",
-      largest, source, boxes_of_figure(), "40 cells, 1 to 37 half-waves, tau = s/2");
+  law(&Results::figure, "figure",
+      "All waves of the figure, up to the shortest that the markers resolve, have the law's frequency.", largest,
+      source, boxes_of_figure(), "40 cells, 1 to 37 half-waves, tau = s/2");
 }
 
 Results compute(const Run& run) {

@@ -198,7 +198,7 @@ void claim_waves(const Values& values, const Claims<Results>& claims) {
   const std::vector<MeshTank> tanks = tanks_of_figure();
   claims.at("20 columns, 2, 4 and 8 rows, tau = 0.05")
       .check(
-          "figure", "So do all waves of the figure, up to the shortest that the meshes resolve.",
+          "figure", "All waves of the figure, up to the shortest that the meshes resolve, have the law's frequency.",
           "largest relative deviation of the frequency",
           [tanks](const Results& r) { return worst_deviation(tanks, r.figure); },
           frequency_roundoff(tanks, periods, &MeshTank::columns));

@@ -90,7 +90,7 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
     claims_of(all, model.id)
         .from("Frank (1994), chapter 1; forces of pairs are opposite")
         .check(
-            model.id + "-momentum", fmt::format("The momentum of {} is kept to round-off.", model.name),
+            model.id + "-momentum", fmt::format("The momentum of {} is conserved to round-off.", model.name),
             "change over the sum of all momenta", [](const Entry& entry) { return entry.finest().momentum; },
             Roundoff{.operations = steps_of(values, model.id),
                      .scale = 1,
@@ -102,7 +102,7 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   }
   claims_of(all, "sph")
       .from("Monaghan (1994)")
-      .check("sph-energy", "The energy of SPH, that of its compression included, is nearly kept.",
+      .check("sph-energy", "The energy of SPH, the energy of compression included, is nearly conserved.",
              "change over the energy of the stretching", energy_of_finest,
              Bound{.limit = 1.0 / (6 * 14 * 14),
                    .reason = "the energy of the compression at the beginning, 1/(6 c^2): what steps change must be "
@@ -136,14 +136,16 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "overlapping")
       .at(fmt::format("{} spacings to the radius", values.integer("overlapping") / 2))
       .check(
-          "overlapping-rim", "So is that of overlapping particles on half as many rows.",
+          "overlapping-rim",
+          "The drop outline of overlapping particles, at half as many rows, is within one particle spacing of the "
+          "exact ellipse.",
           "rms distance from the exact places over the spacing",
           [](const Entry& entry) { return entry.attempts.at(1).error / entry.attempts.at(1).size; },
           Bound{.limit = 1,
                 .reason = "a surface is not known by less than the spacing; on finer rows noise of single particles is "
                           "in it, which nobody can foretell"});
   all.check(
-      "nearest", "None is nearer than the free particles.", "their error is the least",
+      "nearest", "Gauss-principle particles give the smallest outline error of all models.", "their error is the least",
       [](const Contest& contest) {
         const double least = contest.of("particles").finest().error;
         return std::ranges::all_of(contest.entries(),

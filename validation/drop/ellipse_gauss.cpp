@@ -185,7 +185,7 @@ void claim_accuracy(const SetUp& s, const Claims<Results>& claims) {
       Bound{std::pow(strain * s.tau, 2),
             "second order: the square of strain rate times step, in radii; Frank's projection scheme, of first order, "
             "errs by a part of strain rate times step"});
-  claims.check("lattice", "What the splines add to the error is less than that of the steps.",
+  claims.check("lattice", "The error of the splines is below the error of the steps.",
                "rms distance over that with linear fields alone", &Results::beside_linear,
                Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   claims.check(
@@ -208,7 +208,7 @@ void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
   const auto kept = [&](const std::string& id, const std::string& what, double Results::*member, double scale,
                         const std::string& of_scale) {
     claims.from("Frank (1994), chapter 6, proposition 4")
-        .check(id, "The " + what + " is kept to round-off.", "largest defect", member,
+        .check(id, "The " + what + " is conserved to round-off.", "largest defect", member,
                Roundoff{.operations = std::ceil(s.end / s.tau),
                         .scale = scale,
                         .reason = "one rounded velocity per step; scale: " + of_scale});

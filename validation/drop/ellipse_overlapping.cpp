@@ -167,7 +167,7 @@ struct Results {
 };
 
 RefinementStudy study_of_orders() {
-  return {.quantities = {{"places", "places, rms", "The particles converge.",
+  return {.quantities = {{"places", "places, rms", "Particle positions converge to the exact drop.",
                           Order{1.25, 0.5,
                                 "between 1, when what is lost beside the surface, a part h of the velocity, slows all "
                                 "water, and 3/2, errors of the size h in a layer of the width h alone"}},
@@ -197,7 +197,7 @@ void claim_accuracy(const SetUp& s, const Claims<Results>& all) {
             "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
   claims.only_if(deformed <= 1.2 && s.spacing <= 0.1, "for drops not much thinner than in the source's first tests")
       .check(
-          "stretch", "The larger semi-axis is that of the exact drop.", "relative error",
+          "stretch", "The larger semi-axis agrees with the exact drop.", "relative error",
           [](const Results& r) { return r.own.stretch.larger / r.exact.larger - 1; },
           Bound{std::pow(s.settings.support * s.spacing / 2, 2),
                 "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a volume, "
@@ -214,7 +214,7 @@ void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
                         const std::string& of_scale) {
     claims.from("Frank (1994), chapter 1")
         .check(
-            id, "The " + what + " is kept to round-off.", "largest defect",
+            id, "The " + what + " is conserved to round-off.", "largest defect",
             [member](const Results& r) { return r.own.*member; },
             Roundoff{
                 .operations = 40 * std::ceil(s.end / s.tau),

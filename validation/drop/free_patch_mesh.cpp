@@ -187,18 +187,20 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const Stepping stepping = mechanics::stepping_named(values.text("scheme"));
   kept(
       claims.only_if(stepping != Stepping::one_step_feedback, "the feedback gives up the energy"), "energy",
-      "The kinetic energy is kept.", &Defects::energy, nodes, cap.energy,
+      "Kinetic energy of the free patch is conserved.", &Defects::energy, nodes, cap.energy,
       [](const Results& r) { return r.first.energy; }, "rounding of the energy, a sum over the nodes");
-  kept(claims, "momentum", "The momentum is kept.", &Defects::momentum, nodes, cap.scales.momentum,
-       of(&Scales::momentum), "rounding of sum m|u| over the nodes");
-  kept(claims, "angular-momentum", "So is the angular momentum.", &Defects::angular_momentum, nodes,
-       cap.scales.angular_momentum, of(&Scales::angular_momentum), "rounding of sum m|r||u| over the nodes");
+  kept(claims, "momentum", "Momentum of the free patch is conserved to round-off.", &Defects::momentum, nodes,
+       cap.scales.momentum, of(&Scales::momentum), "rounding of sum m|u| over the nodes");
+  kept(claims, "angular-momentum", "Angular momentum of the free patch is conserved to round-off.",
+       &Defects::angular_momentum, nodes, cap.scales.angular_momentum, of(&Scales::angular_momentum),
+       "rounding of sum m|r||u| over the nodes");
   const std::string rounding = "rounding of a corner's place, times the width of a cell";
   kept(claims.only_if(stepping == Stepping::one_step, "it is what one step without feedback keeps"), "modified-area",
        "Every cell keeps V[r] - (tau^2/4) V[r'].", &Defects::modified_area, formula, cap.scales.area, of(&Scales::area),
        rounding);
   kept(claims.only_if(stepping == Stepping::conservative, "one step changes areas by O(tau^2)"), "area",
-       "Every cell keeps its area.", &Defects::area, formula, cap.scales.area, of(&Scales::area), rounding);
+       "Areas of all cells are conserved to round-off.", &Defects::area, formula, cap.scales.area, of(&Scales::area),
+       rounding);
 }
 
 Results compute(const Run& run) {

@@ -146,13 +146,14 @@ void claim_momenta(const Claims<Stretched>& claims, const Values& values) {
     };
   };
   claims.check(
-      "momentum", "Momentum is kept to rounding.", "largest defect over sum m|u|", kept(&Stretched::momentum),
+      "momentum", "Momentum of the SPH patch is conserved to round-off.", "largest defect over sum m|u|",
+      kept(&Stretched::momentum),
       Roundoff{
           .operations = particles * steps,
           .scale = 1 / particles,
           .reason = counted + "forces of pairs are opposite bit by bit, sums of different order round differently"});
   claims.check(
-      "angular-momentum", "Angular momentum is kept to rounding: the patch is symmetric.",
+      "angular-momentum", "Angular momentum is conserved to round-off: the patch is symmetric.",
       "largest defect over sum m|u| times the radius", kept(&Stretched::angular_momentum),
       Roundoff{.operations = particles * steps,
                .scale = 1 / particles,

@@ -251,14 +251,14 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_statistics(s, claims);
   const double operations = 40 * static_cast<double>(s.steps());
   claims.from("Frank (1994), chapter 1")
-      .check("energy", "The energy is kept to round-off, through all disorder.",
+      .check("energy", "The energy is conserved to round-off, through all disorder.",
              "largest defect of all flows, over the energy", &Results::energy,
              Roundoff{.operations = operations,
                       .scale = 1,
                       .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
   claims.from("Frank (1994), chapter 1")
-      .check("angular_momentum", "So is the angular momentum.", "largest defect of all flows",
-             &Results::angular_momentum,
+      .check("angular_momentum", "Angular momentum is conserved to round-off (overlapping particles).",
+             "largest defect of all flows", &Results::angular_momentum,
              Roundoff{.operations = operations,
                       .scale = s.rate / std::sqrt(s.particles()),
                       .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds of "

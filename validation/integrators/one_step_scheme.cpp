@@ -230,11 +230,12 @@ void claim_conservation(const Claims<Results>& all, const Values& values, bool p
   claim("energy", pinned ? "Energy of the pendulum is kept: its potential is linear." : "Energy of the chain is kept.",
         &KeptInvariants::energy, &rigid_chain::Scales::energy, "rounding of T + |Pi|");
   if (!pinned) {
-    claim("momentum", "So is its momentum.", &KeptInvariants::momentum, &rigid_chain::Scales::momentum,
-          "rounding of sum m|u|");
+    claim("momentum", "Momentum of the free chain is conserved to round-off.", &KeptInvariants::momentum,
+          &rigid_chain::Scales::momentum, "rounding of sum m|u|");
   }
   claim("angular-momentum",
-        pinned ? "Angular momentum about the vertical through the pin is kept." : "So is its angular momentum.",
+        pinned ? "Angular momentum about the vertical through the pin is kept."
+               : "Angular momentum of the free chain is conserved to round-off.",
         &KeptInvariants::angular_momentum, &rigid_chain::Scales::angular_momentum,
         "rounding of sum m|r||u|, which grows as a free chain leaves");
   claims.at(fmt::format("tau = {:g}, {:g} steps", tau, steps))

@@ -82,7 +82,7 @@ Experiment composite_beach_experiment(const std::string& letter) {
                .table = "briggs_1996_composite_beach_runup",
                .kind = WantedTable::Kind::scalars,
                .abscissa = {"case", "1", "wave"},
-               .quantity = {"R", "m", "largest run-up on the wall"},
+               .quantity = {"R", "m", "maximum run-up on the wall"},
                .rows = {{"case", wave.letter}},
                .input = 0.02,
                .input_reason = "height of the wave: stated and recorded ones differ by 2 to 3 %",

@@ -125,7 +125,7 @@ Experiment experiment(const Values& values) {
                .table = "briggs_1995_conical_island_runup",
                .kind = WantedTable::Kind::profile,
                .abscissa = {"angle", "deg", "angle from the front of the island"},
-               .quantity = {"R", "m", "largest run-up"},
+               .quantity = {"R", "m", "maximum run-up"},
                .columns = {"R_nthmp", "R_liu"},
                .rows = {{"case", wave.letter}},
                .readings = {}};

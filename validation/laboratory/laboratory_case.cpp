@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include <boost/math/distributions/binomial.hpp>
 #include <fmt/format.h>
+#include <boost/math/distributions/binomial.hpp>
 
 #include "reports/evidence/grid_convergence.hpp"
 #include "validation/instruments/each.hpp"
@@ -140,16 +140,15 @@ void draw(const Series& part, const std::vector<Measured>& data, const Computed&
 
 void claim_experiment(const Experiment& experiment, const Values& values, const Claims<Computed>& claims) {
   const auto data = claims.from(experiment.source).at("the data");
-  data.check(
-      "resolves", fmt::format("A common factor of {:g} on all readings is detected.", 1 + experiment.ceiling),
-      "smallest common factor that is detected, less 1", &Computed::noticed,
-      Bound{.limit = experiment.ceiling, .reason = experiment.ceiling_reason});
+  data.check("resolves", fmt::format("A common factor of {:g} on all readings is detected.", 1 + experiment.ceiling),
+             "smallest common factor that is detected, less 1", &Computed::noticed,
+             Bound{.limit = experiment.ceiling, .reason = experiment.ceiling_reason});
   const boost::math::binomial_distribution<double> perfect(draws, 0.05);
-  data.check(
-      "perfect-solver", "A perfect solver agrees with the measurement in 95 % of draws of its stated uncertainty.",
-      fmt::format("share of {} draws that fail", draws), &Computed::failing,
-      Bound{.limit = std::ceil(boost::math::quantile(perfect, 0.999)) / draws,
-            .reason = "99.9 % of a binomial distribution of 5 %"});
+  data.check("perfect-solver",
+             "A perfect solver agrees with the measurement in 95 % of draws of its stated uncertainty.",
+             fmt::format("share of {} draws that fail", draws), &Computed::failing,
+             Bound{.limit = std::ceil(boost::math::quantile(perfect, 0.999)) / draws,
+                   .reason = "99.9 % of a binomial distribution of 5 %"});
   if (!experiment.compute) return;
   const auto agree = [experiment, values](const Computed& r) -> Measurement {
     const std::vector<Question> all = questions(experiment, values);
@@ -197,8 +196,8 @@ void show_experiment(const Experiment& experiment, const Computed& computed, con
     show_readings(all, {}, none, none, "", exhibit);
   } else {
     const Sources sources = sources_of(all, experiment, computed);
-    show_readings(all, computed.grids.front(), sources.numerical,
-                  metric(all, computed.grids.front(), sources).scores, experiment.model, exhibit);
+    show_readings(all, computed.grids.front(), sources.numerical, metric(all, computed.grids.front(), sources).scores,
+                  experiment.model, exhibit);
     show_calibration(experiment, values, computed.grids.front(), exhibit);
   }
   for (const Series& part : experiment.parts) draw(part, measured(part, values), computed, experiment.model, exhibit);

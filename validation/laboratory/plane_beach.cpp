@@ -56,7 +56,7 @@ Experiment experiment(const Values& values) {
                .table = "synolakis_1987_runup",
                .kind = WantedTable::Kind::scalars,
                .abscissa = {"A_over_d", "1", "height of the wave"},
-               .quantity = {"R_over_d", "1", "largest run-up"},
+               .quantity = {"R_over_d", "1", "maximum run-up"},
                .rows = {{"A_over_d", wave.run_up_amplitude}},
                .input = wave.run_up_input,
                .input_reason = "half a thousandth of the wave's height, by the run-up laws",

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/chi_squared.hpp>
 
 #include "seiche/samples.hpp"
 #include "validation/scoring/units.hpp"
@@ -193,7 +193,9 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   Eigen::MatrixXd v = covariance(of);
   // Of a common factor, from the readings as well as these covariances let it be told.
   const auto of_factor = [&] { return 1 / std::sqrt(size.dot(v.llt().solve(size))); };
-  const auto more = [](double total, double before) { return std::sqrt(std::max(total * total - before * before, 0.0)); };
+  const auto more = [](double total, double before) {
+    return std::sqrt(std::max(total * total - before * before, 0.0));
+  };
   Metric result;
   result.data = of_factor();
   v += incident * incident.transpose();
@@ -318,8 +320,8 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
                 .uncertainty = stated ? std::optional(coverage() * found.numerical) : std::nullopt,
                 .resolution = fmt::format("{} readings{}", present.size(), stated ? "" : ", u_num not stated")},
                criterion_of(experiment, found.data, found.input));
-  show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), not_known), found.scores,
-                record.solver, record);
+  show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), not_known),
+                found.scores, record.solver, record);
   show_calibration(experiment, values, computed, record);
 }
 

@@ -174,7 +174,7 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
       .only_if(long_enough(what), "the limit of a run that does not wait for its stem is not known")
       .check(
           "theory-" + id_of(angle),
-          fmt::format("At {:g} deg the amplitude at the wall is that of the theory of small waves, with its parameter "
+          fmt::format("At {:g} deg the amplitude at the wall agrees with the theory of small waves, with its parameter "
                       "for finite angles.",
                       angle),
           "a_w/a_i for infinite time", [](const Configuration& one) { return one.finest().limit_ratio(); },

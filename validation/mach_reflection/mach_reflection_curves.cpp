@@ -123,7 +123,7 @@ void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries
   claims.from("Miles (1977); Li, Yeh and Kodama (2011)")
       .check(
           with("theory", series),
-          fmt::format("a = {:g}: a_w/a_i is that of the theory of small waves over the parameter for finite angles, "
+          fmt::format("a = {:g}: a_w/a_i agrees with the theory of small waves over the parameter for finite angles, "
                       "farther than {:g} from its cusp.",
                       series.amplitude, cusp),
           "largest relative difference of the limits for infinite time",
@@ -252,8 +252,9 @@ Worst angle_difference(const ReflectionSeries& series) {
 void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   claims.from(source).check(
       with("angle-falls", series),
-      fmt::format("a = {:g}: where reflection is irregular, the angle of reflection falls as that of incidence grows.",
-                  series.amplitude),
+      fmt::format(
+          "a = {:g}: where reflection is irregular, the angle of reflection falls as the angle of incidence grows.",
+          series.amplitude),
       "falls", angle_falls,
       Qualitative{.detector = "from angle to angle up to kappa = 1, each within its uncertainty",
                   .reason = "Frank: the dependence is not monotonic"});

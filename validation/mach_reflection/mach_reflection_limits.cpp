@@ -160,7 +160,7 @@ Measurement relative(const Measurement& found, double expected) {
 void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
   const Bound bound{.limit = wave.amplitude, .reason = "what the theory leaves out is of the order of the amplitude"};
   claims.check(
-      "wall-" + wave.id(), wave.text() + ": the wave on the wall is as high as the theory says.",
+      "wall-" + wave.id(), wave.text() + ": the wave height on the wall agrees with the theory.",
       "a_w/a_i for fine lattices and infinite time over the theory's, less 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::limit_ratio), w.theory().wall_ratio()); }, bound);
   const MachReflection nominal = wave.nominal();

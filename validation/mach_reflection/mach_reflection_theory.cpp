@@ -78,19 +78,20 @@ std::vector<Number> numbers_of(const Values& values) {
            .criterion =
                Bound{.limit = 0.01,
                      .reason = "of an approach as 1/t four times this is left, 4 %, less than the theory neglects"},
-           .text = "The stem has settled.",
+           .text = "The growth of the stem has settled.",
            .source = source}}};
   return {{wanted_of({"a_w_over_a_i", "1", "amplitude at the wall over the incident one"}, wall, neglected * wall, 2,
-                     "The stem is as high as the theory says."),
+                     "The Mach-stem amplitude a_w/a_i agrees with theory to the order of its neglected terms."),
            [](const KnownReflection& run) { return run.wall_ratio; }},
           {wanted_of({"a_r_over_a_i", "1", "amplitude of the reflected wave over the incident one"}, reflected,
-                     neglected * reflected, 1, "So is the reflected wave."),
+                     neglected * reflected, 1,
+                     "The reflected-wave amplitude a_r/a_i agrees with theory to the order of its neglected terms."),
            [](const KnownReflection& run) { return run.reflected_ratio; }},
           {wanted_of({"psi_r", "deg", "angle of reflection"}, turned, neglected * turned, angle,
-                     "It leaves the wall at the angle of the theory."),
+                     "The angle at which the reflected wave leaves the wall agrees with theory."),
            [](const KnownReflection& run) { return run.reflected_angle; }},
           {wanted_of({"stem_angle", "deg", "angle between the wall and the path of the stem's end"}, stem,
-                     neglected * turned / 3, 0, "The stem grows at the angle of the theory."),
+                     neglected * turned / 3, 0, "The angle at which the stem grows agrees with theory."),
            [](const KnownReflection& run) { return run.stem_angle; }},
           {growth, [](const KnownReflection& run) { return run.growth; }}};
 }
@@ -113,7 +114,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const Requirement& required = one.wanted.requirements.front();
     tabulated.check(
         {.id = "tabulated-" + one.wanted.column.name,
-         .text = "A run of the plan model: " + required.text,
+         .text = "A run of the 2DH model: " + required.text,
          .quantity = one.wanted.column.meaning,
          .unit = one.wanted.column.unit,
          .source = source},

@@ -81,7 +81,7 @@ void claims(const Values& values, const Claims<Development>& all) {
                       "changes the speeds whose difference makes the stem grow by a tenth of it"});
   claims.from("Serre (1953)")
       .check(
-          "speed", "The crest on the wall is as fast as Serre's solitary wave of its height.",
+          "speed", "The speed of the crest on the wall agrees with Serre's solitary wave of its height.",
           "speed over sqrt(1 + a_w), less 1",
           [h = values.real("h")](const Development& d) -> Measurement {
             const double height = d.height.back();

@@ -61,21 +61,22 @@ std::vector<long> meshes_up_to(long n) {
 
 RefinementStudy study_of_orders() {
   const Order layer{1.5, 0.1, "errors of first order in a layer of one cell"};
-  return {.quantities =
-              {{"interior", "places in the interior", "Nodes in the interior are where they should be to second order.",
-                Order{2, 0.15, "second order; coarse meshes' interiors still feel the layer at the edges"}},
-               {"pressure", "pressure, rms", "The pressure is of second order.",
-                Order{2, 0.1, "second order of smooth solutions"}},
-               {"shape", "shape of the surface, rms", "The shape of the surface is of second order.",
-                Order{2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"}},
-               {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.", layer},
-               {"velocity", "velocities, rms", "So are velocities.", layer},
-               {"slip", "slip along the surface", "Surface nodes slip along the surface to first order.",
-                Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}},
-               {"largest", "places, largest", "At the corners places are of first order.",
-                Order{1, 0.15,
-                      "slips along two sides meet within a few cells, fewer of them in the square on coarse meshes"}}},
-          .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4"};
+  return {
+      .quantities =
+          {{"interior", "places in the interior", "Nodes in the interior are where they should be to second order.",
+            Order{2, 0.15, "second order; coarse meshes' interiors still feel the layer at the edges"}},
+           {"pressure", "pressure, rms", "The pressure is of second order.",
+            Order{2, 0.1, "second order of smooth solutions"}},
+           {"shape", "shape of the surface, rms", "The shape of the surface is of second order.",
+            Order{2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"}},
+           {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.", layer},
+           {"velocity", "velocities, rms", "Velocities of all nodes are of order 1.5 in the root mean square.", layer},
+           {"slip", "slip along the surface", "Surface nodes slip along the surface to first order.",
+            Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}},
+           {"largest", "places, largest", "At the corners places are of first order.",
+            Order{1, 0.15,
+                  "slips along two sides meet within a few cells, fewer of them in the square on coarse meshes"}}},
+      .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4"};
 }
 constexpr std::size_t slip_quantity = 5;
 
@@ -92,7 +93,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("n = {}", finest.n))
       .only_if(finest.distortion == 0, "the estimate is for equal cells")
       .check(
-          "slip", "The slip is that of the pressure gradient half a cell below the surface.",
+          "slip", "The slip agrees with the pressure gradient half a cell below the surface.",
           "slip along the surface over its estimate 2 h P X (1 - cos t), X = 3/4",
           [finest](const Results& r) {
             return r.refinement.finest(slip_quantity) / expected_slip(finest, judged_edge);

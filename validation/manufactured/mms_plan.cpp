@@ -41,10 +41,11 @@ std::vector<long> lattices_up_to(long n) {
 
 RefinementStudy study_of(const Values& values) {
   const Order second{2, 0.05, "second order of smooth solutions"};
-  return {.quantities = {{"position", "places, L2", "Places are of second order.", second},
-                         {"elevation", "elevations, L2", "Elevations are of second order.", second},
-                         {"velocity", "velocities, L2", "Velocities are of second order.", second},
-                         {"volume", "volumes, largest"}},
+  return {.quantities =
+              {{"position", "places, L2", "Node positions converge at second order in the cell size.", second},
+               {"elevation", "elevations, L2", "Surface elevations converge at second order in the cell size.", second},
+               {"velocity", "velocities, L2", "Node velocities converge at second order in the cell size.", second},
+               {"volume", "volumes, largest"}},
           .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4",
           .coarsest = lattices_up_to(values.integer("n"))[1]};
 }

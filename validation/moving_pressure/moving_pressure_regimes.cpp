@@ -60,7 +60,8 @@ void claim_resolved(const Claims<PressureWaves>& fine, const Claims<Results>& cl
             .reason = "waves of wavenumber 1 travel wrong by h^2/36 and tau^2/24, together 2e-3; the period depends on "
                       "speeds less the source's, which are several times smaller than speeds",
             .expected = 1});
-  fine.check("resolved-none-ahead", "And still no soliton runs ahead.", "forward solitons present", solitons_ahead,
+  fine.check("resolved-none-ahead", "No soliton runs ahead of the pressure.", "forward solitons present",
+             solitons_ahead,
              Qualitative{.detector = "a peak above 0.03 beyond the front of the source at the end",
                          .reason = "as above",
                          .expected = false});

@@ -62,7 +62,9 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
   claims.at(run.text())
       .from("Serre, La Houille Blanche 8 (1953) 374")
       .check(
-          id, fmt::format("The leading soliton is as fast as Serre's solitary wave of its height. ({})", of.text()),
+          id,
+          fmt::format("The speed of the leading soliton agrees with Serre's solitary wave of its height. ({})",
+                      of.text()),
           "speed of its crest / (1 + height)^(1/2)",
           [](const PressureWaves& waves) {
             const PressureWaves::Leader leader = waves.leader(lowest_soliton);

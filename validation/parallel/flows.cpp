@@ -147,11 +147,11 @@ evidence::Record begun(const Options& options) {
                                                           : "A solitary wave around a conical island";
   record.title = what + ", on many processes";
   record.source = "validation/parallel/flows.cpp";
-  record.article = std::string(options.layers > 0 ? "Layers of Lagrangian hexahedra"
-                                                  : "The plan model of dispersive shallow water") +
-                   " on a lattice shared out among processes (MPI); PETSc exchanges what neighbours need and solves "
-                   "the system of all "
-                   "cells.";
+  record.article =
+      std::string(options.layers > 0 ? "Layers of Lagrangian hexahedra" : "The 2DH model of dispersive shallow water") +
+      " on a lattice shared out among processes (MPI); PETSc exchanges what neighbours need and solves "
+      "the system of all "
+      "cells.";
   const Options standard;
   const auto keep = [&](const char* name, auto value, auto usual, const char* unit, const char* meaning) {
     record.parameters[name] = {.value = value, .standard = usual, .unit = unit, .meaning = meaning};

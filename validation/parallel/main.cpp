@@ -246,8 +246,8 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): before 
   CLI::App app("Flows of the plan model and of hexahedra on many processes; what follows -- is for PETSc",
                "seiche-parallel");
   app.footer(
-      "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
-      "3 the run could not finish (diverged, disk full, killed).");
+      "Exit status: 0 all claims as expected; 1 at least one unexpected result; 2 invalid input or usage;\n"
+      "3 run not completed (diverged, disk full, killed).");
   add_options(app, options);
   try {
     app.parse(argc, argv);

@@ -188,7 +188,8 @@ RefinementStudy study_of(const Values& values) {
       .quantities =
           {{"shape", "shape of the surface", "The shape of the surface is of second order.",
             Order{2, 0.2, "second order, and what the ends, where slipping nodes meet led ones, leave at a distance"}},
-           {"pressure", "pressure, rms", "So is the pressure.", Order{2, 0.2, "the same"}},
+           {"pressure", "pressure, rms", "The pressure converges at second order in the cell size.",
+            Order{2, 0.2, "the same"}},
            {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.",
             Order{1.5, 0.1, "errors of first order in a layer of one cell"}},
            {"largest", "places, largest", "Surface nodes slip along the surface to first order.",

@@ -227,7 +227,7 @@ void claim_momentum(const SetUp& s, const Values& values, const Claims<WaveRun>&
   const double stream = wave.phase_speed() * s.height / 2 / std::sqrt(2 * wave.wavenumber() * s.depth);
   const double momentum = wave.impulse() * s.length;
   claims.from("Frank (1994), chapter 6; the uniform flow is in the space")
-      .check(s.named("momentum"), fmt::format("{}: the horizontal momentum is kept to round-off.", s.name()),
+      .check(s.named("momentum"), fmt::format("{}: the horizontal momentum is conserved to round-off.", s.name()),
              "largest defect over the momentum", &WaveRun::momentum_defect,
              Roundoff{.operations = unknowns * static_cast<double>(s.steps * values.integer("periods")),
                       .scale = 4 * s.depth * stream / momentum,

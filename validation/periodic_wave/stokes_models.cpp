@@ -177,10 +177,11 @@ void claim_orders(const Claims<Results>& all, const Values& values) {
          "steps of second order, in proportion to the cells, and sums over the particles next to the surface; splines "
          "are of third order, and a part of the error on coarse lattices",
          [](const Results& r) { return r.particles.order(); });
-  second(all, "mesh-order", "So does that of the Lagrangian mesh.", 0.2,
+  second(all, "mesh-order", "The error of the Lagrangian mesh falls at second order.", 0.2,
          "second order in space and time; the next term, of third order, is of the surface's slip",
          [](const Results& r) { return r.mesh.order(); });
-  second(all, "dispersive-order", "And that of the dispersive model, against the wave of its own equations.", 0.1,
+  second(all, "dispersive-order",
+         "The dispersive model converges at second order to the exact periodic wave of its own equations.", 0.1,
          "second order in space and time, and even in both",
          [](const Results& r) { return evidence::observed_order(r.dispersive.size, r.own_error); });
 }
@@ -202,8 +203,10 @@ void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
   };
   ends("dispersive-error", "Against the Euler equations the dispersive model ends where its equations do.",
        "rms error over the height", "1", &Ladder::error, equations_apart(waves));
-  ends("dispersive-phase", "It is late by what its equations' wave is slower.", "lead of the phase in one period",
-       "wavelengths", &Ladder::lead, waves.serre.phase_speed() / waves.euler.phase_speed() - 1);
+  ends("dispersive-phase",
+       "The phase lag of the dispersive model behind the Euler wave is the celerity deficit of its equations.",
+       "lead of the phase in one period", "wavelengths", &Ladder::lead,
+       waves.serre.phase_speed() / waves.euler.phase_speed() - 1);
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -216,7 +219,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const double excess = waves.excess();
   const Claims<Ladder> particles = all.at(fmt::format("{} cells", cells)).of(&Results::particles);
   particles.from("Frank (1994), chapter 6; exact for every space and step")
-      .check("particles-energy", "The energy of the free particles is kept to round-off.",
+      .check("particles-energy", "The energy of the free particles is conserved to round-off.",
              "change over the kinetic energy", &Ladder::energy_change,
              Roundoff{.operations = steps,
                       .scale = 2,
@@ -237,7 +240,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   speed(all.at(fmt::format("{} rows", values.integer("rows"))).of(&Results::mesh), "mesh-phase",
         "The wave on the mesh travels with the speed of a wave of its height.", 0, 0.5, distinguished);
   const Claims<Ladder> sph = all.at(fmt::format("{} rows", values.integer("sph_rows"))).of(&Results::sph);
-  speed(sph, "sph-phase", "So does that of SPH.", 0, 0.5, distinguished);
+  speed(sph, "sph-phase", "The SPH wave travels with the speed of a wave of its height.", 0, 0.5, distinguished);
   sph.check(
       "sph-falls", "The finest lattice of SPH is nearer to the exact wave than one of half as many rows.", "it is",
       [](const Ladder& ladder) { return ladder.error.back() < ladder.error.front() ? 1.0 : 0.0; },

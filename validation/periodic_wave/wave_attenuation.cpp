@@ -228,7 +228,9 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
       .from(
           "Monaghan, Rep. Prog. Phys. 68 (2005) 1703; Lamb, Hydrodynamics, article 348; Dean and Dalrymple, Water Wave "
           "Mechanics (1991), ch. 9")
-      .check("sph-viscous", "It loses what its artificial viscosity takes, in the water and at the floor.",
+      .check("sph-viscous",
+             "The SPH wave-height decay agrees with linear viscous theory for its artificial viscosity, bulk plus bed "
+             "layer.",
              "what a wavelength takes from the height of the highest wave", decay,
              Bound{.limit = 0.3,
                    .reason = "viscosity alpha h c/8 of a continuum, 2 nu k^2 and k sqrt(nu omega/2)/sinh(2 k d); the "
@@ -245,7 +247,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_height(mesh, "mesh", "The Lagrangian mesh keeps the height of the wave.");
   mesh.from(attenuation_source)
       .check(
-          "mesh-phase", "And its phase.", "lead of the phase in a wavelength, the worst of three waves [wavelengths]",
+          "mesh-phase", "The phase error of the Lagrangian mesh is below 0.5 % of a wavelength per wavelength.",
+          "lead of the phase in a wavelength, the worst of three waves [wavelengths]",
           [](const Results& r) {
             return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; });
           },
@@ -254,7 +257,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_height(dispersive, "dispersive", "The dispersive model keeps the height of its wave.");
   dispersive.from("Serre (1953); Schwartz (1974)")
       .check(
-          "dispersive-phase", "It is late by what its equations' wave is slower, at every height.",
+          "dispersive-phase",
+          "The phase lag of the dispersive model is the celerity deficit of its equations, at every height.",
           "difference over it, the worst of three waves",
           [length](const Results& r) {
             return worst_over_heights(

@@ -71,7 +71,7 @@ Worst largest_over_range(const Differences& profiles) {
 
 BeachClaim all_profiles() {
   return {{.id = "analytic-profiles",
-           .text = "The surfaces from t = 35 to 70 are those of the shallow-water equations' exact solution.",
+           .text = "The surfaces from t = 35 to 70 agree with the shallow-water equations' exact solution.",
            .quantity = "rms distance over rms elevation, all points of all profiles",
            .source = source},
           benchmark()};
@@ -79,7 +79,7 @@ BeachClaim all_profiles() {
 
 BeachClaim each_profile() {
   return {{.id = "analytic-profile-each",
-           .text = "So is each of them.",
+           .text = "Each surface profile from t = 35 to 70 agrees with the exact shallow-water solution.",
            .quantity = "largest rms distance over the range of the profile",
            .source = source},
           benchmark()};

@@ -192,7 +192,7 @@ bool resolves_breaking(double spacing) {
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const Measured& data) {
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
-      .text = fmt::format("Case {}: the run-up all around the island is the measured one.", wave.name),
+      .text = fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
       .quantity = "rms of R/R_measured - 1, of all nine angles",
       .source = source};
   const Uncertainty criterion{
@@ -222,7 +222,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
   }
   const evidence::Claim climbed{
       .id = "climbed-" + wave.name,
-      .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
+      .text = fmt::format("Case {}: all around the island the run-up is over before the grid tangles.", wave.name),
       .quantity = "measured angles where it is not",
       .source = source};
   const auto missed = [data](const std::vector<Passed>& spacings) {

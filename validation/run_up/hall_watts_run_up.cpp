@@ -73,7 +73,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                                              .criterion = Uncertainty{.data = HallWatts::scatter(),
                                                                       .useful = 0.25,
                                                                       .reason = "scatter of such experiments, assumed"},
-                                             .text = "The run-up is that of the experiments' law.",
+                                             .text = "The run-up agrees with the law of the experiments.",
                                              .source = source}}}},
            .groups = {0.05, 0.1, 0.2, 0.3},
            .exact = {fmt::format("seiche exact hall_watts --set amplitude=0.1,cot_slope={:.17g}",

@@ -68,7 +68,7 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
   claims.from("Synolakis (1987)")
       .check(
           "small-waves",
-          "Small waves climb as high as by the exact solution of the shallow-water equations, with either kinetic "
+          "The run-up of small waves agrees with the exact shallow-water solution, with either kinetic "
           "energy, on cotangents 10, 3.732 and 2.747.",
           "largest |R/R_exact - 1|, A = 0.005",
           [](const MildSlopes& r) {

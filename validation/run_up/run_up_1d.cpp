@@ -124,7 +124,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(theory.nonbreaking(), "the wave breaks on its way up")
       .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
       .check(
-          "law", "The run-up is that of the run-up law.", "run-up [depth]",
+          "law", "The run-up agrees with the run-up law.", "run-up [depth]",
           [](const Results& r) { return r.up.height; },
           Bound{.limit = 0.05 + std::abs(theory.highest().elevation / theory.law() - 1),
                 .reason =

@@ -154,7 +154,7 @@ Samples later_heights(const std::vector<Told>& all, bool under, const Property&.
 
 void claim_fates(const Claims<Results>& claims, bool quick) {
   claims.check(
-      "below", "Waves below the limit run through run-up and run-down.", "all do",
+      "below", "Waves below the limit complete run-up and run-down.", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return below(one.wave); },
@@ -178,7 +178,8 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
       Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
   claims.known_failure(
-      "later-above", "Nor does it above the limit.", "runs whose shoreline later stands above the run-up",
+      "later-above", "Above the limiting amplitude, the shoreline never rises above its first run-up maximum.",
+      "runs whose shoreline later stands above the run-up",
       [](const Results& r) {
         return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
       },
@@ -196,7 +197,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
   claims.at(fmt::format("h = {:g}", h))
       .check(
-          "map-below", "On all slopes of the map waves below the limit run through and return lower than they came.",
+          "map-below", "On all slopes of the map waves below the limit complete and return lower than they came.",
           "all do",
           [](const Results& r) {
             const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };

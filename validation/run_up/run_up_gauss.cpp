@@ -144,7 +144,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const std::optional<double> exact = tabled_exact(values);
   ladder.only_if(is_known(climb), "no exact value is known on such a slope")
       .check(
-          "exact", "The run-up is that of the Euler equations.", "run-up [depth]",
+          "exact", "The run-up agrees with the Euler equations.", "run-up [depth]",
           [tabled = exact.has_value()](const Results& r) -> Measurement {
             Measurement runup{.value = r.runup.back(), .uncertainty = r.limit().uncertainty};
             if (!tabled) runup.told.expected = r.exact;

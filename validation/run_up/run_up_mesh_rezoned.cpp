@@ -153,7 +153,7 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
 void claim_runup(const Climb& climb, double exact, long rows, const Claims<Results>& claims) {
   claims.only_if(climb.cot_slope < 2 || rows >= fine, "fewer than 16 rows do not tell on a slope of tangent 0.5")
       .check(
-          "exact-" + climb.id(), fmt::format("{}: the run-up is that of the Euler equations.", climb.title()),
+          "exact-" + climb.id(), fmt::format("{}: the run-up agrees with the Euler equations.", climb.title()),
           "run-up [depth]",
           [climb](const Results& all) { return find(all, climb.id()).finest(runup_of, climb.order()); },
           Uncertainty{.expected = exact,
@@ -182,7 +182,7 @@ void claim_loads(const Climb& climb, const io::Table& table, const Claims<Result
     const double exact = entry(table, "A", loads[k].column, climb);
     claims.check(
         {.id = loads[k].id + "-" + climb.id(),
-         .text = fmt::format("{}: the largest {} is that of the Euler equations.", climb.title(), loads[k].name),
+         .text = fmt::format("{}: the largest {} agrees with the Euler equations.", climb.title(), loads[k].name),
          .quantity = loads[k].name,
          .unit = loads[k].unit,
          .source = source},

@@ -72,7 +72,7 @@ std::size_t levels(const Values& values) {
 void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
   claims.at("h1 = 0.25, 8 rows")
       .check(
-          "thesis", "The run-up is that of the thesis's two-dimensional model.", "largest |R/R_thesis - 1|",
+          "thesis", "The run-up agrees with the thesis's two-dimensional model.", "largest |R/R_thesis - 1|",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             Largest halving;
@@ -110,7 +110,7 @@ void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
 void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing));
   finest.check(
-      "exact", "The run-up is that of the Euler equations within the finest mesh's uncertainty.",
+      "exact", "The run-up agrees with the Euler equations within the finest mesh's uncertainty.",
       "largest difference over the uncertainty that the change from mesh to mesh gives",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;
@@ -124,7 +124,7 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
             .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of the run-up "
                       "counts; the exact values are known to seven digits"});
   finest.check(
-      "exact-order", "It converges to that of the Euler equations with the first order.",
+      "exact-order", "The run-up converges to the Euler equations at first order.",
       "order of the difference from the last halving, farthest from 1 of all waves",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;
@@ -140,7 +140,8 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
   claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing))
       .from("Hall and Watts (1953)")
       .check(
-          "measurements", "Extrapolated to fine meshes, it is that of Hall and Watts' formula for their measurements.",
+          "measurements",
+          "The run-up extrapolated to fine meshes agrees with Hall and Watts' formula for their measurements.",
           "rms of R/R_formula - 1",
           [](const std::vector<Climbed>& all) -> Measurement {
             Mean deviation;
@@ -161,7 +162,7 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
   const double finest = meshes[levels - 1].tau;
   claims.at("all meshes")
       .check(
-          "folds", "With a toe that slides no cell folds before the largest run-up.",
+          "folds", "With a toe that slides no cell tangles before the maximum run-up.",
           "meshes on which one does, of all waves",
           [](const std::vector<Climbed>& all) {
             double folded = 0;
@@ -172,7 +173,7 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
   claims.at("all meshes")
       .from("the discrete gradient, and chords for tangents: exact on any curve")
       .check(
-          "energy", "Energy stays while nodes slide around the toe, until the largest run-up.",
+          "energy", "Energy stays while nodes slide around the toe, until the maximum run-up.",
           "largest change over the wave's energy",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;

@@ -65,7 +65,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                        .reference = [run_up](Place) { return *run_up; },
                        .requirements = {{.measure = Measure::value,
                                          .criterion = near,
-                                         .text = "The run-up is that of the exact solution.",
+                                         .text = "The run-up agrees with the exact solution.",
                                          .source = each.claim.source}}}},
        .exact = {fmt::format("seiche exact solitary_runup --set amplitude={:g},cot_slope={:g} --integrals",
                              beach_theory_amplitude, beach_cot_slope)}}};

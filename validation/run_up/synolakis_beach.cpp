@@ -229,7 +229,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           .reason = "at t = 65 the surface is nearly level and the wave, dispersive and faster than "
                                     "sqrt(g d), has already left; with finer markers the distance stays"});
   profiles.known_failure(
-      "laboratory-profiles", "At all times the surface is the measured one.", "largest rms distance [depth]",
+      "laboratory-profiles", "The surface at all times agrees with the measured profiles.",
+      "largest rms distance [depth]",
       [](const Results& r) -> Measurement {
         const Worst worst = farthest(r.off_laboratory);
         return {.value = worst.value(),
@@ -274,10 +275,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
       "before it breaks, at t = 15, the computed crest is 0.8 depths ahead of the measured one and a sixth higher: the "
       "wave in the laboratory is lower or slower than its nominal height";
   for (const double t : {15.0, 20.0, 25.0, 30.0}) {
-    const evidence::Claim claim{.id = fmt::format("closure-profile-{:g}", t),
-                                .text = fmt::format("Its surface at t = {:g} is the measured one.", t),
-                                .quantity = "rms distance over the range of the profile",
-                                .source = source};
+    const evidence::Claim claim{
+        .id = fmt::format("closure-profile-{:g}", t),
+        .text = fmt::format("The surface at t = {:g} agrees with the measured profile (breaking, friction).", t),
+        .quantity = "rms distance over the range of the profile",
+        .source = source};
     const auto measure = [distance, t](const Results& r) { return distance(t, r); };
     const Bound bound{.limit = 0.1, .reason = laboratory};
     if (t > 20) {

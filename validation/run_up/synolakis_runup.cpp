@@ -95,7 +95,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto limit = [](const Results& r) { return r.consistent.limit().extrapolated; };
   const auto refined = claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated",
                                              0.5 / std::pow(2.0, static_cast<double>(values.integer("levels") - 1))));
-  refined.check("runup", "The largest run-up is that of the exact solution of the shallow-water equations.",
+  refined.check("runup", "The largest run-up agrees with the exact solution of the shallow-water equations.",
                 "run-up [depth]", limit,
                 Bound{.limit = 0.05, .reason = benchmark, .expected = exact_runup(), .relative = true});
 
@@ -104,7 +104,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       "law", "For the heights of the laboratory the model follows the run-up law.", "rms of R/R_law - 1, A <= 0.045",
       [](const Results& r) { return r.laboratory.off_law.rms(); }, Bound{.limit = 0.05, .reason = benchmark});
   laboratory.known_failure(
-      "laboratory-runups", "The run-up is the measured one.", "rms of R/R_measured - 1, A <= 0.045",
+      "laboratory-runups", "The maximum run-up agrees with the measurements.", "rms of R/R_measured - 1, A <= 0.045",
       [](const Results& r) -> Measurement {
         const double rms = r.laboratory.off_measured.rms();
         return {.value = rms, .uncertainty = fine_limit({1, 2}, {rms, r.coarse.off_measured.rms()}, 1).uncertainty};

@@ -207,7 +207,7 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
     known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
         .check(
             {.id = "load-" + load.id,
-             .text = fmt::format("The largest {} is that of the Euler equations.", load.name),
+             .text = fmt::format("The largest {} agrees with the Euler equations.", load.name),
              .quantity = load.name,
              .unit = load.unit,
              .source = source},
@@ -240,7 +240,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::optional<double> tabled = tabled_runup(values);
   known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
       .check(
-          "exact", "The run-up is that of the Euler equations.", "run-up [depth]",
+          "exact", "The run-up agrees with the Euler equations.", "run-up [depth]",
           [](const Results& r) -> Measurement {
             if (!r.all.complete()) throw std::runtime_error("a mesh folds before its largest run-up");
             Measurement runup{.value = r.all.runup.back(), .uncertainty = r.all.limit(&Sequence::runup).uncertainty};

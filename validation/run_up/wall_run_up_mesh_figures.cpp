@@ -146,7 +146,7 @@ std::string at_amplitude(double amplitude) {
 
 void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exact) {
   claims.check(
-      "exact", "Up to A = 0.5 the run-up is that of the Euler equations within the finest mesh's uncertainty.",
+      "exact", "Up to A = 0.5 the run-up agrees with the Euler equations within the finest mesh's uncertainty.",
       "largest difference over the uncertainty that the change from mesh to mesh gives",
       [exact](const std::vector<Curve>& curves) -> Measurement {
         Worst off;
@@ -166,8 +166,9 @@ void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& tabl
   for (const Load& load : compared_loads) {
     claims.check(
         "exact-" + load.id,
-        fmt::format("Up to A = 0.5 the largest {} is that of the Euler equations within the finest mesh's uncertainty.",
-                    load.name),
+        fmt::format(
+            "Up to A = 0.5 the largest {} agrees with the Euler equations within the finest mesh's uncertainty.",
+            load.name),
         "largest difference over the uncertainty, A = 0.1 to 0.5",
         [table, load](const std::vector<Curve>& curves) -> Measurement {
           Worst off;
@@ -190,7 +191,7 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
                          const std::string& of_amplitude, const std::string& column, double Climbed::*member) {
     claims.check(
         "rezoned-" + id,
-        fmt::format("From A = {:g} to 0.6 the {} on meshes that are rezoned is that of the Euler equations within the "
+        fmt::format("From A = {:g} to 0.6 the {} on meshes that are rezoned agrees with the Euler equations within the "
                     "finest mesh's uncertainty.",
                     lowest_rezoned, name),
         "largest difference over the uncertainty that the change from mesh to mesh gives",

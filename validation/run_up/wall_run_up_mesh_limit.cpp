@@ -302,17 +302,18 @@ void claims(const Values& values, const Claims<Results>& all) {
                "a surface node feels the pressure half a cell below it; in the thin sheet that lets the node next to "
                "the wall cross the wall's line");
   const std::string own = "not in the thesis";
-  claims.check(does("barrier", "With the corner barrier A = 0.5 runs through.", own),
+  claims.check(does("barrier", "With the corner barrier, the run at H/h = 0.5 completes without mesh tangling.", own),
                fate_of("barrier", 0.5, &Fate::through), goes);
   claims.check(does("hourglass", "With the hourglass potential, kappa_0 = 1, A = 0.6 reaches its largest run-up.", own),
                fate_of("hourglass_1", 0.6, &Fate::reached), reaches);
   claims.check(
-      does("all", "With barrier, hourglass potential, and wide columns at the wall A = 0.6 runs through.", own),
+      does("all", "With barrier, hourglass potential and wide columns at the wall, the run at H/h = 0.6 completes.",
+           own),
       fate_of("all", 0.6, &Fate::through), goes);
-  claims.check(does("rezoned", "Where columns are put upright again A = 0.6 runs through.", own),
+  claims.check(does("rezoned", "With rezoned columns, the run at H/h = 0.6 completes.", own),
                fate_of("rezoned", 0.6, &Fate::through), goes);
-  claims.check(does("rezoned-run-up", "It reaches its largest run-up.", own), fate_of("rezoned", 0.6, &Fate::reached),
-               reaches);
+  claims.check(does("rezoned-run-up", "The wave on rezoned columns reaches its maximum run-up.", own),
+               fate_of("rezoned", 0.6, &Fate::reached), reaches);
   claims.from(own).check(
       "barrier-neutral", "The barrier does not change the run-up of A = 0.5.", "difference of run-ups [depth]",
       [](const Results& r) {

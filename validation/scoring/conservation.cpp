@@ -31,13 +31,13 @@ bool one_of(const std::string& name, std::initializer_list<const char*> names) {
 /// What is allowed, or why nothing is judged.
 std::variant<Allowed, std::string> allowed(const std::string& phenomenon, const std::string& quantity) {
   if (quantity == "volume") {
-    if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water runs through";
+    if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water enters and leaves";
     return Allowed{0.001, false, "The water is all there, at every time.",
                    "a thousandth of the water is a thousandth of the depth: a millimetre in a metre, what a gauge can "
                    "still tell"};
   }
   if (one_of(phenomenon, {"wavemaker", "moving_pressure"})) return "what drives the water does work on it";
-  if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water runs through";
+  if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water enters and leaves";
   const bool free = one_of(phenomenon, {"standing_wave", "periodic_wave", "solitary_wave", "basin", "drop"});
   if (quantity == "energy") {
     if (free) {
@@ -170,7 +170,7 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
       record.measure(name + "_change", change_of(t, values, false).largest);
     } else if (limits != nullptr) {
       throw std::invalid_argument(fmt::format(
-          "column {}: is 0 at t = {:g}, must not be: changes are judged over the first value", name, t.front()));
+          "column {}: is 0 at t = {:g}, must not be: changes are relative to the first value", name, t.front()));
     }
     evidence::Claim claim{
         .id = "conserved-" + name,

@@ -104,9 +104,10 @@ std::string where_line(const WorstCurve& worst) {
     place += fmt::format(", {} = {:g}{}", worst.table->group->name, worst.group->value,
                          after_number(worst.table->group->unit));
   }
-  return fmt::format("{}: largest at {} = {:.4g}{}, {:+.3g}{}; {:.0f} % of it within a tenth of the range there", place,
-                     axis.name, worst.kind.where, after_number(axis.unit), worst.kind.largest,
-                     after_number(column.unit), 100 * worst.kind.near);
+  return fmt::format(
+      "{}: largest at {} = {:.4g}{}, {:+.3g}{}; {:.0f} % of the squared error within a tenth of the range there", place,
+      axis.name, worst.kind.where, after_number(axis.unit), worst.kind.largest, after_number(column.unit),
+      100 * worst.kind.near);
 }
 
 /// A ladder's quantity whose error is more than its numerical error.
@@ -129,22 +130,23 @@ bool all_right(const evidence::Record& record, const std::vector<Finding>& findi
 
 std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std::optional<Ladder>& ladder) {
   const evidence::Judgement& j = claim.judgement;
-  if (j.verdict == Verdict::error) return "the file's: what was measured is no number";
+  if (j.verdict == Verdict::error) return "the submitted file: a measured value is NaN or missing";
   if (is_comparison(claim)) {
     if (j.verdict == Verdict::fail && !j.uncertainty) return "your solver's: " + j.note;
     if (j.verdict == Verdict::fail) {
       return fmt::format(
-          "your solver's: off by {:.3g}, which the uncertainties of the data and of your result ({:.3g} "
+          "your solver's: an error of {:.3g}, which the uncertainties of the data and of your result ({:.3g} "
           "together) do not explain",
           j.measured - j.expected, j.limit);
     }
-    if (j.verdict == Verdict::inconclusive) return "cannot be told: " + j.note;
-    return fmt::format("nobody's: within the uncertainties of the data and of your result, {:.3g} together", j.limit);
+    if (j.verdict == Verdict::inconclusive) return "undecided: " + j.note;
+    return fmt::format("none: within the uncertainties of the data and of your result, {:.3g} together", j.limit);
   }
-  if (j.verdict == Verdict::pass) return all ? "within every limit" : "within the limits of what was judged";
-  if (j.verdict == Verdict::inconclusive) return "cannot be told: " + j.note;
-  if (!exact) return "your solver's or the data's: this limit knows no uncertainty of the data";
-  if (!ladder) return "your solver's or its set-up's, for the reference is exact: three sizes tell which";
+  if (j.verdict == Verdict::pass)
+    return all ? "none, all errors are within their limits" : "within the limits of what was judged";
+  if (j.verdict == Verdict::inconclusive) return "undecided: " + j.note;
+  if (!exact) return "your solver's or the data's: this limit does not include an uncertainty of the data";
+  if (!ladder) return "your solver's or its set-up's, as the reference is exact: three cell sizes (--sizes) show which";
   if (const LadderQuantity* q = not_numerical(ladder)) {
     return fmt::format("your model's or set-up's: the error of {} is more than its numerical error", q->name);
   }
@@ -155,7 +157,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
                       const std::optional<Ladder>& ladder, bool all, bool exact) {
   const evidence::Judgement& j = claim.judgement;
   if (j.verdict == Verdict::pass && all) {
-    return ladder ? "nothing is to be mended" : "three sizes or more (--sizes) tell your order and what 1 % costs";
+    return ladder ? "none, all claims are met"
+                  : "run three or more cell sizes (--sizes) to obtain the order of accuracy and the cost of 1 % error";
   }
   for (const JudgedClaim& one : record.claims()) {
     if (one.claim.id.ends_with("-coverage") && one.judgement.verdict == Verdict::fail) {
@@ -164,18 +167,19 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
   }
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
   if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
-    return "say how uncertain your result is: --uncertainty, or --sizes with three sizes or more";
+    return "state the uncertainty of your result: --uncertainty, or --sizes with three or more cell sizes";
   }
-  if (!ladder) return "run three sizes or more and pass them with --sizes";
+  if (!ladder) return "run three or more cell sizes and pass them with --sizes";
   if (exact && not_numerical(ladder) != nullptr) {
-    return "finer cells do not mend it: look at initial state, boundaries, gravity, friction and viscosity";
+    return "refinement will not remove this error; check initial and boundary conditions, gravity, friction and "
+           "viscosity";
   }
   for (const LadderQuantity& q : ladder->quantities) {
     if (const auto reached = ladder->reach(q, ladder_target); reached && reached->size < ladder->size.back()) {
       return fmt::format("run dx = {:.2g}: 1 % of {}", reached->size, q.name);
     }
   }
-  return "look at the figure of the quantity above";
+  return "inspect the figure of the quantity above";
 }
 
 }  // namespace
@@ -183,8 +187,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
 std::string ErrorKind::words() const {
   const auto [share, name] =
       std::max({std::pair{level, "level"}, std::pair{amplitude, "amplitude"}, std::pair{phase, "phase"}});
-  if (share > 0.5) return fmt::format("{}: {:.0f} % of it", name, 100 * share);
-  return "shape: neither level nor amplitude nor phase explains half of it";
+  if (share > 0.5) return fmt::format("{}: {:.0f} % of the squared error", name, 100 * share);
+  return "local shape; no level, amplitude or phase error explains more than half of it";
 }
 
 ErrorKind error_kind(Curve submitted, Curve reference) {
@@ -225,32 +229,31 @@ ErrorKind error_kind(Curve submitted, Curve reference) {
 
 FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& submitted, const evidence::Record& record,
                      const std::vector<Finding>& findings, const std::optional<Ladder>& ladder) {
-  FirstLook look{{"verdict", verdict_line(record)}};
+  FirstLook look{{"result", verdict_line(record)}};
   const JudgedClaim* claim = deciding(record);
-  if (claim != nullptr) look.emplace_back("in one line", one_line(*claim));
+  if (claim != nullptr) look.emplace_back("closest limit", one_line(*claim));
   if (ladder) {
     for (const LadderQuantity& q : ladder->quantities) look.emplace_back("resolution", ladder->line(q));
   }
   const WorstCurve worst = worst_curve(wanted, submitted);
   if (!findings.empty()) {
-    look.emplace_back("look first at",
-                      fmt::format("{}: your result {}", findings.front().where, findings.front().words));
+    look.emplace_back("start with", fmt::format("{}: your result {}", findings.front().where, findings.front().words));
   } else if (worst.table != nullptr) {
-    look.emplace_back("look first at",
+    look.emplace_back("start with",
                       fmt::format("figure {}{}", worst.table->name,
                                   worst.table->group ? "-" + worst.quantity->column.name : std::string()));
   }
   constexpr double rounding = 1e-12;
   if (worst.table != nullptr && worst.error > rounding) {
-    look.emplace_back("where the error is", where_line(worst));
-    look.emplace_back("of what kind", worst.kind.words());
+    look.emplace_back("largest error", where_line(worst));
+    look.emplace_back("type of error", worst.kind.words());
   }
   if (claim != nullptr) {
     const bool exact = std::all_of(wanted.begin(), wanted.end(), [](const WantedTable& table) {
       return table.reference_role == evidence::Role::exact;
     });
     const bool all = all_right(record, findings, ladder);
-    look.emplace_back("whose it is", whose_line(*claim, all, exact, ladder));
+    look.emplace_back("likely cause", whose_line(*claim, all, exact, ladder));
     look.emplace_back("next step", next_line(record, *claim, findings, ladder, all, exact));
   }
   return look;
@@ -258,8 +261,8 @@ FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& su
 
 void show_first_look(const FirstLook& look, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "first-look",
-                        .title = "At first sight",
-                        .caption = "What the score says in a few lines.",
+                        .title = "Summary",
+                        .caption = "Result, largest error, likely cause and next step.",
                         .columns = {{"question", ""}, {"answer", ""}},
                         .rows = {},
                         .atlas = {}};

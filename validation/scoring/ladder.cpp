@@ -188,8 +188,7 @@ std::string Ladder::line(const LadderQuantity& q) const {
   text += fmt::format("; error on {:g} is {}", size.back(), amount(q, q.error.back()));
   if (!q.exact) text += fmt::format(", numerically {}", amount(q, q.numerical));
   if (stays(q)) {
-    return text +
-           fmt::format("; it tends to {} and not to zero: finer cells do not mend it", amount(q, q.tends.extrapolated));
+    return text + fmt::format("; the error converges to {}, not to zero", amount(q, q.tends.extrapolated));
   }
   const std::optional<Reach> reached = reach(q, ladder_target);
   if (!reached) return q.relative ? text + "; it does not fall with the size" : text;

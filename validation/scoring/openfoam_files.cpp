@@ -176,7 +176,7 @@ FolderTables read_openfoam_folder(const fs::path& folder) {
   if (there.size() > 8) there.resize(8);
   if (times.empty()) {
     throw std::invalid_argument(fmt::format(
-        "{}: is a folder without times: name that of one function, as in postProcessing/probes; here are {}",
+        "{}: is a folder without times; name the folder of one function, as in postProcessing/probes; it contains {}",
         plain.string(), fmt::join(there, ", ")));
   }
   std::map<std::string, io::Table> series;  // by name of the file, over the starts of the run

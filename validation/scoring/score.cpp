@@ -293,7 +293,7 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
                 .source = "what the case asks for"},
                {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},
                evidence::Bound{.limit = 1 - table.least_coverage,
-                               .reason = "a part of the result alone is judged where --table says so",
+                               .reason = "a part of the result is scored alone only with --table",
                                .expected = 1});
   leave_out(table, "the table was not submitted", record);
 }

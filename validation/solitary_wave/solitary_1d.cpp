@@ -77,7 +77,7 @@ std::vector<double> fractions(double first, long count) {
 void claim_second_order(const Claims<Refinement>& claims, const std::string& id, const std::string& what,
                         std::vector<double> Refinement::*errors) {
   claims.check(
-      "order-" + id, what + ": second order.", "observed order",
+      "order-" + id, what + " converges at second order.", "observed order",
       [errors](const Refinement& r) { return evidence::observed_order(r.size, r.*errors); },
       Order{2, 0.1, "smooth wave; the coarsest cells still deviate by a few per cent of the order"});
 }
@@ -142,9 +142,10 @@ void claim_kept(const Claims<OwnRun>& claims, const Values& values) {
         "the rounded momentum");
   const auto kept = claims.only_if(scheme_of(values).stepping == Stepping::conservative,
                                    "only the conservative scheme keeps it to round-off");
-  claim(kept, "energy", "Energy is kept.", &SerreHistory::energy, 1, "the rounded energy");
-  claim(kept, "volume", "Every cell's volume is kept.", &SerreHistory::volume, values.real("length") / h,
-        "a rounded coordinate, up to the channel's length, over the width of a cell");
+  claim(kept, "energy", "Energy of the solitary wave is conserved to round-off.", &SerreHistory::energy, 1,
+        "the rounded energy");
+  claim(kept, "volume", "The volume of every cell is conserved to round-off.", &SerreHistory::volume,
+        values.real("length") / h, "a rounded coordinate, up to the channel's length, over the width of a cell");
 }
 
 void claim_orders(const Claims<Results>& claims) {
@@ -152,11 +153,13 @@ void claim_orders(const Claims<Results>& claims) {
     const auto together = claims.of([k](const Results& r) -> const Refinement& { return r.together.at(k); });
     const std::string id = plain_ids.at(k);
     const std::string name = title(plain.at(k));
-    claim_second_order(together, id + "-l2", "Elevation, " + name, &Refinement::l2);
-    claim_second_order(together, id + "-max", "Largest error of the elevation, " + name, &Refinement::largest);
-    claim_second_order(together, id + "-velocity", "Velocity, " + name, &Refinement::velocity);
+    claim_second_order(together, id + "-l2", "The elevation, " + name + ",", &Refinement::l2);
+    claim_second_order(together, id + "-max", "The largest error of the elevation, " + name + ",",
+                       &Refinement::largest);
+    claim_second_order(together, id + "-velocity", "The velocity, " + name + ",", &Refinement::velocity);
   }
-  claim_second_order(claims.of(&Results::cells), "cells", "Cells alone", &Refinement::l2);
+  claim_second_order(claims.of(&Results::cells), "cells", "The elevation with the cells alone refined",
+                     &Refinement::l2);
   for (std::size_t k = 0; k < schemes_in_time.size(); ++k) {
     const std::string name = title(schemes_in_time.at(k));
     const bool fourth = composed(schemes_in_time.at(k));
@@ -165,7 +168,7 @@ void claim_orders(const Claims<Results>& claims) {
     std::replace(id.begin(), id.end(), ' ', '-');
     claims.from(fourth ? "Yoshida (1990), Suzuki (1990)" : source)
         .check(
-            "time-" + id, fmt::format("In time: {} is of order {}.", name, fourth ? 4 : 2),
+            "time-" + id, fmt::format("The error in time of {} is of order {}.", name, fourth ? 4 : 2),
             "observed order of the largest error of a marker",
             [k](const Results& r) { return evidence::observed_order(r.tau, r.in_time.at(k), 1e-12); },
             Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
@@ -181,7 +184,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
         .from("discrete dispersion: sin and tan of half the phase advanced per step, Frank (1994), formula 13")
         .check(
             fmt::format("phase-{}", plain_ids.at(k)),
-            k == 0 ? "Long steps make the one-step wave lead." : "They make the conservative wave lag.",
+            k == 0 ? "Long steps make the one-step wave lead."
+                   : "The crest lags the exact crest with long steps (conservative scheme).",
             "crest ahead of the exact one",
             [k](const Results& r) {
               const double phase = r.steps.at(k).phase.front();
@@ -195,7 +199,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("tau = {:g} .. {:g}", halved.front(), halved.back()))
       .from("Frank (1994), chapter 1: second order")
       .check(
-          "energy-ratio", "One-step: each halving of the step divides the energy defect by four.",
+          "energy-ratio", "The energy error falls by four with each halving of the step (one-step scheme).",
           "ratio farthest from four",
           [](const Results& r) {
             Worst off;

@@ -166,15 +166,18 @@ void claim_fold(const Claims<Results>& all) {
   };
   claims.known_failure(
       claim("fold",
-            "A = 0.5 on cells one depth wide: no corner folds behind a wave that starts with sampled velocities."),
+            "A = 0.5 on cells one depth wide: no corner tangles behind a wave that starts with sampled velocities."),
       end(&Results::sampled), to_the_end,
       {.value = 19.2,
        .width = 0.2,
        .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the time of "
                  "the fold is that of a step, to two steps"});
-  claims.check(claim("fold-impulse", "Nor behind one that an impulse on the surface starts."), end(&Results::impulse),
-               to_the_end);
-  claims.check(claim("fold-hourglass", "Nor where the hourglass force, kappa_0 = 0.02, holds the mesh."),
+  claims.check(claim("fold-impulse",
+                     "The mesh does not tangle behind a solitary wave of H/h = 0.5 that a surface impulse starts."),
+               end(&Results::impulse), to_the_end);
+  claims.check(claim("fold-hourglass",
+                     "The mesh does not tangle behind a solitary wave of H/h = 0.5 where the hourglass force, kappa_0 "
+                     "= 0.02, holds it."),
                end(&Results::held), to_the_end);
 }
 
@@ -200,7 +203,7 @@ void claim_conservation(const Claims<Results>& claims) {
   const auto claim_order = [&](const std::string& id, const std::string& what, double Outcome::*defect) {
     claims.from("Frank (1994), chapter 1")
         .check(
-            "one-step-" + id, "One-step: " + what + " are kept to second order in the step.",
+            "one-step-" + id, "The error of the " + what + " is second-order in the step (one-step scheme).",
             "observed order of the largest relative defect",
             [defect](const Results& r) {
               return evidence::observed_order(
@@ -210,7 +213,7 @@ void claim_conservation(const Claims<Results>& claims) {
             Order{2, 0.1, "even powers of the step only: the scheme is time-reversible"});
   };
   claim_order("energy", "energy", &Outcome::energy);
-  claim_order("area", "areas", &Outcome::area);
+  claim_order("area", "cell areas", &Outcome::area);
   const auto claim_kept = [&](const std::string& id, const std::string& text, double Outcome::*defect, double scale,
                               const std::string& reason) {
     claims.at(coarse.text())
@@ -225,9 +228,10 @@ void claim_conservation(const Claims<Results>& claims) {
                      .scale = scale,
                      .reason = reason + ", once per solve"});
   };
-  claim_kept("energy", "Conservative: energy is kept.", &Outcome::energy, 1, "the rounded energy");
-  claim_kept("area", "Conservative: the area of every cell is kept.", &Outcome::area, length / coarse.column_width,
-             "a rounded coordinate, up to the tank's length, over the width of a cell");
+  claim_kept("energy", "Energy is conserved to round-off (conservative scheme).", &Outcome::energy, 1,
+             "the rounded energy");
+  claim_kept("area", "The area of every cell is conserved to round-off (conservative scheme).", &Outcome::area,
+             length / coarse.column_width, "a rounded coordinate, up to the tank's length, over the width of a cell");
 }
 
 double profile_of_side(const Results& r, std::size_t side) {
@@ -244,7 +248,8 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
           Bound{.limit = 1, .reason = "more than means a ratio below 1"});
   for (const Refined& error : refined) {
     claims.check(
-        fmt::format("order-{}", error.id), fmt::format("Error of the {}: second order.", error.what), "observed order",
+        fmt::format("order-{}", error.id), fmt::format("The error of the {} converges at second order.", error.what),
+        "observed order",
         [of = error.of](const Results& r) {
           return evidence::observed_order(heights_of_cells(r.refinement), each(r.refinement, of));
         },

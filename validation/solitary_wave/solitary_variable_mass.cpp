@@ -117,12 +117,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
       Bound{.limit = kh * kh / 6,
             .reason = "(k h)^2/6, k the rate of decay of the wave's tails: the error of differences of second order"});
   own.check(
-      "height", "The crest keeps its height.", "mean height over that of the beginning, less 1",
+      "height", "The crest height stays constant over the run.", "mean height over that of the beginning, less 1",
       [a = values.real("amplitude")](const Travel& t) { return t.crest / a - 1; },
       Bound{.limit = kh * kh, .reason = "(k h)^2: the exact wave is the mesh's wave but for terms of second order"});
   own.only_if(controlled, "nodes that drift apart leave cells that are larger")
-      .check("profile", "The wave keeps its shape.", "largest error of the surface about the crest, over the amplitude",
-             &Travel::profile, Bound{.limit = 2 * kh * kh, .reason = "twice (k h)^2: of the height and of the width"});
+      .check("profile", "The surface about the crest keeps the shape of the exact wave.",
+             "largest error of the surface about the crest, over the amplitude", &Travel::profile,
+             Bound{.limit = 2 * kh * kh, .reason = "twice (k h)^2: of the height and of the width"});
   own.check(
       "energy", "Energy with what was booked is kept.", "largest change, over the kinetic energy",
       [](const Travel& t) { return t.run.energy_defect; },

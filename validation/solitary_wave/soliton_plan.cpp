@@ -114,7 +114,7 @@ void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
                                                   "one per cent, which is not seen in a plot of the wave, on cells as "
                                                   "long as the water is deep; second order in h"}
                                           : Bound{0.01, "one per cent is not seen in a plot of the wave"};
-  const evidence::Claim height = claim("height", "the height stays.", "band of the height over its mean");
+  const evidence::Claim height = claim("height", "the wave height stays constant.", "band of the height over its mean");
   claims
       .only_if(
           travel.layers != 1 || run.settled >= shedding,
@@ -123,9 +123,10 @@ void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
               shedding))
       .check(height, &Travel::band, unseen);
   claims.check(
-      claim("energy", "the energy stays.", "largest relative defect of the energy"),
+      claim("energy", "the energy is conserved.", "largest relative defect of the energy"),
       [](const Travel& t) { return t.found.energy_defect; }, energy_bound(travel));
-  claims.check(claim("speed", "the speed is right.", "relative error of the speed"), &Travel::speed_error,
+  claims.check(claim("speed", "the speed agrees with the exact wave.", "relative error of the speed"),
+               &Travel::speed_error,
                travel.layers == 0
                    ? Bound{1e-3 * run.spacing * run.spacing,
                            "second order in h and tau, with a factor that longer waves make smaller"}

@@ -133,8 +133,8 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
       Qualitative{"two crests or more in the front half of the way on the shelf, the first three descending",
                   "higher waves are faster"});
   own.from("Lamb, Hydrodynamics (1932), 176")
-      .check("reflected", "The reflected crest is that of long waves.", "height over the depth before the step",
-             &Passage::reflected,
+      .check("reflected", "The height of the reflected crest agrees with long-wave theory.",
+             "height over the depth before the step", &Passage::reflected,
              Bound{.limit = k * k,
                    .reason = "Lamb's step is one of long waves: corrections of relative order (k H)^2, k the rate of "
                              "decay of the wave's tails",

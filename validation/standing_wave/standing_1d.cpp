@@ -202,7 +202,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const double kh = judged_depths[k];
     limit.check(
         fmt::format("limit-{:.0f}", 1e4 * kh),
-        fmt::format("At k H = {:g} the model's coefficient is that of its theory.", kh),
+        fmt::format("At k H = {:g} the model's coefficient agrees with its theory.", kh),
         "C = (Omega/omega - 1)/(a/H)^2", [k](const Results& r) { return r.coefficients[k]; },
         Bound{.limit = uncertainty,
               .reason = "a quarter of (k s)^4 of the coarser box: what extrapolation in s^2 leaves of the next power, "
@@ -220,16 +220,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
   };
   limit.check("critical-wavelength", "At one wavelength the frequency does not depend on amplitude, as in theory.",
               "critical wavelength/H", &Results::critical, root_within(theory));
-  limit.from(water).known_failure("critical-wavelength-of-water", "It is the critical wavelength of water.",
-                                  "critical wavelength/H", &Results::critical,
-                                  Bound{.limit = 0.01,
-                                        .reason = "the digits of 5.94, as the source gives it",
-                                        .expected = of_water,
-                                        .relative = true},
-                                  {.value = theory,
-                                   .width = in_wavelengths(useful_uncertainty, theory),
-                                   .reason = "a property of the equations, not of the cells: the model's coefficient "
-                                             "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"});
+  limit.from(water).known_failure(
+      "critical-wavelength-of-water",
+      "The critical wavelength, at which frequency does not depend on amplitude, equals water's 5.94 H.",
+      "critical wavelength/H", &Results::critical,
+      Bound{.limit = 0.01,
+            .reason = "the digits of 5.94, as the source gives it",
+            .expected = of_water,
+            .relative = true},
+      {.value = theory,
+       .width = in_wavelengths(useful_uncertainty, theory),
+       .reason = "a property of the equations, not of the cells: the model's coefficient "
+                 "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"});
   limit.from(water).check(
       "critical-wavelength-with-weight",
       fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", like_water().weight_exponent),
@@ -245,7 +247,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       },
       Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 depths",
                   .reason = "the energy of slopes stiffens crests more than it softens troughs"});
-  limit.check("with-gamma", "With the added energy too, the coefficient is that of theory.",
+  limit.check("with-gamma", "With the added energy too, the coefficient agrees with theory.",
               "largest deviation of C, wavelengths of 4 to 12 depths", &Results::deviation,
               Bound{uncertainty, "a quarter of (k s)^4 of the coarser box"});
 }

@@ -114,7 +114,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                        .reference = [wave](Place p) { return wave->elevation(0, p.abscissa); },
                        .requirements = {{.measure = Measure::relative_l2,
                                          .criterion = Bound{.limit = Amount::at_most(limit, useful), .reason = reason},
-                                         .text = "The elevation at the wall is that of the wave of finite amplitude.",
+                                         .text = "The elevation at the wall agrees with the wave of finite amplitude.",
                                          .source = source}}}},
        .points = [times](double) { return times; },
        .exact = {fmt::format("{} --grid x=0,t=0:{:.17g}:{}", command, end, times.size())}},
@@ -131,7 +131,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                                            reason,
                                        .expected = wave->frequency(),
                                        .relative = true},
-                             .text = "The frequency is that of the wave of finite amplitude.",
+                             .text = "The frequency agrees with the wave of finite amplitude.",
                              .source = source}}}},
        .exact = {command + " --integrals"}}};
 }

@@ -262,8 +262,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                         expected});
   };
   falls("quadrilaterals", "The noise of quadrilaterals falls with the mesh.", of_quadrilaterals, true);
-  falls("dirichlet", "That of Dirichlet cells without stabilisation does not.", of_dirichlet, false);
-  falls("variable-mass", "That of particles of variable mass does.", of_variable, true);
+  falls("dirichlet", "The noise of Dirichlet cells without stabilisation does not fall with the mesh.", of_dirichlet,
+        false);
+  falls("variable-mass", "The noise of variable-mass particles falls with the mesh.", of_variable, true);
   const double periods = values.real("periods");
   const double amplitude = values.real("amplitude");
   const bool controlled = values.text("control") == "mapped" || values.text("control") == "fixed_x";
@@ -283,10 +284,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto at_fixed_x =
       fixed.only_if(amplitude <= 0.1 && values.real("surface_rate") >= 1 && values.real("rate") >= 1,
                     "higher waves end it where the surface is steepest, as weaker control does");
-  at_fixed_x.check(claim("variable-mass-fixed", "So do those whose nodes keep their x."), lasts(of_fixed), whole);
+  at_fixed_x.check(
+      claim("variable-mass-fixed", "Variable-mass particles whose nodes keep their x carry the high wave to the end."),
+      lasts(of_fixed), whole);
   at_fixed_x.only_if(periods <= 10, "what is lost grows with time")
       .check(
-          "loss-of-life", "They lose less than a tenth of the energy of the motion.",
+          "loss-of-life", "Variable-mass particles lose less than a tenth of the energy of the motion.",
           "energy lost over kinetic energy at the start", [](const Results& r) { return r.life.at(of_fixed).lost; },
           Bound{.limit = 0.1,
                 .reason = "the amplitude, to be told from the exact wave's by no more than its second order, a/2H = 5 "
@@ -297,11 +300,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
                            "hundredth of its energy, and of meshes of eight rows a few more"};
   at_fixed_x.only_if(periods <= 10, "the noise grows with time")
       .check(
-          "noise-of-life-fixed", "The motion at fixed x stays that of one wave.",
+          "noise-of-life-fixed", "The motion of nodes at fixed x stays a single wave's.",
           "largest noise of particles of variable mass at fixed x",
           [](const Results& r) { return largest(r.life.at(of_fixed).noise); }, one_wave);
   life.only_if(amplitude == 0.1 && periods == 10, "the noise grows with height and time")
-      .known_failure("noise-of-life", "The motion of the high wave stays that of one wave.",
+      .known_failure("noise-of-life", "The motion of the high wave stays a single wave's.",
                      "largest noise of particles of variable mass",
                      [](const Results& r) { return largest(r.life.at(of_variable).noise); }, one_wave,
                      {.value = 0.2,
@@ -309,7 +312,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       .reason = "nodes of the surface that slide back and water that is handed over feed short waves"});
   life.only_if(amplitude == 0.1 && periods >= 3, "how long Dirichlet cells last depends on the height of the wave")
       .known_failure(
-          claim("dirichlet", "So do Dirichlet cells."), lasts(of_dirichlet), whole,
+          claim("dirichlet", "Dirichlet cells carry the high standing wave to the end."), lasts(of_dirichlet), whole,
           {.value = 1.12,
            .width = 0.2,
            .reason = "nothing restores the place of a node in its cell: the instability is that of the model, not of "

@@ -216,12 +216,12 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
         .only_if(finest >= 16, "the bound is that of eight rows or more")
         .check(
             "mesh-" + id,
-            fmt::format("At {:g} depths the coefficient of the coarser mesh is near that of water.", wavelength),
+            fmt::format("The coefficient of the coarser mesh at wavelength L/h = {:g} is near water's.", wavelength),
             "C = (Omega/omega - 1)/(a/H)^2", [i](const Coefficients& c) { return c.coarse.at(i); },
             coarse_bound(wavelength));
     claims.at(fmt::format("{} and {} rows", finest / 2, finest))
         .check(
-            "limit-" + id, fmt::format("At {:g} depths the coefficient tends to that of water.", wavelength),
+            "limit-" + id, fmt::format("The coefficient at wavelength L/h = {:g} converges to water's.", wavelength),
             "C, extrapolated to small amplitude and fine meshes",
             [i](const Coefficients& c) -> Measurement {
               return {.value = c.limit.at(i), .uncertainty = c.uncertainty.at(i)};

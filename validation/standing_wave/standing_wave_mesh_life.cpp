@@ -215,7 +215,7 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
                "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they fold "
                "the mesh")
       .check("not-the-step" + suffix,
-             "With half the time step, and with the conservative scheme, it folds at the same time.",
+             "With half the time step, and with the conservative scheme, it tangles at the same time.",
              "largest difference of the times of the fold [sqrt(H/g)]", &Wave::spread,
              Bound{.limit = 0.1 * 2 * std::numbers::pi / tank_of(values).law().frequency(wavenumber),
                    .reason = "a tenth of the wave's period. Were it the error of the time step, of order tau^2, half "
@@ -283,7 +283,7 @@ void claim_conservation(const Claims<Wave>& claims, const Values& values, double
   const auto whole = [](const Life& life, double value) { return life.fold ? nan : value; };
   claims.check(
       "energy-conservative" + suffix,
-      "The conservative scheme keeps the energy, that of the potential included, to round-off.",
+      "Energy, the hourglass potential's included, is conserved to round-off (conservative scheme).",
       "largest error of the energy, relative",
       [whole](const Wave& wave) { return whole(wave.conservative, wave.conservative.largest_energy_error()); },
       // The energy is length a^2/4, a node's weight length/nodes.
@@ -294,7 +294,7 @@ void claim_conservation(const Claims<Wave>& claims, const Values& values, double
               "two coordinates of each node, of the size of the depth, are rounded in each step: work of its weight "
               "along the wave's slope k a, over the energy; across, where areas change, the scheme takes it back"});
   claims.check(
-      "areas-conservative" + suffix, "It keeps the area of every cell to round-off.",
+      "areas-conservative" + suffix, "Areas of all cells are conserved to round-off (conservative scheme).",
       "largest change of a cell's area [H^2]",
       [whole](const Wave& wave) {
         return whole(wave.conservative, wave.conservative.flow->ledger().entry("volume_worst").largest_defect);

@@ -30,7 +30,7 @@ struct Required {
 std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
   std::vector<Required> all{
       {{.id = "depth",
-        .text = "The depth is that of the steady flow.",
+        .text = "The depth agrees with the steady flow.",
         .quantity = "mean |h - exact| over that of level water",
         .source = flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
@@ -38,7 +38,7 @@ std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
         .reason =
             "the case's parameter `tolerance`, of what bed and friction do to level water; by default a twentieth"}},
       {{.id = "discharge",
-        .text = "The discharge is everywhere what comes in.",
+        .text = "The unit discharge q = hu is uniform along the channel and equals the inflow.",
         .quantity = "mean |h u - q| over q",
         .source = flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).discharge / flow.discharge; },

@@ -166,7 +166,7 @@ void claim_scheme(const Claims<Results>& claims, const std::string& id, const Fl
                   std::vector<FlapWaves> Results::*runs, const Theory& linear) {
   claims.check(
       "beside-flap" + id,
-      fmt::format("Beside the flap the second wave is that of the exact transient ({}).", scheme.name),
+      fmt::format("Beside the flap the second wave agrees with the exact transient ({}).", scheme.name),
       "height from crest to trough during the second period [m]",
       [runs](const Results& r) -> Measurement {
         const FlapWaves& finest = (r.*runs).back();
@@ -224,7 +224,7 @@ void claim_loss(const Claims<Results>& claims, const Theory& linear, const Value
                 .relative = true});
   few.only_if(sph_ladder(values.tier(), values.integer("layers")).size() >= 3, "it takes the lattices of the full tier")
       .check(
-          "not-spacing", "It is not a matter of the spacing (as set).",
+          "not-spacing", "The difference does not depend on the spacing (as set).",
           "half of the spacing leaves more than half of the loss",
           [](const Results& r) -> Measurement {
             return {.value = r.loss(r.runs.back()) > 0.5 * r.loss(r.runs.front()) ? 1.0 : 0.0,
@@ -292,7 +292,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_design(claims, flap_design(values));
   const Theory linear = theory_of(flap_design(values));
   claims.check(
-      "second-transient", fmt::format("The second wave is that of the exact transient ({}).", more_neighbours.name),
+      "second-transient", fmt::format("The second wave agrees with the exact transient ({}).", more_neighbours.name),
       "height from crest to trough during the second period [m]",
       [](const Results& r) -> Measurement {
         return {.value = r.heights(r.wide.back())[1], .resolution = r.wide.back().resolution()};

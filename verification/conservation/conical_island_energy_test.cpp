@@ -51,7 +51,7 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
   }
   const std::string resolution = fmt::format("columns {:g} m apart, {} steps", spacing, flow.steps());
   check.that({.id = "passes",
-              .text = "Every step settles.",
+              .text = "The iteration of every step settles until the end time.",
               .quantity = "time that was not reached",
               .unit = "s",
               .source = source},
@@ -66,7 +66,7 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
                    .reason = "the height is doubled at a wall; the experiment's largest is 2.8",
                    .expected = 2.5});
   check.that({.id = "energy",
-              .text = "Its energy is kept to round-off.",
+              .text = "Energy of the wave at the island is conserved to round-off.",
               .quantity = "largest change over the first value",
               .source = source},
              {.value = drift.value(), .resolution = resolution},

@@ -54,7 +54,10 @@ Conservation solitary(double tau, const Make& make) {
 }
 
 void known_digits(Check& check, const std::string& id, const std::string& text, double value, double expected) {
-  check.that({.id = id, .text = text, .quantity = "largest relative defect, t <= 100", .source = digits},
+  check.that({.id = id,
+              .text = text + " has its two recorded digits.",
+              .quantity = "largest relative defect, t <= 100",
+              .source = digits},
              {.value = value},
              Bound{.limit = 0.05, .reason = "expected values have two digits", .expected = expected, .relative = true});
 }
@@ -86,19 +89,19 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
   const Conservation c2 = row("fully conservative", 0.05, conservative);
   const Conservation h2 = row("fully conservative, feedback", 0.05, held);
   check.table(table);
-  known_digits(check, "A-energy-1", "One-step, tau = 0.1: energy.", a1.energy, 1.3e-6);
-  known_digits(check, "A-energy-2", "One-step, tau = 0.05: energy.", a2.energy, 5.2e-7);
-  known_digits(check, "A-energy-3", "One-step, tau = 0.025: energy.", a3.energy, 1.4e-7);
-  known_digits(check, "A-volume-1", "One-step, tau = 0.1: cell volume.", a1.volume, 1.5e-5);
-  known_digits(check, "A-volume-2", "One-step, tau = 0.05: cell volume.", a2.volume, 3.7e-6);
-  known_digits(check, "A-volume-3", "One-step, tau = 0.025: cell volume.", a3.volume, 9.4e-7);
-  known_digits(check, "B-energy-2", "Feedback, tau = 0.05: energy.", b2.energy, 1.4e-6);
-  known_digits(check, "B-energy-3", "Feedback, tau = 0.025: energy.", b3.energy, 1.3e-7);
-  known_digits(check, "B-volume-2", "Feedback, tau = 0.05: cell volume.", b2.volume, 1.5e-7);
-  known_digits(check, "B-volume-3", "Feedback, tau = 0.025: cell volume.", b3.volume, 1.8e-8);
+  known_digits(check, "A-energy-1", "The energy error of the one-step scheme at tau = 0.1", a1.energy, 1.3e-6);
+  known_digits(check, "A-energy-2", "The energy error of the one-step scheme at tau = 0.05", a2.energy, 5.2e-7);
+  known_digits(check, "A-energy-3", "The energy error of the one-step scheme at tau = 0.025", a3.energy, 1.4e-7);
+  known_digits(check, "A-volume-1", "The cell-volume error of the one-step scheme at tau = 0.1", a1.volume, 1.5e-5);
+  known_digits(check, "A-volume-2", "The cell-volume error of the one-step scheme at tau = 0.05", a2.volume, 3.7e-6);
+  known_digits(check, "A-volume-3", "The cell-volume error of the one-step scheme at tau = 0.025", a3.volume, 9.4e-7);
+  known_digits(check, "B-energy-2", "The energy error with feedback at tau = 0.05", b2.energy, 1.4e-6);
+  known_digits(check, "B-energy-3", "The energy error with feedback at tau = 0.025", b3.energy, 1.3e-7);
+  known_digits(check, "B-volume-2", "The cell-volume error with feedback at tau = 0.05", b2.volume, 1.5e-7);
+  known_digits(check, "B-volume-3", "The cell-volume error with feedback at tau = 0.025", b3.volume, 1.8e-8);
   const double steps = 2000;
   check.that({.id = "C-energy",
-              .text = "Fully conservative: energy to round-off.",
+              .text = "Energy is conserved to round-off (conservative scheme).",
               .quantity = "largest relative energy defect",
               .source = source},
              {.value = c2.energy, .resolution = "tau = 0.05"},
@@ -138,10 +141,10 @@ TEST_CASE("each sweep of the implicit step gains a fixed number of digits", "[co
     const Conservation c =
         solitary(0.1, [&](Channel& channel) { return ConservativeStep<Channel>(channel, {.fixed_sweeps = sweeps}); });
     const std::string n = std::to_string(sweeps);
-    known_digits(check, "energy-" + n, n + " sweeps: energy.", c.energy, energies[sweeps - 1]);
+    known_digits(check, "energy-" + n, "The energy error with " + n + " sweeps", c.energy, energies[sweeps - 1]);
     if (sweeps < 4) {
       check.that({.id = "volume-" + n,
-                  .text = n + " sweeps: cell volume.",
+                  .text = "The cell-volume error with " + n + " sweeps has its recorded order of magnitude.",
                   .quantity = "largest relative volume defect",
                   .source = digits},
                  {.value = c.volume},
@@ -182,13 +185,13 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
   const auto plain = run(false);
   const auto composed = run(true);
   check.that({.id = "energy",
-              .text = "Energy to round-off.",
+              .text = "Energy of the chain is conserved to round-off.",
               .quantity = "largest energy defect",
               .source = "Quispel & McLaren, J. Phys. A 41 (2008) 045206"},
              {.value = largest(std::array{plain.first, composed.first})},
              Roundoff{.operations = 20000, .scale = 10, .reason = "one rounded energy, of terms up to 10, per step"});
   check.that({.id = "links",
-              .text = "Link lengths to round-off.",
+              .text = "Link lengths of the chain are conserved to round-off.",
               .quantity = "largest link defect",
               .source = "bilinear constraints at the middle"},
              {.value = largest(std::array{plain.second, composed.second})},

@@ -59,13 +59,19 @@ TEST_CASE("water at rest in Dirichlet cells stays at rest on any mesh", "[conser
     }
     check.measure(id + ": largest velocity", speed.value());
     check.measure(id + ": largest error of the pressure", pressure.value());
-    check.that({.id = id + "-flips", .text = "No edge is flipped.", .quantity = "flips", .source = source},
+    check.that({.id = id + "-flips",
+                .text = "The water at rest flips no edge of the mesh.",
+                .quantity = "flips",
+                .source = source},
                {.value = static_cast<double>(flips)}, Bound{0, "nothing moves further than rounding"});
     if (level == 0) {
-      check.that({.id = id, .text = "Nothing moves, bit by bit.", .quantity = "largest velocity", .source = source},
+      check.that({.id = id,
+                  .text = "Velocities of the water at rest are zero, bitwise.",
+                  .quantity = "largest velocity",
+                  .source = source},
                  {.value = speed.value()}, Bound{0, "every force is exactly zero"});
       check.that({.id = id + "-pressure",
-                  .text = "There is no dynamic pressure.",
+                  .text = "The dynamic pressure of the water at rest is zero.",
                   .quantity = "largest multiplier",
                   .source = source},
                  {.value = pressure.value()}, Bound{0, "every force is exactly zero"});
@@ -76,7 +82,10 @@ TEST_CASE("water at rest in Dirichlet cells stays at rest on any mesh", "[conser
                          .reason =
                              "200 kicks of tau times the acceleration g/h = 8, that of the pressure and of "
                              "gravity, sums of some twenty terms"};
-    check.that({.id = id, .text = "Nothing moves beyond rounding.", .quantity = "largest velocity", .source = source},
+    check.that({.id = id,
+                .text = "Velocities of the water at rest stay zero to round-off.",
+                .quantity = "largest velocity",
+                .source = source},
                {.value = speed.value()}, kicks);
     check.that({.id = id + "-pressure",
                 .text = "The dynamic pressure is rho g.",
@@ -115,10 +124,13 @@ TEST_CASE("a free patch of Dirichlet cells keeps mass, momenta and energy over f
     const Flow flow = run(moving_patch(p.stabilisation, p.feedback), p.tau);
     const auto& ledger = flow.ledger();
     const auto steps = static_cast<double>(flow.steps());
-    keeps(p.id + "-mass", p.what + ": mass.", ledger.largest_defect("mass"), steps);
-    keeps(p.id + "-momentum", p.what + ": linear momentum.", ledger.largest_defect("momentum"), steps);
-    keeps(p.id + "-angular-momentum", p.what + ": angular momentum.", ledger.largest_defect("angular_momentum"), steps);
-    keeps(p.id + "-energy", p.what + ": energy and what was booked.", ledger.largest_defect("energy"), steps);
+    keeps(p.id + "-mass", "Mass is conserved to round-off (" + p.what + ").", ledger.largest_defect("mass"), steps);
+    keeps(p.id + "-momentum", "Linear momentum is conserved to round-off (" + p.what + ").",
+          ledger.largest_defect("momentum"), steps);
+    keeps(p.id + "-angular-momentum", "Angular momentum is conserved to round-off (" + p.what + ").",
+          ledger.largest_defect("angular_momentum"), steps);
+    keeps(p.id + "-energy", "Energy plus the booked losses is conserved to round-off (" + p.what + ").",
+          ledger.largest_defect("energy"), steps);
     keeps(
         p.id + "-area", p.what + ": the sum of the cells is the area of the polygon.",
         [&] {
@@ -184,7 +196,10 @@ TEST_CASE("areas of Dirichlet cells drift by the square of the step, as does ene
     energies.push_back(std::abs(water.energy() + water.stabilisation_loss() - energy));
   }
   const Order second{2, 0.2, "second order of the one-step scheme"};
-  check.that({.id = "areas", .text = "Areas: order 2.", .quantity = "order of the largest drift", .source = source},
+  check.that({.id = "areas",
+              .text = "The drift of cell areas is second-order in the step.",
+              .quantity = "order of the largest drift",
+              .source = source},
              evidence::observed_order(steps, drifts), second);
   check.that({.id = "energy",
               .text = "Energy under gravity, with what was booked: order 2.",

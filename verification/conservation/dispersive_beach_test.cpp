@@ -54,13 +54,13 @@ void check_round_off(Check& check, const std::string& id, const std::string& tex
                      double length) {
   const auto steps = static_cast<double>(defects.steps);
   check.that({.id = id + "-energy",
-              .text = text + ": energy to round-off.",
+              .text = "Energy is conserved to round-off (" + text + ").",
               .quantity = "largest relative energy defect",
               .source = source},
              {.value = defects.energy, .resolution = fmt::format("{} steps", defects.steps)},
              Roundoff{.operations = steps, .scale = 1, .reason = "one rounded energy per step"});
   check.that({.id = id + "-volume",
-              .text = text + ": the volume of every cell to round-off.",
+              .text = "The volume of every cell is conserved to round-off (" + text + ").",
               .quantity = "largest volume defect",
               .unit = "depth^2",
               .source = source},
@@ -93,9 +93,14 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
     const Defects a = synolakis_defects(one_step, refine);
     const Defects b = synolakis_defects(feedback, refine);
     if (refine == 1) {
-      known("one-step-energy", "One-step: relative energy defect.", a.energy, 1.642e-5, "1");
-      known("one-step-volume", "One-step: defect of the worst cell's volume.", a.volume, 1.0615e-6, "depth^2");
-      known("feedback-energy", "With feedback: relative energy defect.", b.energy, 1.0379e-5, "1");
+      known("one-step-energy", "The energy error on the beach has the four digits recorded for the one-step scheme.",
+            a.energy, 1.642e-5, "1");
+      known("one-step-volume",
+            "The error of the worst cell's volume on the beach has the four digits recorded for the one-step scheme.",
+            a.volume, 1.0615e-6, "depth^2");
+      known("feedback-energy",
+            "The energy error on the beach has the four digits recorded for the scheme with feedback.", b.energy,
+            1.0379e-5, "1");
       known("feedback-volume", "With feedback: defect of the worst cell's volume.", b.volume, 3.930e-7, "depth^2");
     }
     steps.push_back(synolakis.spacing / 4 / refine);
@@ -109,8 +114,10 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
     check.that({.id = id, .text = text, .quantity = "order of the largest defect", .source = source},
                observed_order(steps, errors), Order{theory, 0.1, "four halvings of all steps"});
   };
-  order("one-step-energy-order", "One-step: the energy defect is of second order.", energy_a, 2);
-  order("one-step-volume-order", "One-step: the volume defect is of second order.", volume_a, 2);
+  order("one-step-energy-order", "The energy error on the beach is second-order in the step (one-step scheme).",
+        energy_a, 2);
+  order("one-step-volume-order", "The volume error on the beach is second-order in the step (one-step scheme).",
+        volume_a, 2);
   order("feedback-energy-order", "With feedback: the energy defect is of second order.", energy_b, 2);
   order("feedback-volume-order", "With feedback: the volume defect is of third order.", volume_b, 3);
   auto& panel = check.figure("defects", "Defects against the step", "Largest defects until t = 75.")

@@ -138,10 +138,12 @@ TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]")
     taken = flow.lost().breaking;
   }
   const double operations = steps * 320;
-  check.that(
-      {.id = "momentum", .text = "Momentum stays.", .quantity = "largest defect over the momentum", .source = source},
-      {.value = flow.ledger().largest_defect("momentum") / momentum},
-      Roundoff{.operations = operations, .scale = 4, .reason = "a rounded force per marker and step"});
+  check.that({.id = "momentum",
+              .text = "Momentum of the breaking wave is conserved to round-off.",
+              .quantity = "largest defect over the momentum",
+              .source = source},
+             {.value = flow.ledger().largest_defect("momentum") / momentum},
+             Roundoff{.operations = operations, .scale = 4, .reason = "a rounded force per marker and step"});
   check.that({.id = "volumes",
               .text = "The volume of every cell stays.",
               .quantity = "largest defect",
@@ -155,7 +157,7 @@ TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]")
              {.value = flow.ledger().largest_defect("energy") / energy},
              Roundoff{.operations = operations, .scale = 4, .reason = "a rounded term per marker and step"});
   check.that({.id = "takes",
-              .text = "No step gives energy back.",
+              .text = "The breaking term gives back no energy in any step.",
               .quantity = "largest gain over the energy",
               .source = "an implicit exchange between pairs"},
              {.value = std::max(0.0, gain.value()) / energy},
@@ -200,7 +202,7 @@ TEST_CASE("a low bore stays undular", "[conservation]") {
   Flow flow = dam_break(1.6, 60, 0.25);
   flow.advance_to(20, 0.08);
   check.that({.id = "nothing",
-              .text = "Breaking takes nothing of it.",
+              .text = "The breaking term takes no energy from an undular bore.",
               .quantity = "energy taken",
               .source = "Favre (1935): bores below 1.3 are undular"},
              {.value = flow.lost().breaking}, Bound{.limit = 0, .reason = "no front breaks"});

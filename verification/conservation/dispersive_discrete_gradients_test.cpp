@@ -118,7 +118,7 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
     const std::string resolution = fmt::format("{} steps", defects.steps);
     check.that(
         {.id = basin.id + "-energy",
-         .text = fmt::format("Energy to round-off: {}.", basin.text),
+         .text = fmt::format("Energy is conserved to round-off ({}).", basin.text),
          .quantity = "largest relative energy defect",
          .source = source},
         {.value = defects.energy, .resolution = resolution},
@@ -128,7 +128,7 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
                            "rounded per step, or per stage of a composition; collapsing water turns more than it began "
                            "with into motion"});
     check.that({.id = basin.id + "-volume",
-                .text = fmt::format("Volumes to round-off: {}.", basin.text),
+                .text = fmt::format("Volumes are conserved to round-off ({}).", basin.text),
                 .quantity = "largest defect of a cell's volume",
                 .unit = "depth^2",
                 .source = source},

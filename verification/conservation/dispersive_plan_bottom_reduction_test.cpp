@@ -161,7 +161,7 @@ TEST_CASE("waves of the plan model over a bottom uneven along one axis are those
                                         "integral of the bottom under a cell, as long, likewise; sweeps begin anew"});
         }
         check.that({.id = id + "-across",
-                    .text = "Nothing moves across.",
+                    .text = "Displacement and velocity across the channel stay zero to round-off.",
                     .quantity = "largest displacement and velocity across the channel",
                     .source = source},
                    {.value = found.across, .resolution = "h = 0.5, tau = 0.2, 100 steps"},

@@ -87,7 +87,7 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
       const double steps = 5 / tau;
       const std::string resolution = fmt::format("h = 0.5, tau = {:g}", tau);
       check.that({.id = id + "-energy",
-                  .text = "Energy to round-off over " + basin.text + ".",
+                  .text = "Energy is conserved to round-off over " + basin.text + ".",
                   .quantity = "largest energy defect over the hump's energy",
                   .source = source},
                  {.value = d.energy, .resolution = resolution},
@@ -97,7 +97,7 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
                                     "that it counts over how many nodes the energy is spread, never fewer than at the "
                                     "beginning; and of the energies themselves"});
       check.that({.id = id + "-volume",
-                  .text = "Every cell's volume to round-off over " + basin.text + ".",
+                  .text = "Every cell's volume is conserved to round-off over " + basin.text + ".",
                   .quantity = "largest defect of a volume over a cell's volume",
                   .source = source},
                  {.value = d.volume, .resolution = resolution},
@@ -128,7 +128,7 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
       check.measure(fmt::format("{}: volume defect at tau = {:g}", id, tau), d.volume);
       if (tau != taus.back()) continue;
       check.that({.id = id + "-no-drift",
-                  .text = "The energy does not drift.",
+                  .text = "The energy error does not drift over ten times as long a run.",
                   .quantity = "largest energy defect of the whole run over that of its first half",
                   .source = source},
                  {.value = d.energy / d.first_half},

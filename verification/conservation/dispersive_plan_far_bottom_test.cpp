@@ -68,7 +68,7 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
       {.value = static_cast<double>(steps - done)},
       evidence::Bound{.limit = 0, .reason = "sweeps contract by (omega tau)^2/4 = 0.02"});
   check.that({.id = "energy",
-              .text = "Energy is kept to round-off.",
+              .text = "Energy is conserved to round-off where the bathymetry reaches far.",
               .quantity = "largest change over the first value",
               .source = source},
              {.value = drift.value()},
@@ -81,7 +81,7 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
   Worst volume;
   for (const double change : changes) volume.add(change);
   check.that({.id = "volume",
-              .text = "So is the volume of every cell.",
+              .text = "The volume of every cell is conserved to round-off.",
               .quantity = "largest change of a volume",
               .unit = "depth^3",
               .source = source},

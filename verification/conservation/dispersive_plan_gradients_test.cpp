@@ -146,18 +146,19 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
     check.that({.id = id, .text = text, .quantity = "largest error of an entry", .source = source},
                {.value = value, .resolution = "step 1e-4"}, rounding);
   };
-  exact("level", "Volumes over a level bottom.", volume_gradient_error(level),
+  exact("level", "Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
         {.operations = 200,
          .scale = 0.4 / (2 * difference_step),
          .reason = "over twice the step: two volumes of 0.4 in sixty operations each, and two places up to 7 whose "
                    "rounding moves faces of 0.35, as much as eighty of these"});
-  claim("polynomial", "Volumes over a polynomial bottom.", volume_gradient_error(polynomial));
-  claim("bump", "Volumes over a bump.", volume_gradient_error(bump));
-  exact("energy", "Potential energy.", force_error(level),
+  claim("polynomial", "Gradients of cell volumes over a polynomial bottom equal differences.",
+        volume_gradient_error(polynomial));
+  claim("bump", "Gradients of cell volumes over a bump equal differences.", volume_gradient_error(bump));
+  exact("energy", "Gradients of the potential energy equal differences.", force_error(level),
         {.operations = 64,
          .scale = level.potential_energy(level.state().q) / (2 * difference_step),
          .reason = "over twice the step: two sums over 30 cells, rounded up to the energy, and the places"});
-  claim("improved", "Potential energy with that of improved dispersion, no polynomial of the places.",
+  claim("improved", "Gradients of the potential energy, improved dispersion included, equal differences.",
         force_error(improved));
 }
 
@@ -189,8 +190,8 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
                Roundoff{.operations = 60, .scale = 1, .reason = "some 60 operations on numbers of size one"});
   };
   claim("triangulations", "The volume is the mean of the two triangulations.", mean.value());
-  claim("volume", "The volume is the integral.", volume_error.value());
-  claim("moment", "The moment is the integral.", moment_error.value());
+  claim("volume", "The volume under a bilinear patch equals the integral by quadrature.", volume_error.value());
+  claim("moment", "The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
 }
 
 }  // namespace dispersive_plan_gradients_test

@@ -65,7 +65,10 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
       const InvariantsLedger ledger = run(problem, {});
       const std::string id = where + (tolerance == 1e-6 ? "-loose-" : "-tight-");
       const auto keeps = [&](const std::string& what, double value, double arm) {
-        check.that({.id = id + what, .text = what + " to round-off.", .quantity = what, .source = source},
+        check.that({.id = id + what,
+                    .text = "The " + what + " is conserved to round-off for any tolerance.",
+                    .quantity = what,
+                    .source = source},
                    {.value = value, .resolution = tolerance == 1e-6 ? "tolerance 1e-6" : "tolerance 1e-13"},
                    rounding(problem, arm));
       };
@@ -83,7 +86,7 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
     const InvariantsLedger ledger = run(problem, {.stepping = Stepping::conservative});
     const auto keeps = [&](const std::string& what, double value, const Roundoff& criterion) {
       check.that({.id = where + "-conservative-" + what,
-                  .text = "Fully conservative: " + what + " to round-off.",
+                  .text = "The conservative scheme conserves " + what + " to round-off.",
                   .quantity = what,
                   .source = source},
                  {.value = value, .resolution = "tau = 0.03"}, criterion);
@@ -131,7 +134,7 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
     }
     check.that(
         {.id = "energy",
-         .text = "Kinetic energy to round-off.",
+         .text = "Kinetic energy of the weightless body is conserved to round-off.",
          .quantity = "largest relative defect of the kinetic energy",
          .source = source},
         {.value = relative, .resolution = "tolerance 1e-13, tau = 0.03"},
@@ -167,7 +170,7 @@ TEST_CASE("the plan model returns when its velocities are reversed", "[conservat
     const double away = largest_difference(state, problem.start);
     run_and_turn();
     check.that({.id = way.id,
-                .text = "Every node comes back (" + way.id + ").",
+                .text = "Every node returns to its start (" + way.id + ").",
                 .quantity = "largest difference of a coordinate or velocity",
                 .source = source},
                {.value = largest_difference(state, problem.start), .resolution = "tau = 0.1, 2 x 50 steps"},

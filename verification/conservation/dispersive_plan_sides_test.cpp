@@ -105,13 +105,13 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
                               "Largest difference of places and elevations within 15 depths of the crest.");
   figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
   check.that({.id = "same",
-              .text = "The wave is that of the long tank.",
+              .text = "The wave agrees with the long tank.",
               .quantity = "largest difference of a place or elevation within 15 depths of the crest",
               .source = source},
              {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2"},
              Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; places add them up"});
   check.that({.id = "shifts",
-              .text = "The window has followed.",
+              .text = "The moving window keeps its distance to the crest.",
               .quantity = "x of the east side less that of the crest",
               .source = "interface of the model"},
              {.value = window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
@@ -175,7 +175,7 @@ TEST_CASE("the plan model gives the same bytes for any number of threads", "[con
     const mechanics::State two = run(2);
     omp_set_num_threads(threads);
     check.that({.id = stepping == Stepping::one_step ? "one-step" : "conservative",
-                .text = "The state is the same, bit by bit.",
+                .text = "The state is the same, bitwise.",
                 .quantity = "equal coordinates, rates and multipliers",
                 .source = "interface of the model"},
                {.value = one.q == two.q && one.u == two.u && one.multipliers == two.multipliers ? 1.0 : 0.0,

@@ -80,14 +80,14 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
                  {.value = value, .resolution = resolution},
                  Roundoff{.operations = steps, .scale = magnitude, .reason = reason + ", once per step"});
     };
-    claim("momentum", "Momentum is kept.", flow.ledger().largest_defect("momentum"), scale.value(),
-          "rounding of each marker's m|u|, whose squares add up");
+    claim("momentum", "Momentum is conserved to round-off between free ends.", flow.ledger().largest_defect("momentum"),
+          scale.value(), "rounding of each marker's m|u|, whose squares add up");
     claim("centre", "The centre of mass moves uniformly.", off_course.value(), 2 * half_length, "rounding of a place");
     if (!conservative) continue;
-    claim("energy", "Energy is kept.", flow.ledger().largest_defect("energy"), energy + flow.model().mass(),
-          "rounding of the energy, which counts the bottom's");
-    claim("volume", "Every cell keeps its volume.", flow.ledger().largest_defect("volume_worst"), 2 * half_length,
-          "rounding of a place");
+    claim("energy", "Energy is conserved to round-off between free ends.", flow.ledger().largest_defect("energy"),
+          energy + flow.model().mass(), "rounding of the energy, which counts the bottom's");
+    claim("volume", "The volume of every cell is conserved to round-off.", flow.ledger().largest_defect("volume_worst"),
+          2 * half_length, "rounding of a place");
   }
 }
 

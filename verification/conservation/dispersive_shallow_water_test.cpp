@@ -82,7 +82,10 @@ constexpr Scheme conservative_feedback{.stepping = Stepping::conservative, .drif
 
 void known_energy(Check& check, const std::string& id, const std::string& text, double value, double printed) {
   check.that(
-      {.id = id + "-energy", .text = text + ": energy.", .quantity = "largest relative defect", .source = digits},
+      {.id = id + "-energy",
+       .text = "The energy error has its two recorded digits (" + text + ").",
+       .quantity = "largest relative defect",
+       .source = digits},
       {.value = value},
       Bound{.limit = 0.1,
             .reason = "two digits are printed (5 %), and 240 cells of about 0.25 instead of 246 would change the "
@@ -93,7 +96,7 @@ void known_energy(Check& check, const std::string& id, const std::string& text, 
 
 void known_volume(Check& check, const std::string& id, const std::string& text, double value, double printed) {
   check.that({.id = id + "-volume",
-              .text = text + ": volume of the worst cell.",
+              .text = "The volume error of the worst cell has its two recorded digits (" + text + ").",
               .quantity = "largest defect over the cell's volume",
               .source = digits},
              {.value = value / spacing},
@@ -138,12 +141,12 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
        {Known{0.1, 1.3e-6, 1.5e-5, 6e-9}, Known{0.05, 5.2e-7, 3.7e-6, 2e-9}, Known{0.025, 1.4e-7, 9.4e-7, 6e-10}}) {
     const Defects d = row("one-step", one_step, known.tau);
     energies.push_back(d.energy);
-    const std::string text = fmt::format("One-step, step {:g}", known.tau);
+    const std::string text = fmt::format("one-step, step {:g}", known.tau);
     const std::string id = fmt::format("one-step-{}", energies.size());
     known_energy(check, id, text, d.energy, known.energy);
     known_volume(check, id, text, d.volume, known.volume);
     check.that({.id = id + "-total",
-                .text = text + ": total volume.",
+                .text = "The total-volume error has its recorded digit (" + text + ").",
                 .quantity = "largest defect over the channel's volume",
                 .source = digits},
                {.value = d.total_volume / length},
@@ -154,7 +157,7 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   energies.push_back(row("one-step", one_step, 0.0125).energy);
   for (std::size_t k = 2; k < energies.size(); ++k) {
     check.that({.id = fmt::format("ratio-{}", k - 1),
-                .text = fmt::format("One-step: half the step {:g} leaves a quarter of the energy defect.",
+                .text = fmt::format("The energy error falls to a quarter with half the step {:g} (one-step scheme).",
                                     0.1 / std::pow(2.0, static_cast<double>(k - 1))),
                 .quantity = "ratio of the energy defects",
                 .source = source},
@@ -164,10 +167,10 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   check.measure("ratio of the energy defects from 0.1 to 0.05", energies[0] / energies[1]);
   const Defects b2 = row("one-step, feedback", feedback, 0.05);
   const Defects b3 = row("one-step, feedback", feedback, 0.025);
-  known_energy(check, "feedback-2", "Feedback, step 0.05", b2.energy, 1.4e-6);
-  known_volume(check, "feedback-2", "Feedback, step 0.05", b2.volume, 1.5e-7);
-  known_energy(check, "feedback-3", "Feedback, step 0.025", b3.energy, 1.3e-7);
-  known_volume(check, "feedback-3", "Feedback, step 0.025", b3.volume, 1.8e-8);
+  known_energy(check, "feedback-2", "feedback, step 0.05", b2.energy, 1.4e-6);
+  known_volume(check, "feedback-2", "feedback, step 0.05", b2.volume, 1.5e-7);
+  known_energy(check, "feedback-3", "feedback, step 0.025", b3.energy, 1.3e-7);
+  known_volume(check, "feedback-3", "feedback, step 0.025", b3.volume, 1.8e-8);
   const Defects projected = enter("one-step, velocity projected", 0.05, projected_defects(0.05));
   known_energy(check, "projected", "Velocity projected after each step", projected.energy, 1.6e-6);
   known_volume(check, "projected", "Velocity projected after each step", projected.volume, 3.8e-6);
@@ -175,7 +178,7 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   const Defects held = row("fully conservative, feedback", conservative_feedback, 0.05);
   check.table(table);
   check.that({.id = "conservative-energy",
-              .text = "Fully conservative: energy to round-off.",
+              .text = "Energy is conserved to round-off (conservative scheme).",
               .quantity = "largest relative energy defect",
               .source = source},
              {.value = c.energy, .resolution = "tau = 0.05"},
@@ -185,13 +188,13 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
       "places up to 60 are rounded by 2e-15 rms; two of them times the depth in 2000 steps walk 1.3e-13, and the "
       "largest of 246 cells at all times goes to five of it";
   check.that({.id = "conservative-volume",
-              .text = "Fully conservative: the volume of every cell to round-off.",
+              .text = "The volume of every cell is conserved to round-off (conservative scheme).",
               .quantity = "largest volume defect",
               .unit = "depth^2",
               .source = source},
              {.value = c.volume, .resolution = "tau = 0.05"}, Bound{.limit = 1e-12, .reason = volume_reason});
   check.that({.id = "conservative-feedback-energy",
-              .text = "Fully conservative with feedback: energy to round-off.",
+              .text = "Energy is conserved to round-off (conservative scheme with feedback).",
               .quantity = "largest relative energy defect",
               .source = source},
              {.value = held.energy, .resolution = "tau = 0.05"},
@@ -200,14 +203,14 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
                              "3e-15 in some 20 cells: 1e-14 of the wave's 0.3, which the next rounding returns; ten "
                              "times that"});
   check.that({.id = "conservative-feedback-volume",
-              .text = "Fully conservative with feedback: volumes no longer accumulate even rounding.",
+              .text = "Volumes do not accumulate rounding (conservative scheme with feedback).",
               .quantity = "largest volume defect",
               .unit = "depth^2",
               .source = digits},
              {.value = held.volume, .resolution = "tau = 0.05"},
              Roundoff{.operations = 2, .scale = 60, .reason = "the places of two markers, up to 60"});
   check.that({.id = "momentum",
-              .text = "Momentum to round-off with every scheme.",
+              .text = "Momentum is conserved to round-off with every scheme.",
               .quantity = "largest relative momentum defect",
               .source = source},
              {.value = momentum.value()},
@@ -237,7 +240,7 @@ TEST_CASE("each sweep of the conservative step gains digits of energy and volume
       known_volume(check, id, text, d.volume, volumes[k]);
     } else {
       check.that({.id = id + "-volume",
-                  .text = text + ": the volume of the worst cell is at round-off.",
+                  .text = "The volume error of the worst cell is at round-off (" + text + ").",
                   .quantity = "largest volume defect",
                   .unit = "depth^2",
                   .source = digits},
@@ -292,7 +295,7 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
     };
     const std::size_t quarter = energy.size() / 4;
     check.that({.id = "bounded",
-                .text = "One-step: once the wave has settled the energy does not drift.",
+                .text = "The energy error does not drift once the wave has settled (one-step scheme).",
                 .quantity = "mean defect for t > 75 over that for 50 < t < 75",
                 .source = source},
                {.value = mean(3 * quarter, 4 * quarter) / mean(2 * quarter, 3 * quarter)},

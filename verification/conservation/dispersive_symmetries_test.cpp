@@ -96,7 +96,7 @@ TEST_CASE("dispersive shallow water returns when its velocities are reversed", "
   };
   const auto returns = [&](const std::string& id, const std::string& text, double value) {
     check.that({.id = id,
-                .text = text + ": the start returns.",
+                .text = "The reversed run returns to its start (" + text + ").",
                 .quantity = "largest difference of a coordinate or rate",
                 .source = source},
                {.value = value, .resolution = "tau = 0.05, 1000 steps each way"}, limit(2 * steps, 60));
@@ -106,12 +106,12 @@ TEST_CASE("dispersive shallow water returns when its velocities are reversed", "
   const Channel uneven{.bottom = std::make_shared<seiche::CosineBottom>(1.0, 0.2, 2 * std::numbers::pi / 10)};
   OneStep<Model>* const one_step = nullptr;
   ConservativeStep<Model>* const conservative = nullptr;
-  returns("periodic", "One-step, periodic", there_and_back(periodic, solitary(periodic), one_step));
-  returns("walls", "One-step, walls", there_and_back(walls, solitary(walls), one_step));
-  returns("conservative", "Fully conservative, periodic", there_and_back(periodic, solitary(periodic), conservative));
+  returns("periodic", "one-step, periodic", there_and_back(periodic, solitary(periodic), one_step));
+  returns("walls", "one-step, walls", there_and_back(walls, solitary(walls), one_step));
+  returns("conservative", "conservative, periodic", there_and_back(periodic, solitary(periodic), conservative));
   Markers pushed = still_markers(uneven, equal_labels(uneven, 0, 60, 240));
   for (std::size_t i = 0; i < pushed.size(); ++i) pushed.u[i] = 0.2 * std::exp(-std::pow((pushed.x[i] - 30) / 4, 2));
-  returns("conservative-uneven", "Fully conservative, walls on an uneven bottom",
+  returns("conservative-uneven", "conservative, walls on an uneven bottom",
           there_and_back(uneven, pushed, conservative));
   check.measure("one-step on an uneven bottom, of second order in the step", there_and_back(uneven, pushed, one_step));
 }
@@ -142,7 +142,7 @@ TEST_CASE("dispersive shallow water does not know the level that heights count f
   for (std::size_t j = 0; j < level.multipliers().size(); ++j) {
     multiplier.add(level.multipliers()[j] - from_above.multipliers()[j] - 0.25);
   }
-  same("datum-multipliers", "It adds its height to the multipliers.", multiplier.value(), steps, 60);
+  same("datum-multipliers", "A raised datum adds its height to the multipliers.", multiplier.value(), steps, 60);
 }
 
 }  // namespace dispersive_symmetries_test

@@ -88,7 +88,7 @@ TEST_CASE("two threads that meet in a dispersive channel leave no trace", "[cons
       const Stepping stepping = mechanics::stepping_named(name);
       const Ending alone = with_threads(1, channel, markers, stepping);
       const Ending together = with_threads(2, channel, markers, stepping);
-      claim((beach ? "beach-" : "walls-") + name, "One and two threads give the same bits.",
+      claim((beach ? "beach-" : "walls-") + name, "Results of one and two threads are bitwise identical.",
             alone.failure.empty() && alone.same_as(together), "equal places, rates and multipliers");
     }
   }

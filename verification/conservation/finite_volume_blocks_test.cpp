@@ -95,7 +95,7 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
     }
     omp_set_num_threads(threads);
     check.that({.id = id + "-threads",
-                .text = "One, two and three threads give the same bits.",
+                .text = "Results of one, two and three threads are bitwise identical.",
                 .quantity = "same bits",
                 .source = source},
                {.value = results[0] == results[1] && results[0] == results[2] ? 1.0 : 0.0,
@@ -112,7 +112,7 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
     return evidence::Roundoff{.operations = 6.0 * cells * steps, .scale = scale, .reason = reason};
   };
   check.that({.id = "mass",
-              .text = "The channel keeps its mass.",
+              .text = "Mass of the water in the channel is conserved to round-off.",
               .quantity = "mass defect",
               .unit = "m^2",
               .source = "finite-volume form: what leaves a cell enters its neighbour"},

@@ -102,7 +102,7 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
   const std::string resolution = "768 particles, tau = 1/2048, 1000 steps";
   const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
     const seiche::evidence::Claim statement{.id = id + "-" + what,
-                                            .text = text + ": " + what + " to round-off.",
+                                            .text = "The " + what + " is conserved to round-off (" + text + ").",
                                             .quantity = "largest defect of the " + what,
                                             .source = source};
     check.that(
@@ -160,7 +160,7 @@ TEST_CASE("the conservative scheme of free particles is its own inverse", "[cons
   const auto returns = [&](const std::string& id, const std::string& what, double value) {
     check.that(
         {.id = id,
-         .text = "Backwards, the " + what + " return.",
+         .text = "The " + what + " return to their start when the run is reversed.",
          .quantity = "largest difference of the " + what,
          .source = source},
         {.value = value, .resolution = resolution},
@@ -193,7 +193,7 @@ TEST_CASE("free particles give the same bytes for any number of threads", "[cons
   const State three = after(3);
   omp_set_num_threads(threads);
   check.that({.id = "same",
-              .text = "The state is the same, bit by bit.",
+              .text = "The state is the same, bitwise.",
               .quantity = "equal places and velocities",
               .source = "interface of the model"},
              {.value = one.q == two.q && one.u == two.u && one.q == three.q && one.u == three.u ? 1.0 : 0.0},
@@ -244,7 +244,7 @@ TEST_CASE("water between two separate walls keeps its momentum along them", "[co
     }
     const std::string entry = channel.along == 0 ? "momentum_x" : "momentum_y";
     check.that({.id = channel.id,
-                .text = channel.text + ": the momentum along the walls.",
+                .text = "Momentum along the walls is conserved to round-off (" + channel.text + ").",
                 .quantity = "largest defect over the momentum",
                 .source = source},
                {.value = watch.ledger().entry(entry).largest_defect / watch.ledger().entry(entry).initial,
@@ -254,7 +254,7 @@ TEST_CASE("water between two separate walls keeps its momentum along them", "[co
                         .reason = "one rounded velocity, of at most twice the mean, per "
                                   "step"});
     check.that({.id = channel.id + "-energy",
-                .text = channel.text + ": the energy.",
+                .text = "Energy is conserved to round-off (" + channel.text + ").",
                 .quantity = "largest defect over the energy",
                 .source = source},
                {.value = watch.ledger().largest_defect("energy") / watch.ledger().entry("energy").initial,

@@ -82,9 +82,9 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
   {
     Problem all(linear_fields(), mixed);
     const InvariantsLedger ledger = all.run();
-    kept("all-energy", "With all linear fields: energy.", "largest defect of the energy",
+    kept("all-energy", "Energy is conserved to round-off with all linear fields.", "largest defect of the energy",
          ledger.largest_defect("energy"), 3 * mass);
-    kept("all-momentum", "With all linear fields: momentum.", "largest defect of the momentum",
+    kept("all-momentum", "Momentum is conserved to round-off with all linear fields.", "largest defect of the momentum",
          ledger.largest_defect("momentum"), 3 * mass);
     kept("all-angular", "With all linear fields: angular momentum.", "largest defect of the angular momentum",
          ledger.largest_defect("angular"), 3 * mass);
@@ -92,10 +92,10 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
   {
     Problem no_rotation(without(2), mixed);
     const InvariantsLedger ledger = no_rotation.run();
-    kept("no-rotation-energy", "Without the rotation: energy.", "largest defect of the energy",
+    kept("no-rotation-energy", "Energy is conserved to round-off without the rotation.", "largest defect of the energy",
          ledger.largest_defect("energy"), 3 * mass);
-    kept("no-rotation-momentum", "Without the rotation: momentum.", "largest defect of the momentum",
-         ledger.largest_defect("momentum"), 3 * mass);
+    kept("no-rotation-momentum", "Momentum is conserved to round-off without the rotation.",
+         "largest defect of the momentum", ledger.largest_defect("momentum"), 3 * mass);
   }
   const auto reflected = [&](const std::string& id, const std::string& text, std::size_t field,
                              const std::function<Point(Point)>& velocity, const std::string& entry) {
@@ -185,7 +185,7 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
   }
   const std::string resolution = "432 particles and 3, 64 steps";
   check.that({.id = "spray",
-              .text = "Spray moves on its parabola.",
+              .text = "Spray particles move on their exact parabolas.",
               .quantity = "largest distance along an axis from the exact place",
               .source = source},
              {.value = spray.value(), .resolution = resolution},

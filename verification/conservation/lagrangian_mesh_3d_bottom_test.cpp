@@ -99,9 +99,10 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
                                        .reason = "a symmetric scheme of second order; the maximum over time is not a "
                                                  "smooth function of the step"});
   };
-  order("energy", "One-step scheme: the largest energy defect is of second order.", energies);
-  order("volume", "One-step scheme: the largest defect of a volume is of second order.", volumes);
-  order("bottom", "One-step scheme: the largest distance from the bottom is of second order.", bottoms);
+  order("energy", "The largest energy error is second-order in the step (one-step scheme).", energies);
+  order("volume", "The largest error of a volume is second-order in the step (one-step scheme).", volumes);
+  order("bottom", "The largest distance of bed nodes from the bottom is second-order in the step (one-step scheme).",
+        bottoms);
 }
 
 TEST_CASE("hexahedra over an uneven bottom return when their velocities are reversed", "[conservation]") {
@@ -116,7 +117,7 @@ TEST_CASE("hexahedra over an uneven bottom return when their velocities are reve
     for (double& u : state.u) u = -u;
   }
   check.that({.id = "returns",
-              .text = "The start returns.",
+              .text = "The reversed run returns to its start to round-off.",
               .quantity = "largest difference of a coordinate or a velocity",
               .source = source},
              {.value = largest_difference(state, problem.start), .resolution = "60 steps each way"},

@@ -47,7 +47,7 @@ TEST_CASE("a hump in a box of hexahedra keeps energy and volumes with the conser
   const auto keeps = [&](const std::string& id, const Defects& d, const std::string& resolution,
                          const seiche::evidence::Criterion& energy) {
     check.that({.id = id + "-energy",
-                .text = "Conservative, " + id + " solver: energy to round-off.",
+                .text = "Energy is conserved to round-off (conservative scheme, " + id + " solver).",
                 .quantity = "largest energy defect over the hump's energy",
                 .source = source},
                {.value = d.energy, .resolution = resolution}, energy);
@@ -105,7 +105,7 @@ TEST_CASE("a hexahedral mesh returns when its velocities are reversed", "[conser
     for (double& u : state.u) u = -u;
   }
   check.that({.id = "returns",
-              .text = "The start returns.",
+              .text = "The reversed run returns to its start.",
               .quantity = "largest difference of a coordinate or a velocity",
               .source = source},
              {.value = largest_difference(state, problem.start), .resolution = "100 steps each way"},

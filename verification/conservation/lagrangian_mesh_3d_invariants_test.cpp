@@ -55,7 +55,10 @@ TEST_CASE("a free body of fluid in space keeps momenta and energy to round-off",
     const std::string id = tolerance == 1e-6 ? "loose-" : "tight-";
     const std::string text = "Solver tolerance " + std::string(tolerance == 1e-6 ? "1e-6" : "1e-13");
     const auto keeps = [&](const std::string& what, double value, const Roundoff& criterion) {
-      check.that({.id = id + what, .text = text + ": " + what + " to round-off.", .quantity = what, .source = source},
+      check.that({.id = id + what,
+                  .text = "The " + what + " is conserved to round-off (" + text + ").",
+                  .quantity = what,
+                  .source = source},
                  {.value = value, .resolution = "tau = 0.01"}, criterion);
     };
     keeps("momentum", ledger.largest_defect("momentum"), rounding(problem, 1));
@@ -71,7 +74,7 @@ TEST_CASE("a free body of fluid in space keeps momenta and energy to round-off",
   const InvariantsLedger ledger = run(problem, {.stepping = Stepping::conservative});
   const auto keeps = [&](const std::string& what, const std::string& entry) {
     check.that({.id = "conservative-" + what,
-                .text = "Fully conservative: " + what + " to round-off.",
+                .text = "The conservative scheme conserves " + what + " to round-off.",
                 .quantity = what,
                 .source = source},
                {.value = ledger.largest_defect(entry), .resolution = "tau = 0.01"}, rounding(problem, 1));
@@ -92,7 +95,10 @@ TEST_CASE("water that no side holds keeps its horizontal momenta to round-off", 
     const InvariantsLedger ledger = run(problem, {});
     const std::string id = tolerance == 1e-6 ? "loose-" : "tight-";
     const auto keeps = [&](const std::string& what, double value, double arm) {
-      check.that({.id = id + what, .text = what + " to round-off.", .quantity = what, .source = source},
+      check.that({.id = id + what,
+                  .text = "The " + what + " is conserved to round-off for any tolerance.",
+                  .quantity = what,
+                  .source = source},
                  {.value = value, .resolution = tolerance == 1e-6 ? "tolerance 1e-6" : "tolerance 1e-13"},
                  rounding(problem, arm));
     };

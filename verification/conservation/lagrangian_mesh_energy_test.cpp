@@ -69,7 +69,7 @@ TEST_CASE("water between walls keeps energy and areas with the conservative sche
   const auto keeps = [&](const std::string& id, const std::string& text, const Defects& d, double stages,
                          const std::string& resolution) {
     check.that({.id = id + "-energy",
-                .text = text + ": energy to round-off.",
+                .text = "Energy is conserved to round-off (" + text + ").",
                 .quantity = "largest energy defect over the wave's energy",
                 .source = source},
                {.value = d.energy, .resolution = resolution},
@@ -121,7 +121,7 @@ TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme u
     }
     const auto second_order = [&](const std::string& what, const std::vector<double>& error) {
       check.that({.id = basin.id + "-" + what,
-                  .text = "The " + what + " errs by O(tau^2): " + basin.text + ".",
+                  .text = "The error of the " + what + " is O(tau^2): " + basin.text + ".",
                   .quantity = "order of the largest " + what + " defect",
                   .source = source},
                  seiche::evidence::observed_order(tau, error),
@@ -140,7 +140,7 @@ TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme u
   const auto bounded = [&](const std::string& what, double ratio) {
     check.that(
         {.id = "long-" + what,
-         .text = "The " + what + " does not drift.",
+         .text = "The " + what + " error does not drift over ten times the time.",
          .quantity = "largest " + what + " defect up to t = 400 over that up to t = 40",
          .source = source},
         {.value = ratio, .resolution = "tau = 0.05, 8000 steps"},

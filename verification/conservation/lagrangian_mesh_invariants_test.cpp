@@ -106,15 +106,17 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
   };
   for (const Case& c : {Case{"fine", "tau = 1e-5", 1e-5, 100000}, Case{"coarse", "tau = 1e-3", 1e-3, 1000}}) {
     const Drift d = drift(Integrator::one_step, c.tau, c.steps);
-    keeps(c.id + "-energy", "One-step: energy to round-off.", d.energy, c.steps, c.resolution);
-    keeps(c.id + "-momentum", "One-step: momentum to round-off.", d.momentum, c.steps, c.resolution);
-    keeps(c.id + "-angular-momentum", "One-step: angular momentum to round-off.", d.angular_momentum, c.steps,
+    keeps(c.id + "-energy", "Energy is conserved to round-off (one-step scheme).", d.energy, c.steps, c.resolution);
+    keeps(c.id + "-momentum", "Momentum is conserved to round-off (one-step scheme).", d.momentum, c.steps,
           c.resolution);
-    keeps_areas(c.id + "-modified-area", "One-step: V_s(r) - (tau^2/4) V_s(u) to round-off.", d.modified_area, c.steps,
-                c.resolution);
+    keeps(c.id + "-angular-momentum", "Angular momentum is conserved to round-off (one-step scheme).",
+          d.angular_momentum, c.steps, c.resolution);
+    keeps_areas(c.id + "-modified-area",
+                "The modified area V_s(r) - (tau^2/4) V_s(u) is conserved to round-off (one-step scheme).",
+                d.modified_area, c.steps, c.resolution);
     if (c.steps == 1000) {
       check.that({.id = "area",
-                  .text = "One-step: the area itself errs by O(tau^2).",
+                  .text = "The area error of the one-step scheme, O(tau^2), has the two digits expected.",
                   .quantity = "largest change of a cell's area",
                   .source = digits},
                  {.value = d.area, .resolution = c.resolution},
@@ -124,9 +126,11 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
     }
   }
   const Drift implicit = drift(Integrator::conservative, 0.02, 50);
-  keeps("conservative-energy", "Fully conservative: energy to round-off.", implicit.energy, 50, "tau = 0.02");
-  keeps_areas("conservative-area", "Fully conservative: areas to round-off.", implicit.area, 50, "tau = 0.02");
-  keeps("conservative-momentum", "Fully conservative: momenta to round-off.",
+  keeps("conservative-energy", "Energy is conserved to round-off (fully conservative scheme).", implicit.energy, 50,
+        "tau = 0.02");
+  keeps_areas("conservative-area", "Areas are conserved to round-off (fully conservative scheme).", implicit.area, 50,
+              "tau = 0.02");
+  keeps("conservative-momentum", "Momenta are conserved to round-off (fully conservative scheme).",
         worst(std::array{implicit.momentum, implicit.angular_momentum}), 50, "tau = 0.02");
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy chang
   };
   const auto explains = [&](const std::string& id, const Defects& d) {
     check.that({.id = id,
-                .text = "Nothing else changes the energy.",
+                .text = "The energy changes only by the multipliers' work on the residual.",
                 .quantity = "largest |E - E_0 - sum tau lambda.(J u~)|",
                 .source = "follows from the scheme without potential"},
                {.value = d.unexplained, .resolution = "1000 steps"}, rounding(d.kinetic));

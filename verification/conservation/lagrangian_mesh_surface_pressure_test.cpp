@@ -70,7 +70,7 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
     const auto lightest = *std::ranges::min_element(flow.model().nodes().mass());
     const double kick = p0 * 0.5 * tau / lightest;  // a node's edge is half a depth long
     check.that({.id = scheme.id + "-rest",
-                .text = scheme.text + ": nothing moves.",
+                .text = "Water under uniform pressure stays at rest (" + scheme.text + ").",
                 .quantity = "largest displacement after 1000 steps",
                 .unit = "depth",
                 .source = source},
@@ -80,7 +80,7 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
                         .reason = "a step rounds the kick of the pressure on a node, p0 times half a depth over its "
                                   "mass, once per cell; velocities add up as a random walk, places follow them"});
     check.that({.id = scheme.id + "-multipliers",
-                .text = scheme.text + ": all multipliers are the pressure.",
+                .text = "All multipliers equal the pressure (" + scheme.text + ").",
                 .quantity = "largest |lambda - p0|",
                 .unit = "rho g depth",
                 .source = source},
@@ -174,7 +174,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
         panel.points("mesh", time, computed, Role::computed);
       }
       check.that({.id = scheme.id + "-" + name,
-                  .text = scheme.text + ": the elevation is that of the oscillator.",
+                  .text = "The elevation equals the driven oscillator's (" + scheme.text + ").",
                   .quantity = "largest difference over the largest elevation",
                   .source = source},
                  {.value = worst.value() / highest.value(), .resolution = "24 x 4 cells, tau = 0.1, 400 steps"},

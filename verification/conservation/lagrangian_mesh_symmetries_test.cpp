@@ -39,7 +39,7 @@ TEST_CASE("a Lagrangian mesh returns when its velocities are reversed", "[conser
     const auto returns = [&](const std::string& id, MeshProblem problem, Run run, double scale) {
       check.that(
           {.id = std::string(name(integrator)) + "-" + id,
-           .text = std::string(title(integrator)) + ", " + id + ": the start returns.",
+           .text = "The reversed run returns to its start (" + std::string(title(integrator)) + ", " + id + ").",
            .quantity = "largest difference of a coordinate or a rate",
            .source = source},
           {.value = there_and_back(std::move(problem), integrator, run),

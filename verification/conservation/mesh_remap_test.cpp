@@ -97,7 +97,7 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
     up.add(next.nodes().mass()[k] * now.velocity[k].y - model.nodes().mass()[k] * u[model.mesh().nodes() + k]);
   }
   check.that({.id = "momentum",
-              .text = "No momentum is lost.",
+              .text = "Momentum is conserved by the remap to round-off.",
               .quantity = "change of the momentum",
               .unit = "m^3/s",
               .source = source},
@@ -148,14 +148,16 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
   check.that({.id = "rezoned", .text = "The mesh is rezoned on the way.", .quantity = "times", .source = source},
              {.value = rezoned, .resolution = resolution},
              Bound{.limit = steps / 2 - 0.5, .reason = "once or more, not in every step", .expected = steps / 2});
-  check.that(
-      {.id = "water", .text = "No water is lost.", .quantity = "largest change over the first area", .source = source},
-      {.value = spilt.value(), .resolution = resolution},
-      Roundoff{.operations = 40 * 8 * (steps + rezoned),
-               .scale = 1,
-               .reason = "every cell's area rounds in every step and in every rezoning"});
+  check.that({.id = "water",
+              .text = "The area of the water is conserved by rezoning.",
+              .quantity = "largest change over the first area",
+              .source = source},
+             {.value = spilt.value(), .resolution = resolution},
+             Roundoff{.operations = 40 * 8 * (steps + rezoned),
+                      .scale = 1,
+                      .reason = "every cell's area rounds in every step and in every rezoning"});
   check.that({.id = "booked",
-              .text = "With what rezoning took, energy is kept to round-off.",
+              .text = "With what rezoning took, energy is conserved to round-off.",
               .quantity = "largest change over the first value",
               .source = "Frank (1994), chapter 1"},
              {.value = drift.value(), .resolution = resolution},
@@ -163,7 +165,7 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
                       .scale = 1,
                       .reason = "each step and each rezoning rounds the energy, a sum over the nodes, anew"});
   check.that({.id = "taken",
-              .text = "Rezoning takes energy, and little.",
+              .text = "The energy that rezoning takes is positive and small.",
               .quantity = "what it took over the first value",
               .source = "Frank (1994), chapter 1"},
              {.value = flow.rezoning().lost / begin, .resolution = resolution},
@@ -241,7 +243,7 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
   }
   const std::string resolution = "40 x 8 cells";
   check.that({.id = "water",
-              .text = "The whole water is kept.",
+              .text = "The area of the water is conserved to round-off.",
               .quantity = "change of the area",
               .unit = "m^2",
               .source = source},

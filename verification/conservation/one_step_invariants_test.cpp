@@ -85,14 +85,20 @@ TEST_CASE("a free rigid chain keeps energy and momenta", "[conservation]") {
     watch.record(state);
   }
   const std::string resolution = "tau = 0.01, 1e5 steps";
-  check.that({.id = "energy", .text = "Energy is constant.", .quantity = "largest energy defect", .source = source},
+  check.that({.id = "energy",
+              .text = "Energy of the free chain is constant.",
+              .quantity = "largest energy defect",
+              .source = source},
              {.value = watch.ledger().largest_defect("energy"), .resolution = resolution},
              Bound{1e-12, "4 eps sqrt(1e5) times the kinetic energy, about 3.5"});
-  check.that({.id = "momentum", .text = "Momentum is constant.", .quantity = "largest defect", .source = source},
+  check.that({.id = "momentum",
+              .text = "Momentum of the chain is constant to round-off.",
+              .quantity = "largest defect",
+              .source = source},
              {.value = watch.ledger().largest_defect("momentum"), .resolution = resolution},
              Bound{1e-12, "4 eps sqrt(1e5) times sum m|u|, a few units"});
   check.that({.id = "angular-momentum",
-              .text = "Angular momentum is constant.",
+              .text = "Angular momentum of the free chain is constant.",
               .quantity = "largest defect",
               .source = source},
              {.value = watch.ledger().largest_defect("angular_momentum"), .resolution = resolution},
@@ -123,7 +129,7 @@ TEST_CASE("the one-step scheme is reversible", "[conservation]") {
   }
   check.that(
       {.id = "return",
-       .text = "The start returns.",
+       .text = "The reversed run returns to its start.",
        .quantity = "largest difference of a coordinate or a rate",
        .source = source},
       {.value = defect.value(), .resolution = "tau = 0.01, 100 steps each way"},

@@ -234,7 +234,7 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
   const double tau = steps.back();
   check.that(
       {.id = "amplitude",
-       .text = "The amplitude is that of tau A^-1 B(u, u').",
+       .text = "The amplitude agrees with tau A^-1 B(u, u').",
        .quantity = "amplitude / (tau max |A^-1 B(u, u')|) at tau = 0.001",
        .source = expansion},
       {.value = projected.back() / (tau * worst(instant.jerk(start))), .resolution = "tau = 0.001"},
@@ -248,7 +248,7 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
              seiche::evidence::observed_order(steps, smooth),
              Order{3, 0.1, "w_s has even powers of tau: what it leaves is O(tau^4), divided by tau"});
   check.that({.id = "second-differences",
-              .text = "Their second differences are of second order: the motion's own.",
+              .text = "Second differences after a corrected start are second-order in the step: the motion's own.",
               .quantity = "order of a quarter of the second difference after a corrected start",
               .source = expansion},
              seiche::evidence::observed_order(steps, second), Order{2, 0.05, "tau^2/4 times the second derivative"});
@@ -315,7 +315,7 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
              {.value = growth(parasite.first(quarter), parasite.last(quarter)), .resolution = resolution},
              Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
   check.that({.id = "no-regrowth",
-              .text = "Nor does it grow between two reprojections.",
+              .text = "The alternation does not grow between two reprojections.",
               .quantity = quantity + "1000 steps after a reprojection less 100 steps after",
               .source = source},
              {.value = growth(cured.early, parasite), .resolution = resolution},
@@ -331,7 +331,7 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       Bound{1e-9, "1000 changes of either sign, whose sum differs from one chaotic run to another: twice 4.4e-10"});
   check.that(
       {.id = "cured-momentum",
-       .text = "Reprojection keeps the momentum.",
+       .text = "Momentum is conserved to round-off by the reprojections.",
        .quantity = "largest momentum defect over 1e6 steps",
        .source = source},
       {.value = cured.momentum, .resolution = resolution},

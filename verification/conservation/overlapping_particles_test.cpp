@@ -47,7 +47,7 @@ void claim_kept(Check& check, const std::string& id, const std::string& what, co
                 const std::vector<std::pair<std::string, std::string>>& invariants) {
   for (const auto& [entry, name] : invariants) {
     check.that({.id = fmt::format("{}-{}", id, name),
-                .text = fmt::format("{}: {}.", what, name),
+                .text = fmt::format("{} is conserved to round-off ({}).", name, what),
                 .quantity = "largest defect",
                 .source = source},
                {.value = flow.ledger().largest_defect(entry)},
@@ -113,13 +113,19 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
        .source = source},
       {.value = apart.value()},
       Roundoff{.operations = 100 * 10, .scale = 20, .reason = "100 steps to places up to 12 away, at speeds up to 16"});
-  check.that({.id = "multipliers", .text = "No multiplier acts.", .quantity = "largest", .source = source},
+  check.that({.id = "multipliers",
+              .text = "All multipliers of the falling drop are zero to round-off.",
+              .quantity = "largest",
+              .source = source},
              {.value = multiplier.value()},
              Roundoff{.operations = 20,
                       .scale = 2e4,
                       .reason = "a speed of 16, rounded, taken out within half a step of "
                                 "1/100, over gradients m/h^3 = 7 and pivots of 1/100"});
-  check.that({.id = "energy", .text = "The energy is kept.", .quantity = "largest defect", .source = source},
+  check.that({.id = "energy",
+              .text = "Energy of the falling drop is conserved to round-off.",
+              .quantity = "largest defect",
+              .source = source},
              {.value = flow.ledger().largest_defect("energy")},
              Roundoff{.operations = 2000, .scale = 400, .reason = "kinetic energy at the end: pi 16^2/2"});
 }
@@ -138,7 +144,7 @@ TEST_CASE("masses in control volumes drift by the square of the step", "[conserv
     drifts.push_back(flow.ledger().largest_defect("volume_worst"));
   }
   check.that({.id = "order",
-              .text = "Masses in volumes: order 2.",
+              .text = "The drift of masses in volumes is second-order in the step.",
               .quantity = "order of the largest drift",
               .source = source},
              evidence::observed_order(steps, drifts), Order{2, 0.2, "second order of the one-step scheme"});
@@ -185,8 +191,8 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
                         .reason = "ten steps of places of size 1, by sums of some twenty multipliers"});
   };
   same("half", "Half of the disc above a wall.", above);
-  same("quarter", "A quarter in a corner.", corner);
-  claim_kept(check, "above", "Above the wall", above, {{"energy", "energy"}, {"momentum_x", "momentum-along-it"}});
+  same("quarter", "A quarter of the disc in a corner moves as the whole disc.", corner);
+  claim_kept(check, "above", "Above the wall", above, {{"energy", "Energy"}, {"momentum_x", "Momentum-along-it"}});
   claim_kept(check, "corner", "In the corner", corner, {{"energy", "energy"}});
 }
 
@@ -200,7 +206,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
       staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}), 0.1, 5);
   Flow drop(rows, [](Point r) { return Point{0.5 + 0.2 * r.y, 0}; }, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
   drop.advance_to(0.4, 0.01, [&] { drop.observe(); });
-  claim_kept(check, "drop", "Drop on a floor", drop, {{"energy", "energy"}, {"momentum_x", "momentum-along-it"}});
+  claim_kept(check, "drop", "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum-along-it"}});
   check.that(
       {.id = "pushes",
        .text = "The floor carries some of the weight.",

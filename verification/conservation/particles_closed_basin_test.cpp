@@ -33,12 +33,15 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
     }
   }
   const std::string resolution = "N = 500, tau = 0.01 s, 1e5 steps";
-  check.that(
-      {.id = "mass", .text = "Mass keeps every bit.", .quantity = "mass defect", .unit = "m^2", .source = source},
-      {.value = flow.mass_defect(), .resolution = resolution},
-      Roundoff{.operations = 0, .scale = 150, .reason = "masses are never written: no operation is rounded"});
+  check.that({.id = "mass",
+              .text = "Mass of the closed basin is constant, bitwise.",
+              .quantity = "mass defect",
+              .unit = "m^2",
+              .source = source},
+             {.value = flow.mass_defect(), .resolution = resolution},
+             Roundoff{.operations = 0, .scale = 150, .reason = "masses are never written: no operation is rounded"});
   check.that({.id = "length",
-              .text = "The length keeps every bit.",
+              .text = "The length of the closed basin is constant, bitwise.",
               .quantity = "length defect",
               .unit = "m",
               .source = source},
@@ -105,7 +108,7 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
   // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
   // g times its slope (over the width) times the step is the velocity that starts.
   check.that({.id = "velocity",
-              .text = "No particle moves.",
+              .text = "Particle velocities of the lake at rest stay zero to round-off.",
               .quantity = "largest speed",
               .unit = "m/s",
               .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},
@@ -115,7 +118,7 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
                       .reason = "one rounded balance of thrusts and bed per step; scale is the celerity"});
   check.that(
       {.id = "drift",
-       .text = "No edge drifts.",
+       .text = "Edges of the lake at rest do not drift.",
        .quantity = "largest displacement",
        .unit = "m",
        .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},

@@ -82,13 +82,13 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
              Bound{.limit = 0, .reason = "the water on both sides is uniform"});
   const ProfileError error = reconstructed(flow, exact);
   check.that({.id = "depth",
-              .text = "Reconstructed depth is exact.",
+              .text = "The depth reconstructed beside the bore is exact.",
               .quantity = "L1 error of depth",
               .unit = "m",
               .source = source + ", fig. 12"},
              {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 2));
   check.that({.id = "velocity",
-              .text = "Reconstructed velocity is exact.",
+              .text = "The velocity reconstructed beside the bore is exact.",
               .quantity = "L1 error of velocity",
               .unit = "m/s",
               .source = source + ", fig. 12"},
@@ -156,13 +156,13 @@ TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundr
                         .reason = "a hundred rounded operations a step",
                         .expected = exact.reflected_depth()});
     check.that({.id = "depth" + n,
-                .text = "Reconstructed depth is exact.",
+                .text = "The depth reconstructed beside the bore is exact.",
                 .quantity = "L1 error of depth",
                 .unit = "m",
                 .source = source + ", fig. 15"},
                {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 1.45));
     check.that({.id = "velocity" + n,
-                .text = "Reconstructed velocity is exact.",
+                .text = "The velocity reconstructed beside the bore is exact.",
                 .quantity = "L1 error of velocity",
                 .unit = "m/s",
                 .source = source + ", fig. 15"},
@@ -181,7 +181,7 @@ TEST_CASE("a stationary jump stays where it is", "[conservation]") {
   for (int k = 0; k < 100; ++k) flow.advance(0.08);
   const double error = reconstructed(flow, exact).depth.l1;
   check.that({.id = "depth",
-              .text = "Reconstructed depth is exact.",
+              .text = "The depth reconstructed beside the bore is exact.",
               .quantity = "L1 error of depth",
               .unit = "m",
               .source = source + ", fig. 18"},
@@ -214,7 +214,7 @@ TEST_CASE("two bores collide exactly", "[conservation]") {
                {.value = error.velocity.l1, .resolution = resolution},
                rounding(static_cast<double>(flow.steps()), 5.2));
     check.that({.id = fmt::format("followed_{}", count),
-                .text = "The collision was followed once.",
+                .text = "The collision of the two bores was followed exactly once.",
                 .quantity = "collisions followed",
                 .source = source},
                {.value = static_cast<double>(flow.events().collisions), .resolution = resolution},
@@ -237,7 +237,7 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
     }
     const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 3.12 / steps);
     check.that({.id = fmt::format("front_{}", count),
-                .text = "Position of the front.",
+                .text = "The position of the front on the dry bed is exact.",
                 .quantity = "position",
                 .unit = "m",
                 .source = "Ritter (1892)"},

@@ -56,7 +56,7 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
                                   "rounded once, as large as the mass that has entered; sums are compensated, and one "
                                   "particle at a section, of 1/80 of that mass at most, is rounded per step"});
     check.that({.id = fmt::format("momentum_{}", count),
-                .text = "Momentum equals the booked impulses.",
+                .text = "Momentum equals the sum of the booked impulses.",
                 .quantity = "momentum defect",
                 .unit = "m^3/s",
                 .source = "conservation of momentum"},
@@ -69,7 +69,7 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
                                   "compensated; and every step rounds the momentum of each particle"});
   }
   check.that({.id = "order",
-              .text = "Depth converges with second order.",
+              .text = "The depth over the bump converges at second order.",
               .quantity = "order of L1(h)",
               .source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269"},
              seiche::evidence::observed_order(sizes, errors),

@@ -114,7 +114,7 @@ TEST_CASE("stretches and threads of a row of shallow-water particles leave no tr
                evidence::Bound{.limit = 1e-11, .reason = "waves to 1e-13, places up to 3000 m to 5e-13, six steps"});
     const auto same = [&](const std::string& what, const auto& made) {
       check.that({.id = id + "-" + what,
-                  .text = "One, two and three threads give the same bits.",
+                  .text = "Results of one, two and three threads are bitwise identical.",
                   .quantity = "same bits",
                   .source = source},
                  {.value = same_for_any_threads(made) ? 1.0 : 0.0, .resolution = "140 000 particles, 6 steps"},

@@ -97,7 +97,7 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
     const Remapped now = remap(model, state.q, u, x, y);
     const Model next(now.lattice);
     check.that({.id = "water",
-                .text = "No water is lost.",
+                .text = "The volume of the water is conserved to round-off.",
                 .quantity = "change of the volume",
                 .unit = "m^3",
                 .source = source},
@@ -105,7 +105,7 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
     const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
     const Point after = momentum(next.node_masses(), now.u, now.v);
     check.that({.id = "momentum",
-                .text = "Nor is momentum.",
+                .text = "Momentum is conserved by the remap to round-off.",
                 .quantity = "change of the momentum",
                 .unit = "m^4/s",
                 .source = source},
@@ -156,7 +156,7 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   Smallest depth;
   for (const double z : now.lattice.z) depth.add(z + 1);
   check.that({.id = "wet",
-              .text = "No column falls dry.",
+              .text = "Depths of all columns stay positive after the remap.",
               .quantity = "smallest depth is positive",
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = depth.value() > 0 ? 1.0 : 0.0, .resolution = resolution},
@@ -167,13 +167,16 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = now.displaced / sum(model.first_volumes()), .resolution = resolution},
              Bound{.limit = 0.025 - 1e-6, .reason = "some, less than a twentieth", .expected = 0.025});
-  check.that(
-      {.id = "water", .text = "No water is lost.", .quantity = "change of the volume", .unit = "m^3", .source = source},
-      {.value = sum(next.first_volumes()) - sum(model.first_volumes()), .resolution = resolution}, rounded);
+  check.that({.id = "water",
+              .text = "The volume of the water is conserved to round-off.",
+              .quantity = "change of the volume",
+              .unit = "m^3",
+              .source = source},
+             {.value = sum(next.first_volumes()) - sum(model.first_volumes()), .resolution = resolution}, rounded);
   const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
   const Point after = momentum(next.node_masses(), now.u, now.v);
   check.that({.id = "momentum",
-              .text = "Nor is momentum.",
+              .text = "Momentum is conserved by the remap to round-off.",
               .quantity = "change of the momentum",
               .unit = "m^4/s",
               .source = source},
@@ -293,7 +296,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   moved_down.insert(moved_down.end(), after.lattice.y.begin(), after.lattice.y.end());
   moved_down.insert(moved_down.end(), after.lattice.z.begin(), after.lattice.z.end());
   check.that({.id = "downhill",
-              .text = "It goes downhill: no energy is gained.",
+              .text = "Potential energy of the film falls: the water goes downhill.",
               .quantity = "potential energy after is less than before",
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = thin.potential_energy(moved_down) < thin.potential_energy(state.q) ? 1.0 : 0.0,
@@ -367,14 +370,14 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   const std::string resolution =
       fmt::format("columns 0.7 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   check.that({.id = "whole",
-              .text = "The wave passes the island.",
+              .text = "The grid is sound until the wave has passed the island.",
               .quantity = "the lattice is sound at the end, and each rezoning could be made",
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = whole && flow.refused() == 0 ? 1.0 : 0.0, .resolution = resolution},
              Qualitative{.detector = "no cell folds, no column falls dry",
                          .reason = "6 s after the crest would pass the middle"});
   check.that({.id = "water",
-              .text = "No water is lost.",
+              .text = "The volume of the water is conserved to round-off.",
               .quantity = "largest change over the first volume",
               .source = source},
              {.value = spilt.value(), .resolution = resolution},
@@ -427,7 +430,7 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
              {.value = static_cast<double>(flow.rezoned()), .resolution = resolution},
              Bound{.limit = steps / 2 - 0.5, .reason = "once or more, not in every step", .expected = steps / 2});
   check.that({.id = "water",
-              .text = "No water is lost.",
+              .text = "The volume of the water is conserved to round-off.",
               .quantity = "largest change over the first volume",
               .source = source},
              {.value = spilt.value(), .resolution = resolution},
@@ -484,7 +487,7 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
   const std::string resolution =
       fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   check.that({.id = "booked",
-              .text = "With what rezoning took, energy is kept to round-off.",
+              .text = "With what rezoning took, energy is conserved to round-off.",
               .quantity = "largest change over the first value",
               .source = "Frank (1994), chapter 1"},
              {.value = drift.value(), .resolution = resolution},
@@ -493,7 +496,7 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
                       .reason = "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning "
                                 "rounds their differences anew"});
   check.that({.id = "taken",
-              .text = "Rezoning takes energy, and little.",
+              .text = "The energy that rezoning takes is positive and small.",
               .quantity = "what it took over the first value",
               .source = "Frank (1994), chapter 1"},
              {.value = flow.lost() / begin, .resolution = resolution},

@@ -89,13 +89,17 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
     straight.advance(0.1);
     round.advance(0.1);
   }
-  check.that(
-      {.id = "straight", .text = "Straight shores: nothing moves.", .quantity = "largest velocity", .source = source},
-      {.value = fastest(straight)}, Bound{0, "every force is exactly zero"});
-  check.that(
-      {.id = "round", .text = "A circular shore: nothing moves.", .quantity = "largest velocity", .source = source},
-      {.value = fastest(round)},
-      Roundoff{.operations = 200, .scale = 1, .reason = "elevations rounded once, of depth 1, and 200 steps"});
+  check.that({.id = "straight",
+              .text = "Velocities between straight shores stay zero.",
+              .quantity = "largest velocity",
+              .source = source},
+             {.value = fastest(straight)}, Bound{0, "every force is exactly zero"});
+  check.that({.id = "round",
+              .text = "Velocities inside a circular shore stay zero.",
+              .quantity = "largest velocity",
+              .source = source},
+             {.value = fastest(round)},
+             Roundoff{.operations = 200, .scale = 1, .reason = "elevations rounded once, of depth 1, and 200 steps"});
 }
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
@@ -124,7 +128,7 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
     for (const double defect : defects) volume_defect.add(defect);
     const auto cells = static_cast<double>(flow.shape().cells());
     check.that({.id = problem.id + "-energy",
-                .text = problem.text + ": the energy.",
+                .text = "Energy is conserved to round-off (" + problem.text + ").",
                 .quantity = "largest relative defect",
                 .source = source},
                {.value = energy_defect.value(), .resolution = fmt::format("{} steps of 0.1", steps)},
@@ -132,7 +136,7 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
                         .scale = 1,
                         .reason = "one rounded work per cell and step, of the size of the energy"});
     check.that({.id = problem.id + "-volume",
-                .text = problem.text + ": the volume of every cell.",
+                .text = "The volume of every cell is conserved to round-off (" + problem.text + ").",
                 .quantity = "largest defect",
                 .unit = "depth^3",
                 .source = source},

@@ -112,12 +112,12 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
                         .reason = "each round rounds 64 bodies and 200 sides of exchanges, of this size at most: "
                                   "masses to 10, momenta to 10, energies to 5"});
   };
-  keeps("mass", "Mass.", last[0] - first[0], 10);
-  keeps("momentum-x", "Momentum along x.", last[1] - first[1], 10);
-  keeps("momentum-y", "Momentum along y.", last[2] - first[2], 10);
-  keeps("energy", "Kinetic energy.", last[3] - first[3], 5);
+  keeps("mass", "Mass is conserved by the exchanges to round-off.", last[0] - first[0], 10);
+  keeps("momentum-x", "Momentum along x is conserved by the exchanges to round-off.", last[1] - first[1], 10);
+  keeps("momentum-y", "Momentum along y is conserved by the exchanges to round-off.", last[2] - first[2], 10);
+  keeps("energy", "Kinetic energy is conserved by the exchanges to round-off.", last[3] - first[3], 5);
   check.that({.id = "finite",
-              .text = "The exchanges are finite.",
+              .text = "The largest change of a mass in a round exceeds a tenth.",
               .quantity = "largest change of a mass in a round, relative",
               .source = source},
              {.value = std::abs(handed_on.value()) > 0.1 ? 1.0 : 0.0},
@@ -162,14 +162,16 @@ TEST_CASE("water at rest stays at rest while its nodes move", "[conservation]") 
     check.measure(id + ": largest change of a mass, relative", change);
     if (control.kind == ControlKind::centroid) {
       check.that({.id = id + "-moves",
-                  .text = "Nodes move through the water.",
+                  .text = "The nodes move through the water at rest.",
                   .quantity = "largest change of a mass, relative",
                   .source = source},
                  {.value = change > 0.1 ? 1.0 : 0.0},
                  Qualitative{"more than a tenth", "otherwise nothing is shown of exchanges"});
     }
-    const evidence::Claim claim{
-        .id = id, .text = "Nothing flows.", .quantity = "largest velocity of the water", .source = source};
+    const evidence::Claim claim{.id = id,
+                                .text = "The velocity of the water at rest stays zero.",
+                                .quantity = "largest velocity of the water",
+                                .source = source};
     if (level == 0) {
       check.that(claim, {.value = speed.value()}, Bound{0, "every force is exactly zero"});
     } else {
@@ -208,9 +210,11 @@ TEST_CASE("a free patch of variable masses keeps mass, momentum and energy over 
     flow.advance_to(0.6, 0.01, [&] { flow.observe(); });
     const auto& ledger = flow.ledger();
     const auto steps = static_cast<double>(flow.steps());
-    keeps(p.id + "-mass", p.what + ": mass.", ledger.largest_defect("mass"), steps);
-    keeps(p.id + "-momentum", p.what + ": linear momentum.", ledger.largest_defect("momentum"), steps);
-    keeps(p.id + "-energy", p.what + ": energy and what was booked.", ledger.largest_defect("energy"), steps);
+    keeps(p.id + "-mass", "Mass is conserved to round-off (" + p.what + ").", ledger.largest_defect("mass"), steps);
+    keeps(p.id + "-momentum", "Linear momentum is conserved to round-off (" + p.what + ").",
+          ledger.largest_defect("momentum"), steps);
+    keeps(p.id + "-energy", "Energy plus the booked losses is conserved to round-off (" + p.what + ").",
+          ledger.largest_defect("energy"), steps);
     check.measure(p.id + ": defect of the angular momentum", ledger.largest_defect("angular_momentum"));
     check.measure(p.id + ": flips", static_cast<double>(flow.flips()));
     check.measure(p.id + ": iterations per step", static_cast<double>(flow.iterations()) / steps);
@@ -223,11 +227,12 @@ TEST_CASE("a free patch of variable masses keeps mass, momentum and energy over 
     };
     const double change = std::abs(change_of_masses(flow, masses).value());
     check.measure(p.id + ": largest change of a mass, relative", change);
-    shows("exchanges", p.what + ": masses change.", change > 0.1, "one by more than a tenth");
+    shows("exchanges", "Masses of the cells change by exchange (" + p.what + ").", change > 0.1,
+          "one by more than a tenth");
     if (p.stabilisation == 0) {
       shows("rearranged", "Edges were flipped on the way.", flow.flips() >= 10, "at least 10 flips");
     } else {
-      shows("takes", p.what + ": the stabilisation takes energy, and some of it.",
+      shows("takes", "The stabilisation takes a part of the energy (" + p.what + ").",
             flow.stabilisation_loss() > 1e-6 * flow.energy(), "more than a millionth");
     }
   }

@@ -65,7 +65,7 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
     const Totals end = flow.totals();
     check.that(
         {.id = "momentum-" + name,
-         .text = fmt::format("No momentum appears ({}).", name),
+         .text = fmt::format("Momentum is conserved to round-off ({}).", name),
          .quantity = "|sum m u| over sum m |u| of the beginning",
          .source = source},
         {.value = std::hypot(end.momentum[0], end.momentum[1]) / start.absolute_momentum,

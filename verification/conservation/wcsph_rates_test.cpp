@@ -91,8 +91,8 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
         table.rows.push_back(
             {setup.name, std::string(name_of(kernel)), model.name, found.motion, found.acceleration, found.density});
         check.that({.id = fmt::format("{}-{}-{}", setup.id, name_of(kernel), model.id),
-                    .text = fmt::format("{}, {} kernel, {}: all rates are those of the sums over all pairs.",
-                                        setup.name, name_of(kernel), model.name),
+                    .text = fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name,
+                                        name_of(kernel), model.name),
                     .quantity = "largest relative difference of a rate",
                     .source = source},
                    {.value = worst(std::array{found.motion, found.acceleration, found.density})},
@@ -135,7 +135,7 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
       std::string id = setup.id + "-" + name;
       std::replace(id.begin(), id.end(), ' ', '-');
       check.that({.id = id,
-                  .text = fmt::format("{}, {}: all rates are those of the sums over all pairs.", setup.name, name),
+                  .text = fmt::format("{}, {}: all rates agree with the sums over all pairs.", setup.name, name),
                   .quantity = "largest relative difference of a rate",
                   .source = source},
                  {.value = worst(std::array{found.motion, found.acceleration, found.density})},

@@ -137,7 +137,7 @@ TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[c
   const double fastest = largest(standing.w);
   CHECK(fastest > 0.01);
   check.that({.id = "velocity",
-              .text = "Velocities relative to the tank are those of a standing tank.",
+              .text = "Velocities relative to the tank agree with a standing tank.",
               .quantity = "largest difference over the sound speed",
               .source = "Galilean invariance"},
              {.value = worst(std::array{largest_difference(standing.u, moving.u, 1e9),
@@ -145,7 +145,7 @@ TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[c
                        settings.sound_speed},
              steps_of_two_runs);
   check.that({.id = "density",
-              .text = "Densities, of walls too, are those of a standing tank.",
+              .text = "Densities, of walls too, agree with a standing tank.",
               .quantity = "largest difference over rho_0",
               .source = "Galilean invariance"},
              {.value = largest_difference(standing.density, moving.density, 1e9) / 1000}, steps_of_two_runs);
@@ -212,7 +212,7 @@ TEST_CASE("any number of threads gives the same bytes", "[conservation]") {
     std::replace_if(
         id.begin(), id.end(), [](char c) { return c == ' ' || c == ','; }, '-');
     check.that({.id = id,
-                .text = fmt::format("One, two and three threads give the same bytes ({}).", name),
+                .text = fmt::format("Results of one, two and three threads are bitwise identical ({}).", name),
                 .quantity = "same bytes",
                 .source = "every particle gathers its own sums in a fixed order"},
                {.value = same ? 1.0 : 0.0},

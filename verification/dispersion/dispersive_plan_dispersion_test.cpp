@@ -72,7 +72,7 @@ TEST_CASE("the plan model's linearised matrices have the eigenvalues of the clos
       rest.add(found.rest);
     }
     check.that({.id = "eigenvalues-" + id,
-                .text = "Eigenvalues of " + tank.text() + " are those of the closed form.",
+                .text = "Eigenvalues of " + tank.text() + " agree with the closed form.",
                 .quantity = "largest relative deviation of omega^2",
                 .source = source},
                {.value = worst.value()},
@@ -133,7 +133,7 @@ TEST_CASE("standing waves in plan have the frequencies of the closed form", "[di
     }
     panel.points("runs, " + tank.text(), places, found, Role::data);
     check.that({.id = "frequencies-" + id,
-                .text = "Frequencies of " + tank.text() + " are those of the closed form.",
+                .text = "Frequencies of " + tank.text() + " agree with the closed form.",
                 .quantity = "largest relative deviation of a frequency",
                 .source = source},
                {.value = worst.value(), .resolution = "omega tau = 0.2, 200 steps"},

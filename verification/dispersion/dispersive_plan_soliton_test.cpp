@@ -47,7 +47,7 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
     check.measure(id + ": speed error", speed_error);
     check.measure(id + ": largest volume defect", found.volume_defect);
     check.that({.id = id + "-band",
-                .text = "The height stays.",
+                .text = "The height of the solitary wave stays constant within its band.",
                 .quantity = "band of the height over the height",
                 .source = frank},
                {.value = (found.highest() - found.lowest()) / found.mean_height(), .resolution = resolution},
@@ -55,7 +55,7 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
                      "what the choice of the curve through the crest makes of nodes that pass under it, one "
                      "part in 250 with cells of a depth"});
     check.that({.id = id + "-energy",
-                .text = "No energy is lost.",
+                .text = "Energy of the solitary wave is conserved.",
                 .quantity = "largest relative defect of the energy",
                 .source = frank},
                {.value = found.energy_defect, .resolution = resolution},
@@ -67,14 +67,17 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
     if (found_row == spacings_known.end()) continue;  // the finest serves the order alone
     const auto row = static_cast<std::size_t>(found_row - spacings_known.begin());
     check.that({.id = id + "-height",
-                .text = "The mean height is that of an earlier program.",
+                .text = "The mean height has its recorded value (regression).",
                 .quantity = "height over depth",
                 .source = digits},
                {.value = found.mean_height(), .resolution = resolution},
                Bound{.limit = 1e-4,
                      .reason = "means over other parts of the run: a tenth of the band with cells of a depth",
                      .expected = known.column("height")[row]});
-    check.that({.id = id + "-speed", .text = "So is the speed.", .quantity = "speed over sqrt(gH)", .source = digits},
+    check.that({.id = id + "-speed",
+                .text = "The speed of the solitary wave has its recorded value (regression).",
+                .quantity = "speed over sqrt(gH)",
+                .source = digits},
                {.value = found.speed(), .resolution = resolution},
                Bound{.limit = 1e-4,
                      .reason = "the place of the crest, a hundredth of a cell over 90 depths of way",

@@ -251,7 +251,7 @@ TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
   check.measure("amplitude before the slope over that of the start", before / amplitude);
   check.that(
       {.id = "own",
-       .text = "The amplitude is that of the model's own flux of energy.",
+       .text = "The amplitude agrees with the model's own flux of energy.",
        .quantity = "amplitude above over below",
        .source = derived},
       {.value = after / before, .resolution = resolution},
@@ -259,7 +259,7 @@ TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
             .reason = "what corners and slope reflect and what is left of the train's front, a few parts of a thousand",
             .expected = own});
   check.that({.id = "airy",
-              .text = "The amplitude is that of Airy's flux of energy.",
+              .text = "The amplitude agrees with Airy's flux of energy.",
               .quantity = "amplitude above over below",
               .source = "Airy's energy flux, e.g. Dean and Dalrymple, Water Wave Mechanics (1991), ch. 4"},
              {.value = after / before, .resolution = resolution},

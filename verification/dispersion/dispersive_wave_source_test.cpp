@@ -110,7 +110,7 @@ TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   const Roundoff rounding{.operations = 200, .scale = 2, .reason = "transforms and sums of 48 samples of size 2"};
   const auto claim = [&](const std::string& id, double value) {
     check.that({.id = id,
-                .text = "The " + id + " is that of the closed form.",
+                .text = "The " + id + " agrees with the closed form.",
                 .quantity = "largest difference over five phases",
                 .source = "Elgar and Guza, J. Fluid Mech. 161 (1985) 425"},
                {.value = value, .resolution = "48 samples"}, rounding);

@@ -131,7 +131,7 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
     panel.points(label, resolution, deviation);
     check.that(
         {.id = label == "conservative" || label == "one-step" ? label : "feedback",
-         .text = fmt::format("With the {} scheme the frequencies are those of the law.", label),
+         .text = fmt::format("With the {} scheme the frequencies agree with the law.", label),
          .quantity = "largest relative deviation of the frequency",
          .source = source + "; general alpha, beta, gamma and the time steps derived"},
         {.value = worst.value(), .resolution = "60 sets of parameters"},

@@ -97,7 +97,7 @@ const std::string resolution = "20 cells, 6 particles to a side, 100 steps per p
 
 void check_surface_and_momentum(Check& check, const Wave& wave) {
   check.that({.id = "surface",
-              .text = "After five periods the surface is that of the wave.",
+              .text = "After five periods the surface agrees with the wave.",
               .quantity = "rms difference of the markers' elevations",
               .unit = "1/k",
               .source = source},
@@ -107,7 +107,7 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
                    "may add half as much, or it and not the steps would be the larger error"});
   check.that(
       {.id = "momentum",
-       .text = "The momentum is kept to round-off: the potential energy does not depend on where the water is.",
+       .text = "The momentum is conserved to round-off: the potential energy does not depend on where the water is.",
        .quantity = "largest defect over the momentum",
        .source = source},
       {.value = wave.momentum_defect(), .resolution = resolution},
@@ -145,7 +145,7 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
   wave.run(steps, periods);
   check_surface_and_momentum(check, wave);
   check.that({.id = "energy",
-              .text = "The energy is kept to round-off.",
+              .text = "The energy is conserved to round-off.",
               .quantity = "largest defect over the kinetic energy",
               .source = source},
              {.value = wave.energy_defect(), .resolution = resolution},

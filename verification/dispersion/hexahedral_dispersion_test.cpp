@@ -108,7 +108,7 @@ void draw(verification::Check& check) {
                 along(degrees, [&](double angle) { return layers_error(7, 0.5, layers, angle * pi / 180); }),
                 Role::computed);
   }
-  lengths.line("plan model", wavelengths, along(wavelengths, [](double length) { return -plan_error(length, 0.5); }),
+  lengths.line("2DH model", wavelengths, along(wavelengths, [](double length) { return -plan_error(length, 0.5); }),
                Role::peer);
   lengths.line("Green-Naghdi", wavelengths,
                along(wavelengths,
@@ -120,7 +120,7 @@ void draw(verification::Check& check) {
                Role::exact);
   const double airy = AiryDispersion(1, 1).frequency(2 * pi / 7);
   angles.line(
-      "plan model", degrees,
+      "2DH model", degrees,
       along(degrees,
             [&](double angle) {
               const double k = 2 * pi / 7;
@@ -139,7 +139,7 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
       "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three "
       "per cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer "
       "against the plan model, the coefficient of long waves for both surface inertias, and the order in the size.");
-  check_table(check, "wavelength-10", "errors, per cent, wavelength 10 H, h1 = H/2: 1, 2, 3 layers, plan model",
+  check_table(check, "wavelength-10", "errors, per cent, wavelength 10 H, h1 = H/2: 1, 2, 3 layers, 2DH model",
               {{layers_error(10, 0.5, 1), "-3.1"},
                {layers_error(10, 0.5, 2), "-0.91"},
                {layers_error(10, 0.5, 3), "-0.47"},

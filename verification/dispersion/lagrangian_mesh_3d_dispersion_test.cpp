@@ -124,7 +124,7 @@ TEST_CASE("standing waves in a box of hexahedra have the frequencies of the clos
     }
     panel.points("runs, " + id, places, found, Role::data);
     check.that({.id = "frequencies-" + id,
-                .text = fmt::format("Frequencies of {} x {} x {} cells are those of the closed form.", tank.columns,
+                .text = fmt::format("Frequencies of {} x {} x {} cells agree with the closed form.", tank.columns,
                                     tank.rows, tank.layers),
                 .quantity = "largest relative deviation of a frequency",
                 .source = "Frank, Discrete models of incompressible fluid (1994), section 4.1"},

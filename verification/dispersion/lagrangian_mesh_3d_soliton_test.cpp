@@ -124,7 +124,7 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
     panel.line(id, all_times, all_tops, Role::data);
     const std::string digits = "regression: computed once by an earlier program for the same equations";
     check.that({.id = id + "-amplitude",
-                .text = id + ": mean amplitude.",
+                .text = "The mean amplitude has its recorded value (" + id + ").",
                 .quantity = "amplitude over depth",
                 .source = digits},
                {.value = mean, .resolution = resolution},
@@ -132,7 +132,10 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
                                .reason = "four digits, and the choice of the curve through the crest, which lies up to "
                                          "h^2/8 of its curvature from the nodes",
                                .expected = expected.amplitude});
-    check.that({.id = id + "-speed", .text = id + ": speed.", .quantity = "speed over sqrt(gH)", .source = digits},
+    check.that({.id = id + "-speed",
+                .text = "The speed has its recorded value (" + id + ").",
+                .quantity = "speed over sqrt(gH)",
+                .source = digits},
                {.value = speed, .resolution = resolution},
                evidence::Bound{
                    .limit = 0.0005,
@@ -140,7 +143,7 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
                    .expected = expected.speed});
     check.that(
         {.id = id + "-energy",
-         .text = id + ": no energy is lost.",
+         .text = "Energy of the wave is conserved (" + id + ").",
          .quantity = "largest relative defect of the energy",
          .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
         {.value = energy_defect.value(), .resolution = resolution},

@@ -91,7 +91,7 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
       worst.add(modes.frequencies[m] / sorted[m] - 1);
     }
     check.that({.id = "frequencies-" + tank.name(),
-                .text = fmt::format("The frequencies of the {} mesh are those of the closed form.", tank.name()),
+                .text = fmt::format("The frequencies of the {} mesh agree with the closed form.", tank.name()),
                 .quantity = "largest relative deviation of a frequency",
                 .source = source},
                {.value = worst.value()},

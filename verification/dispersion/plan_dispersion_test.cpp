@@ -72,7 +72,7 @@ void claim_orders(verification::Check& check) {
     rests.push_back(std::abs(law.frequency_error(k, direction) - law.leading_error(k, direction)));
   }
   check.that({.id = "order",
-              .text = "The law tends to that of the Green-Naghdi equations with the square of the spacing.",
+              .text = "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
               .quantity = "order in h1 at k H = 1.2, 29 degrees, h2 = 0.7 h1",
               .source = source},
              evidence::observed_order(spacings, errors),

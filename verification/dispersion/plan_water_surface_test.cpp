@@ -132,7 +132,7 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
     moved.add(std::abs(found[node] - sheet.z(node)));
   }
   check.that({.id = "same",
-              .text = "The surface is the channel's.",
+              .text = "The surface of the 2DH model equals the surface of the 1D channel.",
               .quantity = "largest difference over the largest elevation above the markers",
               .source = derived},
              {.value = difference.value() / moved.value(), .resolution = "20 x 3 cells"},

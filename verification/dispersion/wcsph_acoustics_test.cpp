@@ -164,7 +164,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
     const std::string resolution = fmt::format("N = {}, omega dt = {:.4f}, {} steps", wave.cells, angle, steps);
     check.that(
         {.id = "frequency-" + name,
-         .text = "The frequency is that of the lattice and the midpoint rule.",
+         .text = "The frequency agrees with the lattice and the midpoint rule.",
          .quantity = "omega/(c_0 k)",
          .source = source},
         {.value = found.frequency, .resolution = resolution},

@@ -135,7 +135,7 @@ void judge(Check& check, const std::vector<Row>& rows, const std::string& reason
       .id = "frequencies",
       .title = "Frequency over that of linear theory, and damping",
       .caption = "Three and a quarter periods.",
-      .columns = {{"kernel", ""}, {"frequency", "1"}, {"earlier program", "1"}, {"damping", "1/s"}}};
+      .columns = {{"kernel", ""}, {"frequency", "1"}, {"recorded (regression)", "1"}, {"damping", "1/s"}}};
   auto& panel = check
                     .figure("oscillation", "Standing wave",
                             "Velocities of the particles projected on those of the wave, over omega.")

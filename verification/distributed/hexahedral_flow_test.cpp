@@ -64,7 +64,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
   const std::string resolution = fmt::format("{} x {} x {} cells, {} steps of {}, relative residual {:.0e}",
                                              mesh.plan.columns, mesh.plan.rows, mesh.layers, steps, step, tolerance);
   check.that({.id = "same",
-              .text = fmt::format("Shared out, the flow is that of one process: {}.", what),
+              .text = fmt::format("The flow shared out among processes equals the flow of one process: {}.", what),
               .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth), at the "
                           "surface",
               .source = "Frank, Discrete models of incompressible fluid (1994), chapter 4"},

@@ -62,7 +62,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
                                                problem.steps, problem.step, tolerances.back(), ranks());
     check.that(
         {.id = "same-" + problem.id,
-         .text = fmt::format("Shared out, the flow is that of one process: {}.", problem.what),
+         .text = fmt::format("The flow shared out among processes equals the flow of one process: {}.", problem.what),
          .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
          .source = source},
         {.value = differences.back(), .resolution = resolution},
@@ -86,7 +86,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
     const double part = static_cast<double>(problem.steps) * finest.condition * tolerances.back();
     check.that(
         {.id = "energy-" + problem.id,
-         .text = "The energy of the water that the processes hold together is that of one process.",
+         .text = "The energy of the water that the processes hold together equals the energy in one process.",
          .quantity = "difference over the energy",
          .source = source},
         {.value = finest.energy / reference.energy - 1, .resolution = resolution},
@@ -141,7 +141,7 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
     const bool driven = std::holds_alternative<plan_lattice::DrivenSide>(problem.lattice.sides.west);
     if (!driven) {
       check.that({.id = "energy-" + problem.id,
-                  .text = fmt::format("Energy is kept: {}.", problem.what),
+                  .text = fmt::format("Energy is conserved by the shared flow: {}.", problem.what),
                   .quantity = "change over the first value",
                   .source = source},
                  {.value = shared.energy / shared.first_energy - 1, .resolution = resolution},
@@ -150,7 +150,7 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
     }
     check.that(
         {.id = "same-" + problem.id,
-         .text = fmt::format("The flow is that of one process: {}.", problem.what),
+         .text = fmt::format("The flow of several processes equals the flow of one: {}.", problem.what),
          .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
          .source = source},
         {.value = largest_difference(shared, reference), .resolution = resolution},

@@ -97,8 +97,9 @@ TEST_CASE("measures of agreement have their known values", "[evidence]") {
   // A curve on half the range covers half of the points, and is compared there alone.
   const Points half = sampled(0, 2 * pi, 200, sine);
   const Agreement part = agreement(half.curve(), reference.curve());
-  check.that(named("part", "Nothing is extrapolated.", "coverage by half the range"), {.value = part.coverage},
-             Bound{.limit = 1.0 / 401, .reason = "one of 401 points", .expected = 0.5});
+  check.that(named("part", "The coverage counts the submitted range alone: no curve is extrapolated.",
+                   "coverage by half the range"),
+             {.value = part.coverage}, Bound{.limit = 1.0 / 401, .reason = "one of 401 points", .expected = 0.5});
   check.that(named("part-error", "What is not covered does not count.", "relative L2"), {.value = part.relative_l2},
              Roundoff{.operations = 201, .scale = 1, .reason = "sum over 201 points"});
   CHECK_THROWS_AS(agreement(sampled(20, 30, 4, sine).curve(), reference.curve()), std::invalid_argument);

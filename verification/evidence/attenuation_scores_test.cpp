@@ -91,32 +91,34 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
                evidence::Qualitative{"verdict " + std::string(evidence::name(expected)), "it was made so"});
   };
   const evidence::Record right = scored([](const auto& wave, double x, double t) { return wave.elevation(x, t); });
-  measured("right-decay", "The exact wave loses nothing.", right, "decay_per_wavelength", 0);
-  measured("right-lead", "And is not late.", right, "lead_per_wavelength", 0);
+  measured("right-decay", "The decay read off the exact wave is zero.", right, "decay_per_wavelength", 0);
+  measured("right-lead", "The phase lead read off the exact wave is zero.", right, "lead_per_wavelength", 0);
   measured("cells", "Cells in the height are counted.", right, "cells_per_height", 2);
-  measured("seconds", "The time is that of a wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
-  is("right", "It passes.", verdict_of(right, "decay"), Verdict::pass);
+  measured("seconds", "The time read off is the time of one wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
+  is("right", "The exact wave passes the attenuation score.", verdict_of(right, "decay"), Verdict::pass);
   const auto dying = [](double rate) {
     return scored([rate](const auto& wave, double x, double t) {
       return wave.elevation(x, t) * std::exp(-rate * t * wave.phase_speed() / wave.wavelength());
     });
   };
   measured("decay", "A loss of 0.8 per cent in a wavelength is measured.", dying(0.008), "decay_per_wavelength", 0.008);
-  is("dying", "It fails, although the wave still has most of its height.", verdict_of(dying(0.008), "decay"),
-     Verdict::fail);
-  is("dying-little", "One of 0.3 per cent passes.", verdict_of(dying(0.003), "decay"), Verdict::pass);
-  is("growing", "A wave that grows fails.", verdict_of(dying(-0.008), "decay"), Verdict::fail);
+  is("dying", "A wave that loses 0.8 % of its height per wavelength fails the score.",
+     verdict_of(dying(0.008), "decay"), Verdict::fail);
+  is("dying-little", "A wave that loses 0.3 % of its height per wavelength passes the score.",
+     verdict_of(dying(0.003), "decay"), Verdict::pass);
+  is("growing", "A wave whose height grows fails the score.", verdict_of(dying(-0.008), "decay"), Verdict::fail);
   // More than half a wavelength late at the end: the phase is followed from period to period.
   const evidence::Record slow =
       scored([](const auto& wave, double x, double t) { return wave.elevation(x - 0.92 * wave.phase_speed() * t); });
   measured("late", "A wave that is 8 per cent slow is 0.08 wavelengths late in one.", slow, "lead_per_wavelength",
            -0.08);
-  is("slow", "It fails.", verdict_of(slow, "phase"), Verdict::fail);
+  is("slow", "A wave that is 8 % too slow fails the score.", verdict_of(slow, "phase"), Verdict::fail);
   const evidence::Record frozen = scored([](const auto& wave, double x, double) { return wave.elevation(x); });
   is("frozen", "A wave that stands where it began fails.", verdict_of(frozen, "phase"), Verdict::fail);
   const evidence::Record back =
       scored([](const auto& wave, double x, double t) { return wave.elevation(x + wave.phase_speed() * t); });
-  is("backwards", "So does one that runs the other way.", verdict_of(back, "phase"), Verdict::fail);
+  is("backwards", "A wave that travels in the opposite direction fails the score.", verdict_of(back, "phase"),
+     Verdict::fail);
 
   measured("flume-right", "In a flume the exact wave loses nothing.", scored_flume(0, 0), "decay_per_wavelength", 0);
   measured("flume-decay", "Along a flume a loss is measured by the way.", scored_flume(0.008, 0),

@@ -54,14 +54,15 @@ TEST_CASE("a score is worse than its baseline where an error grew beyond both un
   is("sign", "An error of the other sign is as good.", change(claim(0.5, "pass"), claim(-0.5, "pass")), "same");
   is("within", "Within both uncertainties it is not.", change(claim(0.5, "pass", 0.1), claim(0.62, "pass", 0.1)),
      "same");
-  is("beyond", "Beyond both it is.", change(claim(0.5, "pass", 0.1), claim(0.65, "pass", 0.1)), "worse");
+  is("beyond", "A change beyond both uncertainties is reported as a change.",
+     change(claim(0.5, "pass", 0.1), claim(0.65, "pass", 0.1)), "worse");
   is("verdict", "A verdict that changes within the uncertainties is shown.",
      change(claim(0.95, "pass", 0.1), claim(1.05, "fail", 0.1)), "other");
   is("fails", "A failure that grows is worse, too.", change(claim(2, "fail"), claim(3, "fail")), "worse");
   is("pass", "A claim that was not met and is now is an unexpected pass.",
      change(claim(1.5, "fail"), claim(0.5, "pass")), "unexpected pass");
-  is("undecided", "So is one that was undecided.", change(claim(0.5, "inconclusive"), claim(0.5, "pass")),
-     "unexpected pass");
+  is("undecided", "A claim that was undecided and is now met is an unexpected pass.",
+     change(claim(0.5, "inconclusive"), claim(0.5, "pass")), "unexpected pass");
   is("lost", "What is no number any more is worse.", change(claim(0.5, "pass"), claim(unknown, "error")), "worse");
   is("feature", "A feature that is gone is worse.",
      change(claim(0, "pass", unknown, "qualitative"), claim(1, "fail", unknown, "qualitative")), "worse");

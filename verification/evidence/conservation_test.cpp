@@ -31,7 +31,7 @@ io::Table table(const std::string& text, const std::string& name) {
   return io::read_csv(in, name);
 }
 
-/// Verdict of a claim about a history, by phenomenon; "not judged" where it is left out.
+/// Verdict of a claim about a history, by phenomenon; "not scored" where it is left out.
 std::string verdict(const std::string& phenomenon, const std::string& quantity, const std::vector<double>& values) {
   History history{{quantity, values}};
   for (std::size_t k = 0; k < values.size(); ++k) history["t"].push_back(static_cast<double>(k));
@@ -40,7 +40,7 @@ std::string verdict(const std::string& phenomenon, const std::string& quantity, 
   for (const evidence::JudgedClaim& claim : record.claims()) {
     if (claim.claim.id == "conserved-" + quantity) return std::string(evidence::name(claim.judgement.verdict));
   }
-  return record.left_out().empty() ? "no claim" : "not judged";
+  return record.left_out().empty() ? "no claim" : "not scored";
 }
 
 std::string refusal(const std::string& text) {
@@ -65,19 +65,25 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   };
   is("kept", "Water that is all there passes.", verdict("dam_break", "volume", {5, 5.004, 4.996}), "pass");
   is("lost", "A thousandth and a half that is lost fails.", verdict("dam_break", "volume", {5, 5, 4.9925}), "fail");
-  is("gained", "So does one that is gained.", verdict("dam_break", "volume", {5, 5.0075}), "fail");
+  is("gained", "A volume gain of 0.15 % fails the conservation score.", verdict("dam_break", "volume", {5, 5.0075}),
+     "fail");
   is("comes-back", "A loss in between counts, too.", verdict("bore", "volume", {5, 4.9, 5}), "fail");
-  is("through", "Where water runs through, nothing is judged.", verdict("steady_flow", "volume", {5, 7}), "not judged");
+  is("through", "Volume is not scored where water enters and leaves.", verdict("steady_flow", "volume", {5, 7}),
+     "not scored");
   is("wave-energy", "A wave that dies away fails.", verdict("periodic_wave", "energy", {2, 1.9, 1.7}), "fail");
-  is("wave-energy-kept", "One that keeps nine tenths passes.", verdict("periodic_wave", "energy", {2, 1.9, 1.85}),
-     "pass");
-  is("breaking-loses", "Breaking water may lose energy.", verdict("dam_break", "energy", {2, 1, 0.5}), "pass");
-  is("breaking-gains", "It may not gain any.", verdict("dam_break", "energy", {2, 1, 2.05}), "fail");
+  is("wave-energy-kept", "A wave that keeps nine tenths of its energy passes.",
+     verdict("periodic_wave", "energy", {2, 1.9, 1.85}), "pass");
+  is("breaking-loses", "A loss of energy passes where the reference wave breaks.",
+     verdict("dam_break", "energy", {2, 1, 0.5}), "pass");
+  is("breaking-gains", "A gain of energy fails where the reference wave breaks.",
+     verdict("dam_break", "energy", {2, 1, 2.05}), "fail");
   is("negative", "Energy below zero counts by its magnitude.", verdict("dam_break", "energy", {-2, -1.9}), "fail");
-  is("driven", "What is driven is not judged.", verdict("wavemaker", "energy", {1, 5}), "not judged");
-  is("momentum", "Without walls momentum is kept.", verdict("periodic_wave", "momentum", {1, 0.8}), "fail");
-  is("walls", "Between walls it need not be.", verdict("standing_wave", "momentum", {1, -1}), "not judged");
-  is("rest", "So where the water starts from rest.", verdict("standing_wave", "momentum", {0, 1}), "not judged");
+  is("driven", "Energy of driven water is not scored.", verdict("wavemaker", "energy", {1, 5}), "not scored");
+  is("momentum", "A change of momentum without walls fails the conservation score.",
+     verdict("periodic_wave", "momentum", {1, 0.8}), "fail");
+  is("walls", "Momentum between walls is not scored.", verdict("standing_wave", "momentum", {1, -1}), "not scored");
+  is("rest", "Momentum of water that starts from rest is not scored.", verdict("standing_wave", "momentum", {0, 1}),
+     "not scored");
 
   std::vector<io::Table> files{table("t,eta\n0,0\n1,0\n", "gauge.csv"), table("t,volume\n0,3\n1,3\n", "volume.csv")};
   const History found = take_history(files, wanted_gauge(), {});
@@ -88,10 +94,11 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   is("beside", "A file with the case's own columns stays.", fmt::format("{} {}", one.size(), beside.count("energy")),
      "1 1");
   std::vector<io::Table> named{table("time,mass\n0,3\n1,3\n", "m.csv")};
-  is("mapped", "Columns may have other names.",
+  is("mapped", "Conservation columns with other names are read when they are mapped.",
      fmt::format("{}", take_history(named, wanted_gauge(), {{"t", "time"}, {"volume", "mass"}}).count("volume")), "1");
-  is("none", "A value that is missing is refused.", refusal("t,volume\n0,1\n1,\n"), "mine.csv: line 3: column volume");
-  is("short", "One row is refused.", refusal("t,volume\n0,1\n"), "1 rows, must be at least two");
+  is("none", "A value that is missing is rejected.", refusal("t,volume\n0,1\n1,\n"), "mine.csv: line 3: column volume");
+  is("short", "A conservation history of one row is rejected.", refusal("t,volume\n0,1\n"),
+     "1 rows, must be at least two");
   std::string zero;
   try {
     verdict("bore", "energy", {0, 1});

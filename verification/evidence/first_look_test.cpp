@@ -73,7 +73,7 @@ Ladder ladder_of_errors(double falling, double staying) {
 }
 
 TEST_CASE("the first screen says where an error is, of what kind, whose it is and what to do", "[evidence]") {
-  Check check("first_look", "A score at first sight",
+  Check check("first_look", "Summary of a score",
               "A sine with errors of known kinds: two wavelengths, joined by straight lines between 201 points.");
   const auto share = [&](const std::string& id, const std::string& text, double value) {
     check.that(
@@ -88,46 +88,51 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   };
   share("phase", "A wave that is late has an error of phase.",
         kind_of([](double x) { return std::sin(x - 0.05); }).phase);
-  share("amplitude", "One too high an error of amplitude.",
+  share("amplitude", "A wave that is too high has an error of amplitude.",
         kind_of([](double x) { return 1.1 * std::sin(x); }).amplitude);
-  share("level", "One that stands too high an error of level.",
+  share("level", "A surface that stands too high has an error of level.",
         kind_of([](double x) { return std::sin(x) + 0.1; }).level);
   const auto bump = [](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); };
   share("place", "A bump has its error where it is.", kind_of(bump).near);
   check.that({.id = "where",
-              .text = "The place of the largest error is named.",
+              .text = "The position of the largest error is named.",
               .quantity = "its place",
               .unit = "m",
               .source = "made so"},
              {.value = kind_of(bump).where},
              Bound{.limit = 0.0315, .reason = "half a distance of points", .expected = 4.5});
-  says("shape", "No single number explains a bump.", kind_of(bump).words(), "shape");
-  says("words", "What it is is said.", kind_of([](double x) { return std::sin(x - 0.05); }).words(), "phase: 100 %");
+  says("shape", "No single number explains a bump.", kind_of(bump).words(), "local shape");
+  says("words", "The kind of the error is named in the summary.",
+       kind_of([](double x) { return std::sin(x - 0.05); }).words(), "phase: 100 %");
 
   const auto high = [](double x) { return 1.2 * std::sin(x); };
-  says("right", "Of a right result nothing is to be mended.",
-       answer([](double x) { return std::sin(x); }, "whose it is"), "within every limit");
-  says("verdict", "Claims are counted.", answer(high, "verdict"), "1 of 2 claims are met, 1 not met");
-  says("line", "The worst is named.", answer(high, "in one line"),
-       "The wave is right. fail (eta-relative_l2: off by 0.2");
+  says("right", "The next step of a right result is none.",
+       answer([](double x) { return std::sin(x); }, "likely cause"), "all errors are within their limits");
+  says("verdict", "The number of claims met is in the summary.", answer(high, "result"),
+       "1 of 2 claims are met, 1 not met");
+  says("line", "The claim that is missed farthest is named in the summary.", answer(high, "closest limit"),
+       "The wave is right. fail (eta-relative_l2: error 0.2");
   const auto place = [&](const std::string& unit) {
-    return answer(bump, "where the error is", evidence::Role::exact, {}, unit);
+    return answer(bump, "largest error", evidence::Role::exact, {}, unit);
   };
-  says("unit", "Where it is has a unit.", place("m"), "eta: largest at x = 4.524 m, +0.197 m; ");
-  says("dimensionless", "What has no dimension has none.", place("1"), "eta: largest at x = 4.524, +0.197; ");
-  says("solver", "Against an exact reference it is the solver's or its set-up's.", answer(high, "whose it is"),
-       "three sizes tell which");
-  says("next", "And sizes are asked for.", answer(high, "next step"), "--sizes");
-  says("data", "Against data without uncertainty nobody knows.", answer(high, "whose it is", evidence::Role::data),
-       "your solver's or the data's");
-  says("resolution", "An error that falls with the size is the resolution's.",
-       answer(high, "whose it is", evidence::Role::exact, ladder_of_errors(0.2, 0)), "your resolution's");
-  says("finer", "Then a finer size is named.",
+  says("unit", "The position of the largest error has its unit.", place("m"),
+       "eta: largest at x = 4.524 m, +0.197 m; ");
+  says("dimensionless", "The position of a dimensionless error has no unit.", place("1"),
+       "eta: largest at x = 4.524, +0.197; ");
+  says("solver", "The likely cause against an exact reference is the solver or its set-up.",
+       answer(high, "likely cause"), "three cell sizes (--sizes) show which");
+  says("next", "The summary asks for several cell sizes next.", answer(high, "next step"), "--sizes");
+  says("data", "The likely cause against data without uncertainty is left open.",
+       answer(high, "likely cause", evidence::Role::data), "your solver's or the data's");
+  says("resolution", "The likely cause of an error that falls with the cell size is the resolution.",
+       answer(high, "likely cause", evidence::Role::exact, ladder_of_errors(0.2, 0)), "your resolution's");
+  says("finer", "The next step for the resolution's error names a finer cell size.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.2, 0)), "run dx = 0.05: 1 % of eta");
-  says("model", "One that stays is the model's.",
-       answer(high, "whose it is", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "your model's or set-up's");
-  says("model-next", "Then finer cells do not mend it.",
-       answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "finer cells do not mend it");
+  says("model", "An error that remains on fine cells is attributed to the model's equations.",
+       answer(high, "likely cause", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "your model's or set-up's");
+  says("model-next", "The summary states that refinement does not remove the model's error.",
+       answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)),
+       "refinement will not remove this error");
 }
 
 }  // namespace first_look_test

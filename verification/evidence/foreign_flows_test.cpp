@@ -314,18 +314,19 @@ TEST_CASE("foreign flows are judged in all that is asked for", "[evidence]") {
     const auto is = [&](const std::string& way, const std::string& text, const Answer& answer, int finer, bool met) {
       const evidence::Record record = scored(asked, wanted, submitted(wanted, answer, finer));
       check.that({.id = asked.name + "-" + way,
-                  .text = fmt::format("{}: {}", asked.one, text),
+                  .text = fmt::format("A submission to {}: {}", asked.one, text),
                   .quantity = "every claim is met",
                   .source = "what scoring means"},
                  {.value = record.as_declared() ? 1.0 : 0.0},
                  evidence::Qualitative{"the record of the score", "it was made so", met});
     };
     is("right", "the reference passes.", right, 1, true);
-    if (asked.exact) is("exact", "so does the exact solution.", asked.exact, 1, true);
-    is("dense", "so it does at four times as many points.", right, 4, true);
+    if (asked.exact) is("exact", "the exact solution passes.", asked.exact, 1, true);
+    is("dense", "the reference at four times as many points passes.", right, 4, true);
     for (const Wrong& wrong : asked.wrong) {
       is(wrong.way, wrong.text, wrong.answer, 1, false);
-      is(wrong.way + "-dense", "so it does at four times as many points.", wrong.answer, 4, false);
+      is(wrong.way + "-dense", wrong.text.substr(0, wrong.text.size() - 1) + " at four times as many points.",
+         wrong.answer, 4, false);
     }
     for (const WantedTable& table : wanted) {
       for (const WantedQuantity& quantity : table.quantities) {

@@ -50,7 +50,7 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   for (const double t : {0.0, 0.4, 1.1, 1.6, 2.4, 2.5}) peak.add(t, parabola(t));
   const char* three = "differences of three values of at most 3 over steps of a half";
   exactly("peak", "The top of a parabola is found between its points.", peak.value(), 3, 20, 6, three);
-  exactly("peak-time", "And when it was reached.", peak.time(), 1.3, 20, 6, three);
+  exactly("peak-time", "The time of a peak between the points is exact.", peak.time(), 1.3, 20, 6, three);
 
   std::vector<double> harmonics;
   constexpr double frequency = 2.7;
@@ -84,7 +84,8 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   }
   const char* thirty = "sums over 31 points of at most 5 times 4";
   exactly("speed", "The speed of a crest from a time on.", track.speed(2.0), 1.25, 62, 20, thirty);
-  exactly("elevation", "Its mean elevation from that time on.", track.mean_elevation(2.0), 0.3, 31, 9, thirty);
+  exactly("elevation", "The mean elevation from a stated time on is exact.", track.mean_elevation(2.0), 0.3, 31, 9,
+          thirty);
 
   // Residuals 1, -1, -1, 1 have neither mean nor slope: 4 squares over 2 degrees of freedom, spread 5 of u.
   const std::vector<double> u = {0, 1, 2, 3};
@@ -92,17 +93,19 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   const StraightLine line = straight_line(u, v);
   const char* four = "sums over four points of at most 9";
   exactly("slope", "The slope of a line through four points.", line.slope, 2, 8, 9, four);
-  exactly("slope-error", "Its standard error.", line.slope_error, std::sqrt(2.0 / 5), 8, 9, four);
+  exactly("slope-error", "The standard error of the slope of a line through four points is exact.", line.slope_error,
+          std::sqrt(2.0 / 5), 8, 9, four);
   exactly("mean-error", "The standard error of its mean.", line.mean_error, std::sqrt(2.0 / 4), 8, 9, four);
-  exactly("where", "Where it reaches a value.", line.where(6.5).value, 2.5, 8, 9, four);
-  exactly("angle", "The angle it makes.", line.angle().value, std::atan(2.0), 8, 9, four);
+  exactly("where", "The position where a line reaches a value is exact.", line.where(6.5).value, 2.5, 8, 9, four);
+  exactly("angle", "The angle that a line makes with the axis is exact.", line.angle().value, std::atan(2.0), 8, 9,
+          four);
   exactly("angle-error", "Twice the standard error of that angle.", line.angle().half_width(), 2 * std::sqrt(0.4) / 5,
           8, 9, four);
 
   const FineLimit limit = fine_limit({0.5, 1}, {1.25, 2}, 2);
   exactly("limit", "The limit of two lattices at second order.", limit.value, 1, 4, 2, "four operations");
-  exactly("limit-uncertainty", "Its uncertainty is three times what is left.", limit.uncertainty, 0.75, 4, 2,
-          "four operations");
+  exactly("limit-uncertainty", "The uncertainty of the limit is three times the remaining difference.",
+          limit.uncertainty, 0.75, 4, 2, "four operations");
 }
 
 TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
@@ -124,17 +127,18 @@ TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
   const ProfileError cell = cell_error(profile, exact, {1.8});
   const char* points = "32 points in each of four cells, numbers up to 3";
   exactly("cell-l1", "The mean error of cell means of depth.", cell.depth.l1, 0.1, 128, 3, points);
-  exactly("cell-l2", "Its root mean square.", cell.depth.l2, 0.1, 128, 3, points);
-  exactly("cell-linf", "Its largest.", cell.depth.linf, 0.1, 128, 3, points);
+  exactly("cell-l2", "The root mean square error of the depths is exact.", cell.depth.l2, 0.1, 128, 3, points);
+  exactly("cell-linf", "The largest error of the depths is exact.", cell.depth.linf, 0.1, 128, 3, points);
   exactly("cell-velocity", "The mean error of the mass means of velocity.", cell.velocity.l1, 0.1, 128, 3, points);
   const ProfileError rec = reconstruction_error(profile, exact, {1.8});
   exactly("rec-l1", "A reconstruction that is 0.2 too high on a quarter of the length.", rec.depth.l1, 0.05, 256, 3,
           points);
-  exactly("rec-l2", "Its root mean square.", rec.depth.l2, 0.1, 256, 3, points);
-  exactly("rec-linf", "Its largest.", rec.depth.linf, 0.2, 256, 3, points);
+  exactly("rec-l2", "The root mean square error of the depths is exact.", rec.depth.l2, 0.1, 256, 3, points);
+  exactly("rec-linf", "The largest error of the depths is exact.", rec.depth.linf, 0.2, 256, 3, points);
   // Of the third cell 0.3 are 0.7 too low and 0.2 are 1.3 too high.
   const ProfileError pc = piecewise_constant_error(profile, exact, {1.8});
-  exactly("pc-l1", "Rectangles beside a step.", pc.depth.l1, (0.1 * 3.5 + 0.7 * 0.3 + 1.3 * 0.2) / 4, 128, 3, points);
+  exactly("pc-l1", "The mean error of piecewise constant depths beside a step is exact.", pc.depth.l1,
+          (0.1 * 3.5 + 0.7 * 0.3 + 1.3 * 0.2) / 4, 128, 3, points);
   exactly("pc-linf", "The largest error of the rectangles is at the step.", pc.depth.linf, 1.3, 128, 3, points);
 
   const MeasuredProfile smeared{.edges = {0, 1, 2, 3, 4, 5},

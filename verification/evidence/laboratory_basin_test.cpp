@@ -110,12 +110,12 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
     const Envelope found = envelope(waves);
     const std::string id = fmt::format("{:g}s", period);
     check.that({.id = "amplitude-" + id,
-                .text = "Waves are as high as linear theory of the model says.",
+                .text = "The wave amplitude agrees with linear theory of the model.",
                 .quantity = "amplitude over the stated one, less 1",
                 .source = "validation/laboratory/wave_basin.hpp"},
                {.value = found.mean - 1, .resolution = "h = 0.1 m"}, waves.bound());
     check.that({.id = "reflection-" + id,
-                .text = "Next to nothing returns from the layer.",
+                .text = "The wave reflected by the absorbing layer is small.",
                 .quantity = "amplitude of the wave that returns, over that of the one that comes",
                 .source = "validation/laboratory/wave_basin.hpp"},
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
@@ -138,7 +138,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   const auto second = gauges.read({after.x, after.y, after.z});
   for (std::size_t k = 2; k < places.size(); ++k) worst.add(second[k] - Sheet::height(places[k]));
   check.that({.id = "plane",
-              .text = "They read the plane before and after.",
+              .text = "Gauges read a plane surface exactly, on the grid before and after rezoning.",
               .quantity = "largest error",
               .source = "bilinear maps hold planes"},
              {.value = worst.value()},

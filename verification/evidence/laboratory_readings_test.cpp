@@ -112,13 +112,13 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   is(check, "arrival", "A ramp passes 0.02 at 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4, 1e-12,
      "a straight line");
   is(check, "arrival-uncertainty",
-     "The uncertainty of an arrival is that of the clock, of the level over the slope, and of the distance of points.",
+     "The uncertainty of an arrival combines clock, level over slope, and distance of points.",
      arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05, 0.1 / 2), 1e-12,
      "a straight line, points 0.1 s apart");
   const Measured peak = sampled(
       0, 4, 8, [](double t) { return -std::abs(t - 2); }, 0.01, 0.03);
   is(check, "place-uncertainty",
-     "The uncertainty of the place of a sharp crest is that of the abscissa and of the distance of points.",
+     "The uncertainty of the position of a sharp crest combines abscissa and distance of points.",
      when_highest(0, {}).uncertainty(peak), std::hypot(0.03, 0.5 / 2), 1e-12, "points 0.5 apart");
   const auto slow = [](double t) { return std::sin(t - 0.2005); };
   is(check, "lag-range", "A clock is set by no more than its range.",
@@ -146,7 +146,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
   const Measured runup = measured(runs, values_of("monai_valley")).front();
   is(check, "repeats", "Six runs at the first place have the mean 0.0896 m.", runup.y.front(), 0.0896, 5e-5,
      "half a unit of the last digit");
-  is(check, "spread", "And the standard deviation 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
+  is(check, "spread", "The standard deviation of the six runs is 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
      "half a unit of the last digit");
   const Series island{.name = "runup",
                       .table = "briggs_1995_conical_island_runup",
@@ -212,7 +212,8 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
                      .quantity = {"eta", "m", ""},
                      .input = 0.1,
                      .readings = {}};
-  const auto record = std::make_shared<const Measured>(Measured{.group = 0, .x = {0, 1}, .y = {1, 1}, .u = {0.05, 0.05}});
+  const auto record =
+      std::make_shared<const Measured>(Measured{.group = 0, .x = {0, 1}, .y = {1, 1}, .u = {0.05, 0.05}});
   const std::vector<Question> two{{gauge, at(0, 0, Kind::height), record}, {gauge, at(0, 1, Kind::height), record}};
   const auto of = [&](double first, double second, const Sources& sources = {}) {
     return metric(two, {{"gauge", {{.value = 0, .abscissa = {0, 1}, .values = {{"eta", {first, second}}}}}}}, sources);
@@ -280,12 +281,10 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
                 .where = fmt::format("{}", fmt::join(cases_of, ", "))},
                Bound{.limit = 0, .reason = reason});
   };
-  none("own", "The measured records meet every claim of their own experiment.", own,
-       "nothing is off");
+  none("own", "The measured records meet every claim of their own experiment.", own, "nothing is off");
   none("thinned", "Every second sample of the measured records can be judged.", halved,
        "half of the samples are no error");
-  none("scaled", "The measured records times 1.4 do not pass.", scaled,
-       "no ceiling is above 0.4");
+  none("scaled", "The measured records times 1.4 do not pass.", scaled, "no ceiling is above 0.4");
   none("vague", "The measured records times 1.2 with a stated uncertainty of a tenth of the range do not pass.", vague,
        "such an uncertainty hides a factor of 1.2: inconclusive at best");
 }
@@ -308,7 +307,7 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
   is(check, "clock", "Where the origin of time is unknown, a common shift of 0.3 s is found.",
      late.numbers.at("gauges_time_shift"), 0.3, 0.005, "a parabola through lags 0.007 s apart");
   check.that({.id = "clock-passes",
-              .text = "And it is not held against the record.",
+              .text = "A common shift of the clock does not count against the result.",
               .quantity = "claims that are missed",
               .source = "what scoring means"},
              {.value = static_cast<double>(late.missed)}, Bound{.limit = 0, .reason = "the shift is common"});
@@ -330,25 +329,25 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
   });
   is(check, "zero", "Where the zero of a gauge is its level before the wave, another zero is not held against it.",
      static_cast<double>(raw.missed), 0, 0, "it is taken off the submitted record as off the measured one");
-  is_told(check, "own-clock", "One gauge that is late alone is told.", "dingemans_bar",
+  is_told(check, "own-clock", "A delay of one gauge alone is detected.", "dingemans_bar",
           [&](Submitted& all) { shift(0.3)(all.at("gauges").back()); });
-  is_told(check, "neighbour", "A gauge in the place of the next is told.", "luth_bar", [](Submitted& all) {
+  is_told(check, "neighbour", "A gauge at the position of its neighbour is detected.", "luth_bar", [](Submitted& all) {
     std::swap(all.at("gauges").at(4).values, all.at("gauges").at(5).values);
     std::swap(all.at("gauges").at(4).abscissa, all.at("gauges").at(5).abscissa);
   });
-  is_told(check, "datum", "Elevations above the floor instead of still water are told.", "dingemans_bar",
+  is_told(check, "datum", "Elevations above the floor instead of still water are detected.", "dingemans_bar",
           [&](Submitted& all) {
             each(all, [](SubmittedGroup& one) {
               for (double& y : one.values.at("eta")) y += 0.8;
             });
           });
-  is_told(check, "inverted", "Elevations that count downwards are told.", "solitary_shoaling", [&](Submitted& all) {
+  is_told(check, "inverted", "Elevations that count downwards are detected.", "solitary_shoaling", [&](Submitted& all) {
     each(all, [](SubmittedGroup& one) {
       for (double& y : one.values.at("eta")) y = -y;
     });
   });
-  is_told(check, "clock-of-paddle", "Where the clock is the wavemaker's, two seconds late is told.", "fission_on_shelf",
-          [&](Submitted& all) { each(all, shift(2)); });
+  is_told(check, "clock-of-paddle", "A delay of two seconds is detected where the clock is the wavemaker's.",
+          "fission_on_shelf", [&](Submitted& all) { each(all, shift(2)); });
 }
 
 }  // namespace laboratory_readings_test

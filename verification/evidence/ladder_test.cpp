@@ -90,11 +90,12 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   const LadderQuantity& height = first.quantities.at(1);
   is("sizes", "Sizes are put in order, coarse first.", first.size == std::vector{0.1, 0.05, 0.025});
   close("order", "Of a first-order result the order is 1.", eta.order.order, 1, 1e-9, rounding);
-  close("order-number", "That of a number, too.", height.order.order, 1, 1e-9, rounding);
-  close("error", "Its error on the finest is what it was made with.", height.error.back(), 0.075, 1e-12, rounding);
+  close("order-number", "The order of a result that is one number is 1.", height.order.order, 1, 1e-9, rounding);
+  close("error", "The error on the finest cells is the error that was made.", height.error.back(), 0.075, 1e-12,
+        rounding);
   close("second", "Of a second-order one it is 2.", ladder(2).quantities.at(0).order.order, 2, 1e-9, rounding);
   const auto reach = first.reach(height, 0.01);
-  close("reach", "One per cent of 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
+  close("reach", "An error of 1 % from 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
   close("cost", "At a cost that grows with the cube it takes 27000 times a thousandth of a second.",
         reach && reach->seconds ? *reach->seconds : 0, 27000, 1e-9, rounding);
   const Ladder second = ladder(2);
@@ -102,9 +103,9 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   close("reach-second", "Of 3 h^2 it needs h = sqrt(1/300).", sooner ? sooner->size : 0, std::sqrt(1.0 / 300), 1e-9,
         rounding);
   // A scalar with error a h has 1.25 a h for its half-width: the safety factor of Roache.
-  close("numerical", "The numerical error is 1.25 times that of the finest.", height.numerical, 1.25 * 0.075, 1e-3,
+  close("numerical", "The numerical error is 1.25 times the finest one.", height.numerical, 1.25 * 0.075, 1e-3,
         "the scan for the order has steps of 0.005");
-  is("says", "The line says it.",
+  is("says", "The printed line states order, error and reach.",
      first.line(height).find("your order is 1 (") != std::string::npos &&
          first.line(height).find("1 % needs dx = 0.0033 and 2.7e+04 s") != std::string::npos,
      first.line(height));
@@ -141,24 +142,27 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
 
   // Against data, what converges is the distance from the result's own limit, wherever that is.
   const Ladder measured = ladder(1, 0.5, evidence::Role::data);
-  close("own-order", "Against data the order is that of the result's own convergence.",
+  close("own-order", "Against data the order agrees with the result's own convergence.",
         measured.quantities.at(1).order.order, 1, 0.02, "the scan for the limit has steps of 0.005 in the order");
   std::map<std::string, StatedUncertainty> uncertainty{{"height", {.value = 0.7}}};
   add_numerical(measured, uncertainty);
-  close("stated", "A stated uncertainty is kept.", uncertainty.at("height").value, 0.7, 0, "the same number");
-  close("standard", "One that was not is the ladder's, as a standard one.", uncertainty.at("eta").value,
-        measured.quantities.at(0).typical / 2, 1e-15, "the same number");
+  close("stated", "A stated uncertainty is kept beside the uncertainty of the series.", uncertainty.at("height").value,
+        0.7, 0, "the same number");
+  close("standard", "An uncertainty that was not stated comes from the series, as a standard uncertainty.",
+        uncertainty.at("eta").value, measured.quantities.at(0).typical / 2, 1e-15, "the same number");
   std::map<std::string, StatedUncertainty> none;
   add_numerical(first, none);
   is("exact-none", "Against an exact reference nothing is added.", none.empty());
 
-  is("two", "Two sizes are refused.", refusal({{.size = 1}, {.size = 2}}).find("three or more") != std::string::npos);
-  is("same", "So are equal ones.",
+  is("two", "A series of two cell sizes is rejected.",
+     refusal({{.size = 1}, {.size = 2}}).find("three or more") != std::string::npos);
+  is("same", "A series of equal cell sizes is rejected.",
      refusal({{.size = 1}, {.size = 1}, {.size = 2}}).find("all different") != std::string::npos);
   std::vector<Rung> untimed;
   for (const double h : sizes) untimed.push_back({.size = h, .submitted = submitted(h, 1, 0)});
   untimed.back().seconds = 3;
-  is("times", "And times for some sizes alone.", refusal(untimed).find("1 times for 3 sizes") != std::string::npos);
+  is("times", "Run times for some of the cell sizes alone are rejected.",
+     refusal(untimed).find("1 times for 3 sizes") != std::string::npos);
 }
 
 }  // namespace ladder_test

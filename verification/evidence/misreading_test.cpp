@@ -52,10 +52,10 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
     const std::optional<Misreading> misread = misreading(submitted.curve(), reference.curve());
-    check.that(named(id, "It is recognised.", "the change that was planted is named"),
+    check.that(named(id, "The planted misreading is recognised and named.", "the change that was planted is named"),
                {.value = misread && misread->kind == kind ? 1.0 : 0.0},
                Qualitative{"the kind of the change", "it was planted"});
-    check.that(named(id + "-amount", "Its number is found.", "number of the change"),
+    check.that(named(id + "-amount", "The amount of the planted misreading is found.", "number of the change"),
                {.value = misread ? misread->amount : std::nan("")},
                Bound{.limit = accuracy, .reason = why, .expected = amount});
   };
@@ -138,8 +138,11 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
                Bound{.limit = 0, .reason = "by hand", .expected = static_cast<double>(count)});
     bool said = count == 0;
     for (const Finding& one : findings) said = said || (one.where + " " + one.words).find(words) != std::string::npos;
-    check.that(named(id + "-words", "\"" + words + "\" is said.", "as stated"), {.value = said ? 1.0 : 0.0},
-               Qualitative{"the sentence holds the words", "they name what was planted"});
+    check.that(
+        named(id + "-words",
+              words.empty() ? "The right result is called right." : "The diagnosis says \"" + words + "\" in words.",
+              "as stated"),
+        {.value = said ? 1.0 : 0.0}, Qualitative{"the sentence holds the words", "they name what was planted"});
   };
   const auto at = [&](double x) { return [&, x](double t) { return reference({x, t}); }; };
   const auto late = [&](double x) { return [&, x](double t) { return reference({x, t - 0.5}); }; };

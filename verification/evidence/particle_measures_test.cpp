@@ -61,13 +61,13 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
     slopes += steepness;
     squares += steepness * steepness;
   }
-  check.that(named("shift", "The shift is that of the points.", "shift"), {.value = fit.shift},
+  check.that(named("shift", "The shift that fits equals the shift of the points.", "shift"), {.value = fit.shift},
              Bound{.limit = of_lines * slopes / squares + of_halving,
                    .reason = "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
                              "the last of 20 halved steps is 2^-19 of 0.0035",
                    .expected = 0.17});
   check.that(
-      named("rms", "With it nothing is left.", "rms"), {.value = fit.rms},
+      named("rms", "The rms distance after the shift is zero.", "rms"), {.value = fit.rms},
       Bound{.limit = of_lines + of_halving * std::sqrt(squares / 4),
             .reason = "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
                       "of halving times the slopes"});
@@ -75,7 +75,7 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
              {.value = static_cast<double>(fit.points)}, Bound{.limit = 0, .reason = "by hand", .expected = 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
-  check.that(named("raw", "As it stands the difference is that of the formulas.", "rms without a shift"),
+  check.that(named("raw", "The difference before the shift agrees with the formulas.", "rms without a shift"),
              {.value = fit.raw_rms},
              Bound{.limit = 1e-6, .reason = "lines between the points", .expected = std::sqrt(sum / 4)});
   check.that(named("slope", "The slope of a straight part is the slope.", "slope"),
@@ -90,14 +90,18 @@ TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
   const Polyline low{{0, 1}, {0, 0}};
   const Polyline high{{0, 0.3, 1}, {0.25, 0.25, 0.25}};
   const PolylineDistance lines = polyline_distance({low}, {high});
-  check.that(named("lines", "Parallel lines.", "rms distance"), {.value = lines.rms},
+  check.that(named("lines", "The rms distance of parallel lines is their distance.", "rms distance"),
+             {.value = lines.rms},
              Roundoff{.operations = 20, .scale = 1, .reason = "three segments", .expected = 0.25});
   const PolylineDistance circles = polyline_distance({circle(1, 1000)}, {circle(1.5, 1000)});
   check.that(
-      named("circles", "Concentric circles.", "rms distance"), {.value = circles.rms},
+      named("circles", "The rms distance of concentric circles is the difference of their radii.", "rms distance"),
+      {.value = circles.rms},
       Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
   check.that(
-      named("largest", "And their largest distance.", "largest distance"), {.value = circles.largest},
+      named("largest", "The largest distance of concentric circles is the difference of their radii.",
+            "largest distance"),
+      {.value = circles.largest},
       Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
   const PolylineDistance images = polyline_distance({low}, {Polyline{{2, 3}, {0, 0}}}, 2);
   check.that(named("images", "A curve a period away is the same curve.", "rms distance"), {.value = images.rms},
@@ -140,11 +144,11 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
     const double a_y = (-3 * at_rest.v[i] + 4 * soon.v[i] - later.v[i]) / (2 * tau);
     acceleration.add(std::hypot(a_x + p_x, a_y + p_y + gravity));
   }
-  check.that(named("velocity", "Velocities at the surface are those of the boundary integral.", "largest difference"),
+  check.that(named("velocity", "Velocities at the surface agree with the boundary integral.", "largest difference"),
              {.value = velocity.value() / fastest.value()},
              Bound{.limit = 1e-10, .reason = "128 markers resolve the first surface to round-off of the kernels"});
   check.that(
-      named("acceleration", "Accelerations at the surface are those of the boundary integral.",
+      named("acceleration", "Accelerations at the surface agree with the boundary integral.",
             "largest difference over g"),
       {.value = acceleration.value() / gravity},
       Bound{.limit = 1e-5,
@@ -153,7 +157,7 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
                    "largest defect over g times the amplitude"),
              {.value = start.surface_defect()},
              Bound{.limit = 1e-9, .reason = "24 terms of a series whose terms fall by a factor of 2.2"});
-  check.that(named("bottom", "Nothing flows through the bottom.", "largest vertical velocity"),
+  check.that(named("bottom", "The velocity through the bottom is zero to round-off.", "largest vertical velocity"),
              {.value = std::abs(start.velocity(0.3, -depth)[1])},
              Roundoff{.operations = 4, .scale = fastest.value(), .reason = "sinh of zero"});
   CHECK_THROWS_AS(SteepWaveStart(0.08, 1, 0.13, gravity), std::invalid_argument);

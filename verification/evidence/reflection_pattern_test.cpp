@@ -77,17 +77,17 @@ void claim_pattern(verification::Check& check, const Configuration& configuratio
   const ParabolaError error = parabola_limit(configuration.disorder, waves.incident().lean);
   // The crest on the wall is higher and, for a stem, narrower: S becomes S (1 + kappa).
   const double wall_height = highest_on_wall(waves, t);
-  bounded("wall-amplitude", "the amplitude at the wall.", pattern.wall_amplitude.value, wall_height,
+  bounded("wall-amplitude", "the amplitude at the wall is found.", pattern.wall_amplitude.value, wall_height,
           wall_height * parabola_limit(configuration.disorder, 0).height *
               std::pow(1 + std::min(configuration.kappa, 1.0), 4),
           "error of the parabola, 3 eta^4/8 with the width of the stem");
-  bounded("incident-amplitude", "the incident amplitude.", pattern.incident_amplitude.value, a, a * error.height,
-          "error of the parabola, 3 eta^4/8");
+  bounded("incident-amplitude", "the amplitude of the incident wave is found.", pattern.incident_amplitude.value, a,
+          a * error.height, "error of the parabola, 3 eta^4/8");
   // Errors E of either sign at the rows of a band of length L change the slope by up to 3 E/L.
   const double band = (ReflectionBands{}.incident_to - ReflectionBands{}.incident_from) * height_of(waves);
   const double slope_error = 3 * error.place / band;
-  bounded("incident-angle", "the incident angle.", pattern.incident_angle.value, waves.incident().angle(), slope_error,
-          "error E of the parabola's place in a band of length L: 3 E/L");
+  bounded("incident-angle", "the angle of the incident wave is found.", pattern.incident_angle.value,
+          waves.incident().angle(), slope_error, "error E of the parabola's place in a band of length L: 3 E/L");
   const double stem =
       (waves.wall().at(0, t) - waves.incident().offset - waves.incident().speed * t) / waves.incident().lean;
   const double from_band = 0.89 * height_of(waves) - stem;

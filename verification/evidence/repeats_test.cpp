@@ -33,12 +33,13 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
   };
   const SubmittedGroup& mean = repeats.mean.at("wave").front();
   is("points", "The mean is given at the points of the first run.", static_cast<double>(mean.abscissa.size()), 9);
-  is("mean", "It is the mean at every point.", mean.values.at("eta").back(), 3);
+  is("mean", "The mean of the repeats is the mean at every point.", mean.values.at("eta").back(), 3);
   is("scatter", "The scatter is the standard deviation of single runs.", repeats.scatter.at("eta"), 0.01);
 
   std::map<std::string, StatedUncertainty> stated{{"eta", {.value = 0.01}}};
   add_scatter(repeats, stated);
-  is("added", "That of the mean is added to what is stated.", stated.at("eta").of(3), std::sqrt(1e-4 + 1e-4 / 3));
+  is("added", "The uncertainty of the mean is added to the stated uncertainty.", stated.at("eta").of(3),
+     std::sqrt(1e-4 + 1e-4 / 3));
   std::map<std::string, StatedUncertainty> share{{"eta", {.value = 0, .relative = true}}};
   add_scatter(repeats, share);
   is("relative", "Beside a share it is the same, however small the reference.", share.at("eta").of(0.1),

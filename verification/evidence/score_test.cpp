@@ -111,14 +111,14 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
                Qualitative{"\"" + expected + "\"", "stated in the interface"});
   };
   const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
-  is("good", "Exact profiles pass.", verdict(good, "eta-relative_l2"), "pass");
+  is("good", "Exact profiles with a stated uncertainty pass.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
-  is("worst", "One time of two that is wrong fails the claim.", verdict(bad, "eta-relative_l2"), "fail");
+  is("worst", "Wrong profiles at one of two times fail the claim.", verdict(bad, "eta-relative_l2"), "fail");
   const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
   is("farthest", "Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"),
      "t = 2");
   is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
-  is("absent", "Of what it would hold nothing is judged.", verdict(bad, "runup-value"), "no such claim");
+  is("absent", "Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
   check.that({.id = "second",
               .text = "Each time is measured by itself.",
               .quantity = "relative L2 at t = 2 s",
@@ -134,10 +134,13 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   const std::string run_up = "runup [m]\n2.25\n";
   is("unstated", "Without a stated uncertainty nothing can be said.",
      verdict(scored({table(run_up, "r")}), "runup-value"), "inconclusive");
-  is("exact", "One of 0 is the strictest.", verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
-  is("absolute", "A stated one counts.", verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
-  is("relative", "So does a relative one.", verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
-  is("excessive", "One that is too large to tell buys no pass.",
+  is("exact", "A stated uncertainty of 0 gives the strictest comparison.",
+     verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
+  is("absolute", "A stated absolute uncertainty enters the comparison.",
+     verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
+  is("relative", "A stated relative uncertainty enters the comparison.",
+     verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
+  is("excessive", "A stated uncertainty beyond its ceiling does not turn a failure into a pass.",
      verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
 
   is("group", "A result without one of the times is no full result.",
@@ -150,9 +153,10 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
      verdict(scored({table("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
   is("several", "What the rows differ in is named, where the file says.",
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
-  is("single", "Several rows of single numbers are refused.", refusal("runup\n1\n2\n"),
+  is("single", "Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
-  is("foreign", "A file that holds nothing wanted is refused.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
+  is("foreign", "A file that holds nothing wanted is rejected.", refusal("a,b\n1,2\n"),
+     "is missing: the file has a, b");
   is("template", "The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
 }

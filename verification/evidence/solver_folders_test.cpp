@@ -92,11 +92,11 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
             "x,U_x,U_y,U_z,t,h,p_rgh|0,5,6,7,0.5,1,10|1,8,9,10,0.5,2,20|0,11,12,13,10,3,30");
   folder.write("points/1/line_h.xy", "# x y z h\n0 0.5 0 4\n");
   folder.write("points/2/line_h.xy", "0 0.5 0 5\n");
-  folder.is("points", "Three coordinates are told from a vector.", "points", "x,y,z,h,t|0,0.5,0,4,1|0,0.5,0,5,2");
+  folder.is("points", "Three coordinates are not taken for a vector.", "points", "x,y,z,h,t|0,0.5,0,4,1|0,0.5,0,5,2");
   folder.write("two/1/a_h.xy", "0 1\n");
   folder.write("two/1/b_h.xy", "5 1\n");
   folder.refused("several", "Sets of different points in one folder are not mixed.", "two", "2 sets");
-  folder.refused("no-times", "A folder without times is refused, with what is there.", "", "line");
+  folder.refused("no-times", "A folder without times is rejected, with what is there.", "", "line");
 
   // The second start repeats t = 1; two of the probes stand above each other.
   const std::string probes = "# Probe 0 (1 0 0)\n# Probe 1 (1 0.5 0)\n# Time\n";
@@ -139,17 +139,18 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("names/6/_.xy", "0 1 2\n1 1 2\n");
   folder.refused("underscore", "The name of a set says its columns.", "names/6/_.xy", "do not fit the name");
   folder.write("nowhere.csv", " ;PosX [m]:\n ;PosY [m]:\n ;PosZ [m]:\nPart;Time [s]\n0;0.0\n1;1.0\n");
-  folder.refused("nowhere", "MeasureTool without a position is refused.", "nowhere.csv", "no positions");
+  folder.refused("nowhere", "MeasureTool without a position is rejected.", "nowhere.csv", "no positions");
   folder.write("cut/fort.q0000", coarse.substr(0, coarse.size() - 7));
   folder.write("cut/fort.t0000", "0 time\n");
-  folder.refused("cut", "A patch that ends early is refused.", "cut", "1 cells before the patch does");
+  folder.refused("cut", "A patch that ends early is rejected.", "cut", "1 cells before the patch does");
 
   folder.write("sta_0007", "0 1 2 3\n");
   folder.is("station", "A station has its four columns.", "sta_0007", "t,eta,u,v|0,1,2,3");
   folder.write("table.tbl", "%\n% Run:1 Table:T SWASH\n%\n% Tsec Xp Watlev\n% [sec] [m] [m]\n%\n0 1 2\n");
   folder.is("swash", "A table of SWASH says its columns in its header.", "table.tbl", "Tsec,Xp,Watlev|0,1,2");
   folder.write("points.txt", "# 1:t 2:x 3:T\n0 1 0.5\n");
-  folder.is("gerris", "So does one of Gerris.", "points.txt", "t,x,T|0,1,0.5");
+  folder.is("gerris", "A table of Gerris is read with the columns that its header names.", "points.txt",
+            "t,x,T|0,1,0.5");
 }
 
 }  // namespace solver_folders_test

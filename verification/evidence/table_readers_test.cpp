@@ -83,16 +83,17 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
   const io::Table csv = io::read_csv(in, "table.csv");
   claims.none_wrong("csv-numbers", "The numbers of a CSV file are read in their places.",
                     wrong_entries(csv.columns, numbers));
-  claims.none_wrong("csv-names", "So are the names of its columns.", wrong_words(csv.names, {"t", "h", "u"}));
-  claims.none_wrong("csv-units", "So are its units; where none is stated there is none.",
+  claims.none_wrong("csv-names", "Column names of a CSV file are read.", wrong_words(csv.names, {"t", "h", "u"}));
+  claims.none_wrong("csv-units", "Units of CSV columns are read, and are empty where none is stated.",
                     wrong_words(csv.units, {"s", "m", ""}));
-  claims.none_wrong("csv-lines", "Each row knows its line.",
+  claims.none_wrong("csv-lines", "Each row of a CSV file knows its line number.",
                     wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
-  claims.is_refused("comma", "Decimal commas between commas are refused.", refused("t,h\n0,5,1,5\n"));
-  claims.is_refused("missing", "An entry that is missing is refused, it does not become 0.", refused("t,h\n0,\n1,2\n"));
-  claims.is_refused("trailing", "So is what follows a number.", refused("t,h\n0,1.5m\n"));
-  claims.is_refused("nan", "So is what is not a finite number.", refused("t,h\n0,nan\n"));
-  claims.is_refused("twice", "So is a column that is there twice.", refused("t,t\n0,1\n"));
+  claims.is_refused("comma", "Decimal commas between commas are rejected.", refused("t,h\n0,5,1,5\n"));
+  claims.is_refused("missing", "An entry that is missing is rejected, it does not become 0.",
+                    refused("t,h\n0,\n1,2\n"));
+  claims.is_refused("trailing", "Text that follows a number is rejected.", refused("t,h\n0,1.5m\n"));
+  claims.is_refused("nan", "An entry that is not a finite number is rejected.", refused("t,h\n0,nan\n"));
+  claims.is_refused("twice", "A column that is there twice is rejected.", refused("t,t\n0,1\n"));
 
   const verification::ScratchFolder scratch("seiche_table_readers");
   const auto file = scratch.path() / "table";
@@ -111,7 +112,8 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
   }
   claims.none_wrong("hdf5-numbers", "The numbers of an HDF5 file are read under their names.",
                     wrong_entries(columns, numbers));
-  claims.none_wrong("hdf5-units", "With their units.", wrong_words(units, {"s", "m", ""}));
+  claims.none_wrong("hdf5-units", "Units of HDF5 datasets are read from their attributes.",
+                    wrong_words(units, {"s", "m", ""}));
   claims.none_wrong("hdf5-wanted", "What is not asked for is not read.",
                     wrong_words(io::read_table(file, {"h"}).names, {"h"}));
 }
@@ -141,7 +143,7 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
   claims.none_wrong("first", "The first has its positions, depths and velocities.",
                     wrong_entries({groups.at(0).abscissa, groups.at(0).values.at("h"), groups.at(0).values.at("u")},
                                   {{0, 10}, {1, 2}, {5, 6}}));
-  claims.none_wrong("second", "So has the second, its last row as well.",
+  claims.none_wrong("second", "The second time has its positions, depths and velocities, the last row included.",
                     wrong_entries({groups.at(1).abscissa, groups.at(1).values.at("h"), groups.at(1).values.at("u")},
                                   {{0, 10}, {3, 4}, {7, 8}}));
   const auto not_accepted = [&](const std::string& text) {
@@ -158,13 +160,13 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
                     wrong_entries({converted.at(0).values.at("h"), converted.at(0).values.at("u")}, {{1, 2}, {10, 5}}));
   claims.is_refused("unit", "Seconds are not taken for metres.",
                     not_accepted("u [m/s],depth [s],x [m],t [s]\n5,1,0,1\n6,2,10,1\n7,3,0,2\n8,4,10,2\n"));
-  claims.is_refused("no-time", "A profile without its times is not taken for that of time 0.",
+  claims.is_refused("no-time", "A profile without its times is not taken for the profile at time 0.",
                     not_accepted("u,depth,x\n5,1,0\n6,2,10\n"));
   const std::vector<SubmittedGroup> sorted = read("u,depth,x,t\n6,2,10,1\n5,1,0,1\n7,3,0,2\n8,4,10,2\n");
   claims.none_wrong("order", "Positions that go back are put into order.",
                     wrong_entries({sorted.at(0).abscissa, sorted.at(0).values.at("u")}, {{0, 10}, {5, 6}}));
   const std::vector<SubmittedGroup> part = read("u,depth,x,t\n7,3,0,2\n8,4,5,2\n,,7,2\n9,5,10,2\n");
-  claims.none_wrong("part", "One time of two is read, and what has no value is a gap.",
+  claims.none_wrong("part", "A submission of one time of two is read, and missing values are gaps.",
                     wrong_entries({{part.at(0).value, part.at(0).gaps.at(0).first, part.at(0).gaps.at(0).second},
                                    part.at(0).abscissa},
                                   {{2, 5, 10}, {0, 5, 10}}));

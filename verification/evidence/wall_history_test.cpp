@@ -138,7 +138,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
         sampled(
             600, [](double t) { return 1 - 0.3 / (1 + t / 50); }, 1e-5),
         1, "not an exponential");
-  claim("ripples", "An exponential with fading ripples.",
+  claim("ripples", "The limit of an exponential with fading ripples is found.",
         sampled(400, [&](double t) { return growing(t) + 0.01 * std::cos(t / 5) / std::sqrt(1 + t / 5); }), 1,
         "ripples");
   claim("steady", "A steady series with noise of 1e-4.",
@@ -155,7 +155,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
              {.value = none.amplitude.uncertainty > 0.5 ? 1.0 : 0.0},
              evidence::Qualitative{"uncertainty larger than half of the last value", "no curvature to extrapolate"});
   check.that({.id = "unbent",
-              .text = "It does not bend, and is said not to.",
+              .text = "A series that does not bend is reported as straight.",
               .quantity = "whether an exponential is told from a straight line",
               .source = "definition of the measure"},
              {.value = exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
@@ -163,7 +163,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
                                    .reason = "the misfit falls towards the straight line",
                                    .expected = false});
   check.that({.id = "growth",
-              .text = "Its growth over the last fifth.",
+              .text = "The growth of the series over its last fifth is found.",
               .quantity = "relative growth",
               .source = "definition of the measure"},
              {.value = growth_of_last_fifth(line.time, line.amplitude)},

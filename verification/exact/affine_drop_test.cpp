@@ -94,12 +94,13 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
     spans.push_back(span);
     residuals.push_back(momentum_residual(turning, 1000, 1, span));
   }
-  check.that({.id = "momentum",
-              .text = "Particles accelerate by the pressure gradient: the residual is that of the time differences.",
-              .quantity = "order of the residual in the time difference",
-              .source = source},
-             evidence::observed_order(spans, residuals, 1e-11),
-             evidence::Order{4, 0.3, "fourth-order differences of a smooth path"});
+  check.that(
+      {.id = "momentum",
+       .text = "Particles accelerate by the pressure gradient: the residual is the error of the time differences.",
+       .quantity = "order of the residual in the time difference",
+       .source = source},
+      evidence::observed_order(spans, residuals, 1e-11),
+      evidence::Order{4, 0.3, "fourth-order differences of a smooth path"});
 
   Worst surface;
   for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
@@ -144,7 +145,7 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
     pressure.add(strained.at(t).central_pressure / same.at(t).central_pressure - 1);
   }
   check.that({.id = "pressure",
-              .text = "The pressure of the symmetric drop is that of the integrated equation of motion.",
+              .text = "The pressure of the symmetric drop agrees with the integrated equation of motion.",
               .quantity = "largest relative difference of the pressure in the centre",
               .source = source},
              {.value = pressure.value()},

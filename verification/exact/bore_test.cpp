@@ -30,14 +30,14 @@ TEST_CASE("bore and stationary jump satisfy the jump conditions", "[exact]") {
   const double u = bore.behind_velocity();
   const evidence::Roundoff limit{.operations = 20, .scale = 60, .reason = "20 rounded operations, terms up to 60"};
   check.that({.id = "mass",
-              .text = "The bore conserves mass.",
+              .text = "Mass is conserved across the bore to round-off.",
               .quantity = "h1 (u1 - a) + h0 a",
               .unit = "m^2/s",
               .source = source},
              {.value = 2 * (u - a) + a}, limit);
   check.that(
       {.id = "momentum",
-       .text = "The bore conserves momentum.",
+       .text = "Momentum is conserved across the bore to round-off.",
        .quantity = "defect of the momentum condition",
        .unit = "m^3/s^2",
        .source = source},

@@ -166,14 +166,14 @@ void try_members(bool longest) {
              {.value = broken.value(), .resolution = resolution},
              evidence::Bound{.limit = 0, .reason = "a declared range is a promise"});
   check.that({.id = "refusals",
-              .text = "Every refusal names a parameter of the solution.",
+              .text = "Every rejection names a parameter of the solution.",
               .quantity = "refusals that do not",
               .source = "interface of the catalogue"},
              {.value = nameless.value(), .resolution = resolution},
              evidence::Bound{.limit = 0, .reason = "the user must know what to change"});
   if (longest) return;
   check.that({.id = "both",
-              .text = "Neither nearly all nor nearly none of the members are refused, so that both ways are tried.",
+              .text = "The share of rejected parameter sets lies between 5 % and 95 %, so that both ways are tried.",
               .quantity = "share refused",
               .source = "this test"},
              {.value = refused.value() / members, .resolution = resolution},

@@ -40,7 +40,7 @@ void evaluates(verification::Check& check, const exact::ExactSolution& solution)
   CHECK(!identities.empty());
   for (std::size_t k = 0; k < identities.size(); ++k) {
     check.that({.id = solution.name + "-" + std::to_string(k + 1),
-                .text = solution.name + ": " + identities[k].name + ".",
+                .text = "The solution " + solution.name + " satisfies its identity: " + identities[k].name + ".",
                 .quantity = "relative defect",
                 .source = solution.citation},
                {.value = identities[k].defect},

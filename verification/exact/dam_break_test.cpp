@@ -119,7 +119,11 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
     residual.add(
         verification::shallow_water_residual([&](double a, double b) { return dam.at(a, b); }, g, x, t, 0.02, 0.02));
   }
-  check.that({.id = "mass", .text = "Mass is constant.", .quantity = "mass defect", .unit = "m^2", .source = source},
+  check.that({.id = "mass",
+              .text = "Mass of the exact dam break is constant.",
+              .quantity = "mass defect",
+              .unit = "m^2",
+              .source = source},
              {.value = mass.value()},
              evidence::Roundoff{.operations = 100, .scale = 60, .reason = "four pieces of ten points, sums up to 60"});
   check.that({.id = "momentum",
@@ -131,7 +135,7 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
              evidence::Roundoff{.operations = 100, .scale = 60, .reason = "four pieces of ten points, sums up to 60"});
   check.that(
       {.id = "residual",
-       .text = "The fan satisfies both equations.",
+       .text = "The rarefaction fan satisfies both shallow-water equations.",
        .quantity = "residual",
        .unit = "m^2/s^2",
        .source = source},

@@ -181,7 +181,7 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
   const double highest = 2 * pi / 10 * 32;
   check.that(
       {.id = "green-naghdi",
-       .text = "In the Green-Naghdi frame the sources are those of the Green-Naghdi momentum equation.",
+       .text = "In the Green-Naghdi frame the sources agree with the Green-Naghdi momentum equation.",
        .quantity = "residual of the momentum equation",
        .unit = "m/s^2",
        .source = source},
@@ -192,7 +192,7 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
           .reason = "twice differentiated: mean fourth power of the wavenumbers, its root, times H^2/3; accelerations "
                     "below 0.2 rounded 60 times, 64 sums per derivative"});
   check.that({.id = "frank",
-              .text = "In the frame along the bottom the sources are those of the limit of Frank's model.",
+              .text = "In the frame along the bottom the sources agree with the limit of Frank's model.",
               .quantity = "residual of both equations",
               .unit = "m/s^2",
               .source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formulas 11, 12"},

@@ -164,15 +164,14 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
       amplitudes.push_back(e);
       errors.push_back(std::abs(balance.frequency(e) - wave.frequency()));
     }
-    check.that(
-        {.id = "order-" + c.id,
-         .text = "The frequency leaves that of the unexpanded Lagrangian with the fourth power of the amplitude.",
-         .quantity = "order in e of the frequency error",
-         .source = source},
-        evidence::observed_order(amplitudes, errors, 1e-13),
-        evidence::Order{4, 0.1,
-                        "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
-                        "coefficients of order 1 to 10"});
+    check.that({.id = "order-" + c.id,
+                .text = "The frequency differs from the unexpanded Lagrangian's by the fourth power of the amplitude.",
+                .quantity = "order in e of the frequency error",
+                .source = source},
+               evidence::observed_order(amplitudes, errors, 1e-13),
+               evidence::Order{4, 0.1,
+                               "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
+                               "coefficients of order 1 to 10"});
   }
   const double water = StandingWave::critical_depth();
   const auto exponent = DispersiveStandingWave::exponent_for_critical_depth(water, improved.alpha, improved.gamma);
@@ -188,7 +187,7 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
                       .reason = "terms up to 1 rounded 60 times, over a slope of 0.5 in k H",
                       .expected = water});
   check.that({.id = "long-waves",
-              .text = "In long waves the change of frequency is that of water.",
+              .text = "The change of frequency with amplitude agrees with water's in long waves.",
               .quantity = "C over that of Tadjbakhsh and Keller at k H = 0.01",
               .source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442"},
              {.value = correction(0.01, {}) / in_water(0.01)},

@@ -274,7 +274,7 @@ TEST_CASE("a steep wave in deep water overturns as the reference does", "[exact]
              evidence::Bound{.limit = 5e-6, .reason = "half a unit of the last printed digit"});
   check.that(
       {.id = "nose-ordinate",
-       .text = "The nose of the jet is as high as the reference's, at t = 4 and 4.4.",
+       .text = "The height of the jet's nose agrees with the reference at t = 4 and 4.4.",
        .quantity = "largest difference",
        .unit = "1/k",
        .source = source},

@@ -119,7 +119,7 @@ void claim_labels(verification::Check& check, const PlanManufactured& flow) {
     }
   }
   check.that({.id = "labels",
-              .text = "The label of a place is that of the column that is there.",
+              .text = "The label found at a position is the label of the column that is there.",
               .quantity = "largest deviation of a label",
               .unit = "m",
               .source = source},
@@ -177,7 +177,7 @@ TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equ
   }
   const double highest = 0.5 * period_points;
   check.that({.id = "force",
-              .text = "The body force is that of the Green-Naghdi equations in Eulerian form.",
+              .text = "The body force agrees with the Green-Naghdi equations in Eulerian form.",
               .quantity = "largest deviation of a component",
               .unit = "m/s^2",
               .source = source},

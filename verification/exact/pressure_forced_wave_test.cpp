@@ -96,7 +96,7 @@ void claim_linear_theory(verification::Check& check) {
               .source = linear_theory},
              evidence::observed_order(pressures, errors.forced), second);
   check.that({.id = "linear-free",
-              .text = "The wave that the pressure leaves is that of linear theory.",
+              .text = "The wave that the pressure leaves agrees with linear theory.",
               .quantity = "order in p0 of the largest difference at t = 5",
               .source = linear_theory},
              evidence::observed_order(pressures, errors.free), second);

@@ -97,7 +97,7 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   std::vector<double> frames;
   for (const double span : spans) frames.push_back(std::abs(mean_along_surface(wave, span)));
   check.that({.id = "frame",
-              .text = "The speed is that of the frame without mean velocity along the surface.",
+              .text = "The speed agrees with the frame without mean velocity along the surface.",
               .quantity = "order of the mean in the width of the differences",
               .source = source},
              evidence::observed_order(spans, frames, 1e-10),
@@ -111,7 +111,7 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   }
   check.that(
       {.id = "low",
-       .text = "The speed of low waves is that of linear theory.",
+       .text = "The speed of low waves agrees with linear theory.",
        .quantity = "order of the difference in the height",
        .source = source},
       evidence::observed_order(heights, excess),

@@ -58,10 +58,14 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
       .operations = 4000,
       .scale = 1,
       .reason = "200 cells of 20 points of size 0.1, partial sums up to 20 over 200 additions"};
-  check.that({.id = "mass", .text = "Mass is constant.", .quantity = "mass change", .unit = "m^2", .source = source},
+  check.that({.id = "mass",
+              .text = "Mass of the exact simple wave is constant.",
+              .quantity = "mass change",
+              .unit = "m^2",
+              .source = source},
              {.value = mass.value()}, limit);
   check.that({.id = "momentum",
-              .text = "Momentum is constant.",
+              .text = "Momentum of the exact simple wave is constant.",
               .quantity = "momentum change",
               .unit = "m^3/s",
               .source = source},

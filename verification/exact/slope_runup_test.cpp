@@ -85,7 +85,7 @@ TEST_CASE("velocities of water over a slope are those of a potential with poles 
     const double coarse = error_of_velocity(140, cotangent);
     const double fine = error_of_velocity(280, cotangent);
     check.that({.id = fmt::format("velocity-{:g}", cotangent),
-                .text = "The velocities at the surface are those of the potential.",
+                .text = "The velocities at the surface agree with the potential.",
                 .quantity = fmt::format("largest error over the largest velocity, cotangent {:g}", cotangent),
                 .source = source},
                {.value = fine, .resolution = "280 intervals"},
@@ -119,17 +119,18 @@ SlopeRunup judged(verification::Check& check, const io::Table& table, std::size_
   const double a = table.column("A")[row];
   const double cotangent = table.column("cot_slope")[row];
   SlopeRunup slope(a, cotangent, 1, 160);
-  check.that({.id = fmt::format("runup-{:.0f}-{:g}", 100 * a, cotangent),
-              .text = fmt::format("A wave of {} depths climbs a slope of cotangent {:g} as high as the reference says.",
-                                  a, cotangent),
-              .quantity = "run-up",
-              .unit = "depth",
-              .source = source},
-             {.value = slope.runup(), .resolution = "160 markers, tolerance 1e-8"},
-             evidence::Bound{.limit = 5e-5 * a,
-                             .reason = "half a unit of the fourth decimal of the amplitude: the fewest markers that "
-                                       "are accepted",
-                             .expected = table.column("R")[row]});
+  check.that(
+      {.id = fmt::format("runup-{:.0f}-{:g}", 100 * a, cotangent),
+       .text = fmt::format("The run-up of a wave of H/h = {} on a slope of cotangent {:g} agrees with the reference.",
+                           a, cotangent),
+       .quantity = "run-up",
+       .unit = "depth",
+       .source = source},
+      {.value = slope.runup(), .resolution = "160 markers, tolerance 1e-8"},
+      evidence::Bound{.limit = 5e-5 * a,
+                      .reason = "half a unit of the fourth decimal of the amplitude: the fewest markers that "
+                                "are accepted",
+                      .expected = table.column("R")[row]});
   if (a == 0.29) verification::claim_self_test(check, fmt::format("slope-{:g}", cotangent), slope, source);
   return slope;
 }

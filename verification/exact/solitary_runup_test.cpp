@@ -178,12 +178,13 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
     spans.push_back(span);
     residuals.push_back(largest.value());
   }
-  check.that({.id = "kinematics",
-              .text = "The nonlinear shoreline moves along the beach: the residual is that of the time differences.",
-              .quantity = "order of the residual in the time difference",
-              .source = source},
-             evidence::observed_order(spans, residuals, 1e-12),
-             evidence::Order{4, 0.3, "fourth-order differences of a smooth function"});
+  check.that(
+      {.id = "kinematics",
+       .text = "The nonlinear shoreline moves along the beach: the residual is the error of the time differences.",
+       .quantity = "order of the residual in the time difference",
+       .source = source},
+      evidence::observed_order(spans, residuals, 1e-12),
+      evidence::Order{4, 0.3, "fourth-order differences of a smooth function"});
   check.that(
       {.id = "same-maximum",
        .text = "Linear and nonlinear theory have the same maximum.",
@@ -293,7 +294,7 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
           .data = HallWatts::scatter(), .useful = 0.15, .reason = "scatter of run-up measurements, 5 % (assumed)"});
   const evidence::Bound limit{.limit = 0.03, .reason = "what an interpolation of their plotted measurements can give"};
   check.known_failure({.id = "frank-hall-watts-close",
-                       .text = "They follow it to 3 %.",
+                       .text = "Frank's interpolations of the measured run-up follow the correlation to 3 %.",
                        .quantity = "largest relative difference",
                        .source = frank},
                       {.value = others.value()}, limit,
@@ -304,7 +305,7 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
                                  "correlation, a formula as exact as the digits of this band"});
   check.known_failure(
       {.id = "frank-hall-watts-173",
-       .text = "So does the entry for cot 3.732, a = 0.05.",
+       .text = "Frank's entry for cot 3.732, a = 0.05 follows the correlation to 3 %.",
        .quantity = "relative difference",
        .source = frank},
       {.value = suspicious.value()}, limit,

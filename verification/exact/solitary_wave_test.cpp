@@ -183,7 +183,7 @@ TEST_CASE("velocities inside solitary waves have the digits of the reference", "
     slope.add(-(8 * (eta(1) - eta(-1)) - (eta(2) - eta(-2))) / (12 * step));
   }
   check.that({.id = "slope",
-              .text = "The largest slope is that of the surface's differences.",
+              .text = "The largest slope agrees with the surface's differences.",
               .quantity = "difference of the slope angles",
               .unit = "rad",
               .source = source},
@@ -223,7 +223,7 @@ TEST_CASE("speed, mass and energy of solitary waves are largest below the limiti
                evidence::Bound{.limit = 1e-6, .reason = "one unit of the last printed digit", .expected = maximum.at});
     check.that(
         {.id = maximum.id + "-wave",
-         .text = "The polynomial's largest " + maximum.quantity + " is that of the wave solved there.",
+         .text = "The polynomial's largest " + maximum.quantity + " agrees with the wave solved there.",
          .quantity = "relative difference",
          .source = source},
         {.value = largest / of(at) - 1},

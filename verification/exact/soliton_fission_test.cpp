@@ -25,14 +25,16 @@ TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths
     const double exact = std::pow(2.0 / (n * (n + 1)), 4.0 / 9);
     const SolitonFission there(exact, SolitonFission::Passage::gradual);
     check.that({.id = "depth-" + id,
-                .text = "The depth for " + id + " waves is that of the literature.",
+                .text = "The depth behind the step for " + id + " waves equals Johnson's.",
                 .quantity = "depth",
                 .source = johnson},
                {.value = exact}, Bound{.limit = 5e-4, .reason = "half a unit of the last digit", .expected = depth});
-    check.that(
-        {.id = "order-" + id, .text = "It gives exactly " + id + " waves.", .quantity = "order nu", .source = johnson},
-        {.value = there.order()},
-        Roundoff{.operations = 10, .scale = 4.0, .reason = "two powers and a root", .expected = 1.0 * n});
+    check.that({.id = "order-" + id,
+                .text = "The depth gives exactly " + id + " solitary waves.",
+                .quantity = "order nu",
+                .source = johnson},
+               {.value = there.order()},
+               Roundoff{.operations = 10, .scale = 4.0, .reason = "two powers and a root", .expected = 1.0 * n});
     check.that({.id = "second-" + id,
                 .text = "The second wave is to the first as (n - 1)^2 to n^2.",
                 .quantity = "a_2/a_1",

@@ -153,19 +153,18 @@ TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequen
     const auto harmonic_error = [](const Exact& c) {
       return c.second_harmonic - StandingWave::second_harmonic(c.depth);
     };
-    check.that(
-        {.id = "frequency-order-" + name,
-         .text = "The frequency leaves that of the full equations with the fourth power of e, k h = " + name + ".",
-         .quantity = "order between e = 0.04 and 0.02",
-         .source = exact_source},
-        {.value = order_between(frequency_error(coarse), frequency_error(fine))},
-        evidence::Bound{.limit = 0.1,
-                        .reason =
-                            "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
-                            "exceed 40; frequencies known to 1e-13, 1e-5 of the difference",
-                        .expected = 4});
+    check.that({.id = "frequency-order-" + name,
+                .text = "The frequency differs from the full equations by the fourth power of e, k h = " + name + ".",
+                .quantity = "order between e = 0.04 and 0.02",
+                .source = exact_source},
+               {.value = order_between(frequency_error(coarse), frequency_error(fine))},
+               evidence::Bound{
+                   .limit = 0.1,
+                   .reason = "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
+                             "exceed 40; frequencies known to 1e-13, 1e-5 of the difference",
+                   .expected = 4});
     check.that({.id = "harmonic-order-" + name,
-                .text = "The second harmonic leaves that of the full equations with e^2 relative, k h = " + name + ".",
+                .text = "The second harmonic differs from the full equations by e^2 relative, k h = " + name + ".",
                 .quantity = "order between e = 0.04 and 0.02 of a_2/e^2 - B",
                 .source = exact_source},
                {.value = order_between(harmonic_error(coarse), harmonic_error(fine))},

@@ -114,7 +114,7 @@ TEST_CASE("the MacDonald channel carries its depth", "[exact]") {
     residual.add(thrust + g * h * slope + g * 0.033 * 0.033 * u * u / std::cbrt(h));
   }
   check.that({.id = "residual",
-              .text = "Thrust, bed and friction balance.",
+              .text = "Thrust, bed slope and friction are in balance along the channel.",
               .quantity = "momentum residual",
               .unit = "m^2/s^2",
               .source = source},

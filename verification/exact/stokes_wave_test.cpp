@@ -163,7 +163,7 @@ TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[e
                              .reason = "both components half a unit of the 14th decimal, and 45 roundings"});
   const double a = 0.01;
   check.that({.id = "series",
-              .text = "The speed of a gentle deep wave is that of Stokes's series.",
+              .text = "The speed of a gentle deep wave agrees with Stokes's series.",
               .quantity = "c^2 for k a = 0.01",
               .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
              {.value = std::pow(StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(), 2)},
@@ -205,7 +205,7 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
              {.value = at}, evidence::Bound{.limit = 0.5e-3, .reason = "half a printed digit", .expected = 0.436});
   check.that(
       {.id = "wave",
-       .text = "The polynomial's largest speed is that of the wave solved there.",
+       .text = "The polynomial's largest speed agrees with the wave solved there.",
        .quantity = "relative difference",
        .source = source},
       {.value = largest / speed(at) - 1},
@@ -227,7 +227,7 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
   };
   const StokesWave finer(0.443144051862, wavelength, StokesWave::deep, 1, Resolution{1.25, 0.5});
   check.that({.id = "steep-resolution",
-              .text = "Its speed does not depend on the resolution.",
+              .text = "The speed of the steepest wave does not depend on the resolution.",
               .quantity = "relative difference of the speed",
               .source = source},
              {.value = std::abs(steep.phase_speed() / finer.phase_speed() - 1)},

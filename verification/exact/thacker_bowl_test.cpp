@@ -63,7 +63,7 @@ void claim_residual(verification::Check& check, const std::string& id, const Bow
   }
   check.that(
       {.id = "residual-" + id,
-       .text = "Continuity and both momentum equations hold: the residual is that of the time differences alone.",
+       .text = "Continuity and both momentum equations hold: the residual is the error of the time differences alone.",
        .quantity = "order of the residual in the time difference",
        .source = source},
       evidence::observed_order(spans, residuals, 1e-13),

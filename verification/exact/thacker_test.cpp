@@ -52,7 +52,7 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
   }
   check.that(
       {.id = "residual-order",
-       .text = "Both equations hold at every displacement: the residual is that of the time differences alone.",
+       .text = "Both equations hold at every displacement: the residual is the error of the time differences alone.",
        .quantity = "order of the residual in the time difference",
        .source = source},
       evidence::observed_order(spans, residuals, 1e-11),
@@ -112,7 +112,7 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
     }
   }
   check.that({.id = "label",
-              .text = "Label and position are inverse.",
+              .text = "Maps from label to position and back are inverse.",
               .quantity = "label error",
               .unit = "m",
               .source = source},

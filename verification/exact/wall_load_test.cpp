@@ -37,7 +37,7 @@ void claim_tabled(verification::Check& check, const io::Table& table, const Wall
     const double value = (load.*quantity.largest)().value;
     check.that(
         {.id = fmt::format("{}-{:.0f}", quantity.id, 100 * a),
-         .text = fmt::format("The largest {} of a wave of {} depths is that of the reference.", quantity.name, a),
+         .text = fmt::format("The largest {} of a wave of H/h = {} agrees with the reference.", quantity.name, a),
          .quantity = fmt::format("{}, a = {}", quantity.name, a),
          .unit = quantity.unit,
          .source = source},

@@ -38,7 +38,7 @@ WallRunup judged(verification::Check& check, const io::Table& table, std::size_t
   const WallRunup runup(a, 1, markers);
   const double coarser = WallRunup(a, 1, fewer, 1e-10).runup();
   check.that({.id = fmt::format("runup-{:.0f}", 100 * a),
-              .text = fmt::format("A wave of {} depths runs up as high as the reference says.", a),
+              .text = fmt::format("The run-up of a wave of H/h = {} on a vertical wall agrees with the reference.", a),
               .quantity = fmt::format("run-up, a = {}", a),
               .unit = "depth",
               .source = source},

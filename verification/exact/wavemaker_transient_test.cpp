@@ -141,7 +141,7 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
     late.add(by_trapezoid(gauge, t, 300, 300000) - wave.elevation(gauge, t));
   }
   check.that({.id = "late",
-              .text = "So it does when the short waves of the start pass the gauge.",
+              .text = "The trapezoidal rule agrees with itself when the short waves of the start pass the gauge.",
               .quantity = "largest difference from the same rule at 19.3 T and 40.2 T",
               .unit = "m",
               .source = source},

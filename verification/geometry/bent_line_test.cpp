@@ -60,12 +60,18 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
     }
   }
   const Roundoff roundings{.operations = 100, .scale = 5, .reason = "a hundred roundings of lengths up to 5"};
-  check.that({.id = "chord", .text = "Mean tangents are chords.", .quantity = "largest difference", .source = source},
+  check.that({.id = "chord",
+              .text = "Mean tangents equal the chords of the line.",
+              .quantity = "largest difference",
+              .source = source},
              {.value = chord.value()}, roundings);
-  check.that({.id = "tangent", .text = "Tangents have length 1.", .quantity = "largest defect", .source = source},
+  check.that({.id = "tangent",
+              .text = "Tangent vectors of the line have length 1.",
+              .quantity = "largest defect",
+              .source = source},
              {.value = length.value()}, roundings);
   check.that({.id = "foot",
-              .text = "The arc length of a place on the curve is that of the place.",
+              .text = "The arc length found for a point of the curve is the point's own.",
               .quantity = "largest difference",
               .source = source},
              {.value = back.value()}, roundings);

@@ -134,9 +134,11 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
     };
     INFO(profile.id);
     CHECK(one_sided == 0);  // from right to left is the same to the last bit, except by Gauss's rule
-    claim("mean", "The mean of b is that of quadrature.", "largest difference", mean.value(), 2, steepest);
-    claim("mean-square", "So is the mean of its square.", "largest difference", square.value(), 8, steepest);
-    claim("additive", "Means over two parts make that of the whole.", "largest difference over the length",
+    claim("mean", "The mean elevation of the bottom equals quadrature.", "largest difference", mean.value(), 2,
+          steepest);
+    claim("mean-square", "The mean square elevation of the bottom equals quadrature.", "largest difference",
+          square.value(), 8, steepest);
+    claim("additive", "Means over two parts make the mean over the whole.", "largest difference over the length",
           additive.value(), 2, broken ? 0 : steepest);
   }
 }

@@ -91,13 +91,15 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
   const Roundoff of_cell{
       .operations = 500, .scale = 1, .reason = "57 cuts of a polygon of the size 1, some ten roundings each"};
   check.that({.id = "areas",
-              .text = "Areas are those of Voronoi's cells.",
+              .text = "Areas agree with Voronoi's cells from half-planes.",
               .quantity = "largest difference",
               .source = source},
              {.value = off.value()}, of_cell);
-  check.that(
-      {.id = "centroids", .text = "So are the first moments.", .quantity = "largest difference", .source = source},
-      {.value = moment.value()}, of_cell);
+  check.that({.id = "centroids",
+              .text = "First moments agree with Voronoi's cells from half-planes.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = moment.value()}, of_cell);
 
   WanderingBox box(16, 16, 2);
   MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());
@@ -162,7 +164,7 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
     }
   }
   check.that({.id = "differences",
-              .text = "They are those of central differences.",
+              .text = "Analytic gradients of the cells equal central differences.",
               .quantity = "largest difference of a derivative",
               .source = source},
              {.value = off.value(), .resolution = "step 1e-6"},

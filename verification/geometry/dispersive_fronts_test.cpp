@@ -55,12 +55,12 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
     return breaking_cells(fronts);
   };
   counts("gentle", "A front of slope 1:2 does not begin.", after({0.5, 1.04}), 0);
-  counts("steep", "One of slope 1:1.7 does, and all of it.", after({0.5, 0.84}), 10);
+  counts("steep", "A front of slope 1:1.7 breaks, over all its cells.", after({0.5, 0.84}), 10);
   counts("goes-on", "Become gentle, it goes on, where it has come to.", after({0.5, 1.04, 0.3}), 12);
   counts("elsewhere", "A gentle front elsewhere does not take over.", after({0.5, 1.04, 2.5}), 0);
   counts("low", "A steep front of Froude number 1.29 is no bore.", after({0.39, 0.44}), 0);
-  counts("bore", "One of 1.31 is.", after({0.42, 0.44}), 6);
-  counts("ends", "Lower, it ends.", after({0.39, 0.44}), 0);
+  counts("bore", "A steep front of Froude number 1.31 is classified as a breaking bore.", after({0.42, 0.44}), 6);
+  counts("ends", "Breaking of a bore ends below the ceasing Froude number.", after({0.39, 0.44}), 0);
   Front faint(0.5, 0.84);
   for (std::size_t i = 0; i < markers; ++i) faint.u[i] -= 1e-6 * faint.x[i];
   counts("faint", "Water that converges at a millionth of c/h on either side is no part of it.", after(faint), 10);

@@ -81,7 +81,10 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   }
   const double expected = 3 * std::numbers::pi * 4;
   const auto claim = [&](const std::string& id, const std::string& what, double value, double exact) {
-    check.that({.id = id, .text = "The " + what + ".", .quantity = what, .source = "geometry"},
+    check.that({.id = id,
+                .text = "The " + what + " of the particles equals the disc's.",
+                .quantity = what,
+                .source = "geometry"},
                {.value = value, .resolution = "1200 particles"},
                seiche::evidence::Roundoff{.operations = 1200,
                                           .scale = expected,

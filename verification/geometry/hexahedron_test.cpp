@@ -94,12 +94,12 @@ TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean 
   }
   const Roundoff rounding{.operations = 200, .scale = 1, .reason = "some 200 products and sums of numbers up to 1"};
   check.that({.id = "cuts",
-              .text = "It is the mean of the two ways to cut the faces into triangles.",
+              .text = "The volume of a hexahedron is the mean over the two ways to cut its faces.",
               .quantity = "largest difference of volumes",
               .source = source},
              {.value = cuts.value()}, rounding);
   check.that({.id = "trilinear",
-              .text = "It is the volume of the trilinear map.",
+              .text = "The volume of a hexahedron equals that under the trilinear map.",
               .quantity = "largest difference of volumes",
               .source = source},
              {.value = quadrature.value()}, rounding);

@@ -101,9 +101,10 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
     const double d = (i + 0.5) * support / n;
     integral += 2 * pi * d * smoothed.value(d) * support / n;
   }
-  check.that({.id = "integral", .text = "Smoothed: the integral is 1.", .quantity = "error", .source = source},
-             {.value = integral - 1},
-             Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
+  check.that(
+      {.id = "integral", .text = "The integral of the smoothed kernel is 1.", .quantity = "error", .source = source},
+      {.value = integral - 1},
+      Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
   Worst lens;
   constexpr int lattice = 1400;
   for (const double d : {0.1, 0.35, 0.6}) {
@@ -133,7 +134,10 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
                 .source = source},
                {.value = slope.value()},
                Bound{1e-8, "central differences of step 1e-6: rounding of values of some units over the step"});
-    check.that({.id = id + "-end", .text = "Nothing beyond the support.", .quantity = "value at S", .source = source},
+    check.that({.id = id + "-end",
+                .text = "The kernel is zero beyond its support.",
+                .quantity = "value at S",
+                .source = source},
                {.value = kernel.value(support)}, Bound{0, "zero by definition"});
   }
 }
@@ -185,7 +189,7 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
       check.that({.id = id + what, .text = text, .quantity = "pairs", .source = source}, {.value = value},
                  Bound{0, "counted by trying all pairs"});
     };
-    counted("missing", "No neighbour is missed.", missing);
+    counted("missing", "The neighbour lists miss no pair of particles.", missing);
     counted("beyond", "New lists hold nobody far away.", beyond);
     check.that(
         {.id = id + "kept",
@@ -228,7 +232,7 @@ TEST_CASE("gradients of the masses in control volumes are those of central diffe
     for (std::size_t s = 0; s < n; ++s) off.add((f1[s] - f0[s]) / (2 * step) - rates[s]);
     const double size = worst(rates);
     check.that({.id = v.id,
-                .text = "Rates of the masses: " + v.what + ".",
+                .text = "Rates of the masses equal differences (" + v.what + ").",
                 .quantity = "largest error over the largest",
                 .source = source},
                {.value = off.value() / size},
@@ -243,7 +247,7 @@ TEST_CASE("gradients of the masses in control volumes are those of central diffe
     const double power = dot(mu, rates);
     check.that(
         {.id = v.id + "-transposed",
-         .text = "Reactions are the transposed: " + v.what + ".",
+         .text = "Reactions are the transposed of the rates (" + v.what + ").",
          .quantity = "difference of the work over the sum of its parts",
          .source = source},
         {.value = (work - power) / (size * static_cast<double>(n))},
@@ -270,7 +274,7 @@ TEST_CASE("gradients of the masses in control volumes are those of central diffe
     Worst apart;
     for (std::size_t s = 0; s < n; ++s) apart.add(product[s] - expected[s]);
     check.that({.id = v.id + "-matrix",
-                .text = "The matrix is G W G^T: " + v.what + ".",
+                .text = "The matrix is G W G^T (" + v.what + ").",
                 .quantity = "largest difference over the largest",
                 .source = source},
                {.value = apart.value() / worst(expected)},
@@ -299,13 +303,22 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
   for (const Shape shape : {Shape::smoothed, Shape::ball}) {
     const std::string name = shape == Shape::ball ? "ball" : "smoothed";
     Model model(jittered_square(), {.shape = shape, .support = shape == Shape::ball ? 1.6 : 2.6});
-    rigid(name + "-x", "Along x.", model, [](Point) { return Point{1, 0}; });
-    rigid(name + "-y", "Along y.", model, [](Point) { return Point{0, 1}; });
-    rigid(name + "-rotation", "About the origin.", model, [](Point r) { return Point{-r.y, r.x}; });
+    rigid(name + "-x", "Translation along x leaves the masses of all volumes unchanged.", model, [](Point) {
+      return Point{1, 0};
+    });
+    rigid(name + "-y", "Translation along y leaves the masses of all volumes unchanged.", model, [](Point) {
+      return Point{0, 1};
+    });
+    rigid(name + "-rotation", "Rotation about the origin leaves the masses of all volumes unchanged.", model,
+          [](Point r) {
+            return Point{-r.y, r.x};
+          });
   }
   const Turned oblique(0.4);
   Model beside(oblique.particles, {.walls = {oblique.walls[0]}});
-  rigid("along-wall", "Along a wall.", beside, [&](Point) { return Point{-std::sin(0.4), std::cos(0.4)}; });
+  rigid("along-wall", "Translation along a wall leaves the masses of all volumes unchanged.", beside, [&](Point) {
+    return Point{-std::sin(0.4), std::cos(0.4)};
+  });
 }
 
 }  // namespace overlapping_particles_test

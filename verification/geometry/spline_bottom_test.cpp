@@ -63,11 +63,13 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
     values.push_back(value.value());
     slopes.push_back(slope.value());
   }
-  check.that(
-      {.id = "order", .text = "Elevations are of order 4.", .quantity = "order of the largest error", .source = source},
-      observed_order(spacings, values), Order{4, 0.3, "three halvings from seven cells per width of the hill"});
+  check.that({.id = "order",
+              .text = "Elevations of the spline bottom are of order 4.",
+              .quantity = "order of the largest error",
+              .source = source},
+             observed_order(spacings, values), Order{4, 0.3, "three halvings from seven cells per width of the hill"});
   check.that({.id = "slope-order",
-              .text = "Slopes are of order 3.",
+              .text = "Slopes of the spline bottom are of order 3.",
               .quantity = "order of the largest error",
               .source = source},
              observed_order(spacings, slopes), Order{3, 0.3, "three halvings from seven cells per width of the hill"});
@@ -118,7 +120,7 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
               .source = source},
              {.value = rate.value()}, differences);
   check.that({.id = "integral-across",
-              .text = "Its rate along y is what it says.",
+              .text = "The integral's rate along y equals its stated derivative.",
               .quantity = "largest difference",
               .source = source},
              {.value = across.value()}, differences);
@@ -139,7 +141,10 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
   for (int n = 0; n < 200; ++n) lake.advance(0.1);
   Worst fastest;
   for (const double u : lake.state().u) fastest.add(u);
-  check.that({.id = "lake", .text = "A lake stays at rest.", .quantity = "largest velocity", .source = source},
+  check.that({.id = "lake",
+              .text = "A lake over the spline bottom stays at rest.",
+              .quantity = "largest velocity",
+              .source = source},
              {.value = fastest.value(), .resolution = "20 x 20 cells, 200 steps"},
              Bound{0, "z = 0 everywhere: potential energy has no gradient there"});
   basin.elevation = [](double x, double y) { return 0.1 * std::exp(-(x - 3) * (x - 3) - (y - 4) * (y - 4)); };

@@ -78,7 +78,7 @@ TEST_CASE("signs of orientation and in-circle are exact where rounding would dec
                Bound{0, "the arithmetic is exact where the error bound does not settle the sign"});
   };
   none("orientation", "Every orientation has its right sign.", lines);
-  none("in-circle", "So has every in-circle determinant.", circles);
+  none("in-circle", "Every in-circle determinant has its right sign.", circles);
   check.that(
       {.id = "noise",
        .text = "Plain arithmetic fails on these points: the test means something.",
@@ -110,7 +110,7 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
     }
     const std::string resolution = std::to_string(motions) + " motions";
     check.that({.id = id + "-built",
-                .text = "The mesh at the beginning is that of the rebuild.",
+                .text = "The mesh at the beginning agrees with the rebuild.",
                 .quantity = "triangles in one set alone",
                 .source = source},
                {.value = first}, Bound{0, "the Delaunay triangulation is unique"});
@@ -170,7 +170,7 @@ TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
              Bound{0, "the constrained Delaunay triangulation is unique"});
   check.that(
       {.id = "area",
-       .text = "The triangles fill the outline.",
+       .text = "The triangles fill the area of the outline.",
        .quantity = "largest difference of areas",
        .source = "identity"},
       {.value = area.value()},

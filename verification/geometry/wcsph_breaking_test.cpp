@@ -114,7 +114,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
       "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
       "its middle";
   check.that({.id = "overhang",
-              .text = "The overhang is that of the curve.",
+              .text = "The overhang agrees with the curve.",
               .quantity = "largest error over dx",
               .source = source},
              {.value = overhang_error.value()}, evidence::Bound{.limit = 1.5, .reason = reason});
@@ -194,7 +194,7 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
               .source = source},
              {.value = late}, evidence::Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
   check.that({.id = "not-early",
-              .text = "One whose gap is wider than the support of a kernel has not.",
+              .text = "A gap wider than the support of a kernel is not called closed.",
               .quantity = "widest gap said to be closed, over dx",
               .source = source},
              {.value = early.value()},

@@ -219,14 +219,17 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
              evidence::observed_order(spacings, means),
              evidence::Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
   check.that({.id = "disc-scatter",
-              .text = "It scatters with the place as the number of lattice points in the disc does.",
+              .text = "The scatter of the disc's area with its place follows the number of lattice points in the disc.",
               .quantity = "order of the standard deviation",
               .source = remainder},
              evidence::observed_order(spacings, scatters),
              evidence::Order{1.5, 0.5, "R^(1/2) dx^2/R^2; six radii, whose remainders fluctuate by tens of per cent"});
-  check.that(
-      {.id = "disc-centre", .text = "So does its centre.", .quantity = "order of the rms error", .source = remainder},
-      evidence::observed_order(spacings, centres), evidence::Order{1.5, 0.5, "the first moment of the same remainder"});
+  check.that({.id = "disc-centre",
+              .text = "The centre of the disc converges with order 1.5.",
+              .quantity = "order of the rms error",
+              .source = remainder},
+             evidence::observed_order(spacings, centres),
+             evidence::Order{1.5, 0.5, "the first moment of the same remainder"});
   auto& panel = check.figure("disc", "A disc's contour", "Errors over 64 places of the disc on the lattice.")
                     .panel({.x = "dx/R", .y = "error", .log_x = true, .log_y = true});
   const auto guide = [&](const std::vector<double>& errors, double order) {

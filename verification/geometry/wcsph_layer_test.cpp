@@ -53,7 +53,7 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
                                 .reason = "the mean of three depths; the sum is compensated, and the elevation's means "
                                           "over all strips cancel by symmetry"});
   check.that({.id = "stretched",
-              .text = "Stretched columns do.",
+              .text = "Columns that stretch hold the area below the surface.",
               .quantity = "relative defect of the mass",
               .source = lattices},
              {.value = mass_defect(Fitting::stretched)},
@@ -100,7 +100,7 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
              {.value = static_cast<double>(p.size())},
              evidence::Bound{.limit = 0, .reason = "a count", .expected = 7860});
   check.that({.id = "semi-axis",
-              .text = "Its semi-axis from second moments, 2 sqrt(mean z^2), is 0.038 % too large.",
+              .text = "The semi-axis of the disc from second moments, 2 sqrt(mean z^2), is 0.038 % too large.",
               .quantity = "relative error of the semi-axis",
               .source = "regression: computed once by an earlier program for the same equations"},
              {.value = 2 * std::sqrt(second / static_cast<double>(p.size())) - 1},

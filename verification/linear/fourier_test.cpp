@@ -71,9 +71,9 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
                                             .scale = size,
                                             .reason = "a sum of N products of rounded angles up to 2 pi N"});
     };
-    claim("sums", "Coefficients are their sums.", sums.value(), 3);
+    claim("sums", "Coefficients of the fast transform equal their defining sums.", sums.value(), 3);
     claim("back", "Samples come back, in the same memory.", back.value(), 3);
-    claim("slope", "Wavenumbers are those of the derivative.", slopes.value(), scale * scale);
+    claim("slope", "Wavenumbers of the transform agree with the derivative.", slopes.value(), scale * scale);
   }
   Fourier even(8);
   seiche::Count sawtooths;

@@ -154,19 +154,23 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
     const Eigen::MatrixXd dense = random_matrix(shape, 1);
     nine.add(shape, dense, nine_point(shape, dense));
   }
-  claim("nine-product", "Products of nine-point matrices.", nine.product.value(), 18, "nine products and sums a row");
-  claim("nine-form", "Their scalar products x.Ax.", nine.form.value(), 18, "errors of rows are independent");
-  claim("nine-coefficient", "Their coefficients by the two cells.", nine.coefficient.value(), 0, "the same number");
+  claim("nine-product", "Products of nine-point matrices equal the dense products.", nine.product.value(), 18,
+        "nine products and sums a row");
+  claim("nine-form", "Scalar products x.Ax equal the dense matrix's.", nine.form.value(), 18,
+        "errors of rows are independent");
+  claim("nine-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
+        nine.coefficient.value(), 0, "the same number");
   Errors all;
   for (const Shape& shape : {Shape{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}}) {
     const Eigen::MatrixXd dense = random_matrix(shape, 1);
     all.add(shape, dense, twenty_seven_point(shape, dense));
   }
-  claim("twenty-seven-product", "Products of 27-point matrices.", all.product.value(), 54,
+  claim("twenty-seven-product", "Products of 27-point matrices equal the dense products.", all.product.value(), 54,
         "27 products and sums a row");
-  claim("twenty-seven-form", "Their scalar products x.Ax.", all.form.value(), 54, "errors of rows are independent");
-  claim("twenty-seven-coefficient", "Their coefficients by the two cells.", all.coefficient.value(), 0,
-        "the same number");
+  claim("twenty-seven-form", "Scalar products x.Ax equal the dense matrix's.", all.form.value(), 54,
+        "errors of rows are independent");
+  claim("twenty-seven-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
+        all.coefficient.value(), 0, "the same number");
 
   const auto residual = [&](const std::string& id, const std::string& text, double value) {
     check.that(
@@ -207,7 +211,7 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
     iterations = 100;
   }
   check.that({.id = "iterations",
-              .text = "Five eigenvalues take five iterations.",
+              .text = "Five distinct eigenvalues take five iterations of the solver.",
               .quantity = "iterations to 1e-12",
               .source = "Golub & Van Loan, Matrix Computations (2013), 11.3"},
              {.value = static_cast<double>(iterations)},

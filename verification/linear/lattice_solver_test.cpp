@@ -155,7 +155,8 @@ TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", 
     mesh.add(
         mesh_error(static_cast<std::size_t>(columns), 0.3, std::vector<double>(static_cast<std::size_t>(rows), 0.2)));
   }
-  claim("mesh", "Mesh of equal rows.", mesh.value(), "1 x 1 to 101 x 17 and 15 x 64 cells");
+  claim("mesh", "The cosine solver solves the pressure of a mesh of equal rows.", mesh.value(),
+        "1 x 1 to 101 x 17 and 15 x 64 cells");
   claim("rows", "Mesh whose rows differ in height.",
         worst(std::array{mesh_error(12, 0.3, {0.4, 0.1, 0.2, 0.15, 0.3, 0.25}), mesh_error(7, 0.1, {0.1, 0.3})}),
         "12 x 6, 7 x 2");
@@ -164,8 +165,9 @@ TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", 
        {CosineLattice::Shape{6, 5, 4}, {5, 6, 3}, {17, 3, 7}, {1, 8, 2}, {33, 2, 5}, {3, 33, 5}, {2, 1, 40}}) {
     box.add(box_error(shape));
   }
-  claim("box", "Two horizontal directions and layers.", box.value(), "2 x 1 x 40 to 33 x 2 x 5 unknowns");
-  claim("plan", "Two horizontal directions, one layer.",
+  claim("box", "The cosine solver solves the pressure of layers in a box.", box.value(),
+        "2 x 1 x 40 to 33 x 2 x 5 unknowns");
+  claim("plan", "The cosine solver solves the pressure of one layer in a box.",
         worst(std::array{box_error({20, 31, 1}), box_error({31, 20, 1})}), "20 x 31");
 }
 

@@ -81,14 +81,16 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
   const Roundoff of_row{
       .operations = 100, .scale = 10, .reason = "some fifty terms in a row, in two orders, of a sum of 10"};
   check.that({.id = "product",
-              .text = "A x is that of the dense sum.",
+              .text = "The product A x agrees with the dense sum.",
               .quantity = "largest difference",
               .source = "identity"},
              {.value = off.value()}, of_row);
-  check.that(
-      {.id = "form", .text = "The product returns x.Ax.", .quantity = "relative difference", .source = "identity"},
-      {.value = product / x.dot(b) - 1},
-      Roundoff{.operations = 20.0 * static_cast<double>(n), .scale = 1, .reason = "a sum over the entries"});
+  check.that({.id = "form",
+              .text = "The product of the solver returns x.Ax.",
+              .quantity = "relative difference",
+              .source = "identity"},
+             {.value = product / x.dot(b) - 1},
+             Roundoff{.operations = 20.0 * static_cast<double>(n), .scale = 1, .reason = "a sum over the entries"});
   constexpr double shift = 1e-8;  // of the diagonal, for the factors alone: refinement takes it out
   RingSolver solver;
   std::vector<double> solution(n, 0.0);

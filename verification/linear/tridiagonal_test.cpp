@@ -109,12 +109,14 @@ TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
                seiche::evidence::Bound{
                    1e-12, "condition number up to 1e3 times a few roundings per row, here and in the dense solver"});
   };
-  claim("two-ended", "Elimination from both ends.", largest_error<TwoEndedTridiagonal>(false));
+  claim("two-ended", "Elimination from both ends solves the tridiagonal system.",
+        largest_error<TwoEndedTridiagonal>(false));
   claim("pieces-1", "Elimination from both ends, row by row.", largest_error<InPieces<1>>(false));
   claim("pieces-7", "Elimination from both ends, seven rows at a time.", largest_error<InPieces<7>>(false));
   claim("in-place", "Elimination from both ends, multipliers in the place of couplings.",
         largest_error<InPieces<7, true>>(false));
-  claim("periodic", "Periodic system.", largest_error<PeriodicTridiagonal>(true));
+  claim("periodic", "Periodic elimination solves the periodic tridiagonal system.",
+        largest_error<PeriodicTridiagonal>(true));
 }
 
 TEST_CASE("a matrix that is not positive definite is refused with its row", "[linear]") {

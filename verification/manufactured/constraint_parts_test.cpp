@@ -90,7 +90,7 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
     worst.add(curvature[s] - second);
   }
   check.that({.id = "areas",
-              .text = "Second derivatives of the areas.",
+              .text = "Second derivatives of the cell areas equal differences.",
               .quantity = "largest difference",
               .source = "Taylor's theorem"},
              {.value = worst.value()},
@@ -145,7 +145,7 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
                                   "product with it, and its part"});
   };
   claim("wall", "Along the wall the part along it is left.", slid.value());
-  claim("inside", "Inside nothing is taken.", free.value());
+  claim("inside", "Velocities of nodes inside the water are not changed by sliding walls.", free.value());
 }
 
 }  // namespace constraint_parts_test

@@ -125,7 +125,7 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
     }
     panel.line(method.name, method.tau, error, seiche::evidence::Role::computed);
     check.that({.id = "order-" + method.id,
-                .text = method.name + (method.theory == 4 ? ": fourth order." : ": second order."),
+                .text = method.name + " converges at order " + (method.theory == 4 ? "4" : "2") + " in the step.",
                 .quantity = "observed order of the largest error of a marker",
                 .source = source},
                seiche::evidence::observed_order(method.tau, error, 1e-12),
@@ -141,7 +141,7 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
         deviation.add((error.at(k) - expected) / half_unit(expected));
       }
       check.that({.id = "digits-" + method.id,
-                  .text = method.name + ": errors of an earlier program.",
+                  .text = "The errors of " + method.name + " have their recorded digits.",
                   .quantity = "largest deviation in half units of the last digit given",
                   .source = digits},
                  {.value = deviation.value(), .resolution = "four steps"},
@@ -155,7 +155,7 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
                {.value = energy.value(), .resolution = "tau = 0.8 .. 0.1"},
                Roundoff{.operations = solves.value(), .scale = 1, .reason = "one rounded energy per solve"});
     check.that({.id = "volume",
-                .text = "It keeps the volume of every cell.",
+                .text = "Suzuki's composition of the conservative scheme conserves every cell's volume.",
                 .quantity = "largest relative defect",
                 .source = digits + ": 8e-13"},
                {.value = volume.value() / (length / cells), .resolution = "tau = 0.8 .. 0.1"},

@@ -181,7 +181,7 @@ TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
                       .scale = 2,
                       .reason = "a rounded term per marker and step; kinetic and potential energy are halves"});
   check.that({.id = "momentum",
-              .text = "So do momentum and the impulse of friction.",
+              .text = "Momentum plus the booked impulse of friction is conserved to round-off.",
               .quantity = "largest defect over the momentum",
               .source = "momentum balance"},
              {.value = flow.ledger().largest_defect("momentum") / momentum},

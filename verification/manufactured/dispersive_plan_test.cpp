@@ -82,7 +82,7 @@ TEST_CASE("the plan model is of second order in time alone", "[manufactured]") {
     }
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       check.that({.id = scheme_id(stepping) + "-" + quantities[i].id,
-                  .text = scheme_id(stepping) + ": " + quantities[i].text + " are of second order in time.",
+                  .text = scheme_id(stepping) + ": " + quantities[i].text + " are second-order in time.",
                   .quantity = "observed order",
                   .source = source},
                  observed_order(taus, errors[i]), Order{2, 0.05, "a symmetric scheme; 2048 steps err by 1/256"});

@@ -152,7 +152,7 @@ void check_table(Check& check, const std::string& id, const Frames& frame, const
   check.table(table);
   for (std::size_t k = 0; k < unknowns; ++k) {
     check.that({.id = fmt::format("{}-{}", id, names[k]),
-                .text = fmt::format("{}, {} scheme: the error of {} has every digit of an earlier program.", frame.text,
+                .text = fmt::format("{}, {} scheme: the error of {} has every recorded digit (regression).", frame.text,
                                     scheme.text, names[k]),
                 .quantity = "largest difference in units of the third digit",
                 .source = digits},
@@ -213,9 +213,9 @@ TEST_CASE("the errors of dispersive shallow water are those of an earlier progra
   const auto printed = [&](std::size_t k) {
     const double expected = known.column(names[k]).front();
     check.that({.id = "conservative-" + names[k],
-                .text = fmt::format("Frank's energy, fully conservative scheme: the error of {} has every digit of an "
-                                    "earlier program.",
-                                    names[k]),
+                .text = fmt::format(
+                    "Frank's energy, fully conservative scheme: the error of {} has every recorded digit (regression).",
+                    names[k]),
                 .quantity = "difference in units of the third digit",
                 .source = digits},
                {.value = in_last_digits(conservative[k], expected), .resolution = "n = 400"},

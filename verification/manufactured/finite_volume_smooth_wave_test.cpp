@@ -77,7 +77,7 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       const double error = mean_depth_error(wave, expectation.scheme, cells);
       const std::string n = std::to_string(cells);
       check.that({.id = id + "-" + n,
-                  .text = "The error of " + id + " on " + n + " cells is that of an earlier program (regression).",
+                  .text = "The error of " + id + " on " + n + " cells has its recorded digits (regression).",
                   .quantity = "mean error of the depth",
                   .unit = "m",
                   .source = "regression: an earlier program for the same schemes"},
@@ -95,14 +95,15 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       errors.push_back(mean_depth_error(wave, expectation.scheme, cells));
     }
     const auto tail = static_cast<std::ptrdiff_t>(widths.size()) - 4;
-    check.that({.id = id + "-order",
-                .text = "Scheme " + id + " has order " + std::to_string(static_cast<int>(expectation.order)) + ".",
-                .quantity = "order of convergence",
-                .source = "Toro, Shock-capturing methods for free-surface shallow flows "
-                          "(2001)"},
-               evidence::observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
-               evidence::Order{expectation.order, 0.15,
-                               "approached from below: next term of the error on the four finest grids"});
+    check.that(
+        {.id = id + "-order",
+         .text = "Scheme " + id + " converges with order " + std::to_string(static_cast<int>(expectation.order)) + ".",
+         .quantity = "order of convergence",
+         .source = "Toro, Shock-capturing methods for free-surface shallow flows "
+                   "(2001)"},
+        evidence::observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
+        evidence::Order{expectation.order, 0.15,
+                        "approached from below: next term of the error on the four finest grids"});
     panel.line(id, widths, errors, verification::Role::computed);
   }
 }

@@ -93,7 +93,7 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
   }
   order("conservative", "Conservative scheme, 300 particles: second order.", many, 2);
   order("four-particles", "Conservative scheme, 4 particles: second order.", few, 2);
-  order("projection-scheme", "Frank's projection scheme: first order.", first, 1);
+  order("projection-scheme", "Frank's projection scheme converges at first order in the step.", first, 1);
 }
 
 TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
@@ -133,13 +133,12 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
                      "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; "
                      "splines that are not continued at cut cells err by a third of the spacing and more"});
     if (rings == 20) continue;  // sums over 30 particles to a cell err by as much as the steps and more
-    check.that(
-        {.id = fmt::format("rings-{}-places", rings),
-         .text = fmt::format("{} rings: what the splines add to the error is less than that of the steps.", rings),
-         .quantity = "rms distance at t = 2 over that with linear fields alone",
-         .source = source},
-        {.value = e.rms / steps.rms, .resolution = resolution},
-        Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
+    check.that({.id = fmt::format("rings-{}-places", rings),
+                .text = fmt::format("The error of the splines is below the error of the steps ({} rings).", rings),
+                .quantity = "rms distance at t = 2 over that with linear fields alone",
+                .source = source},
+               {.value = e.rms / steps.rms, .resolution = resolution},
+               Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   }
   note(20, few, steps);
 }

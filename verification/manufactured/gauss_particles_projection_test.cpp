@@ -149,8 +149,8 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
     }
     const double theory = end_corrected ? 4 : 2;
     check.that({.id = end_corrected ? "end-corrected" : "midpoint",
-                .text = std::string(end_corrected ? "End-corrected" : "Equal") + " masses: order " +
-                        (end_corrected ? "4." : "2."),
+                .text = std::string("Projections with ") +
+                        (end_corrected ? "end-corrected masses have order 4." : "equal masses have order 2."),
                 .quantity = "order of the part of a gradient that is left, in the particles' spacing",
                 .source = source},
                seiche::evidence::observed_order(sizes, leaks),

@@ -68,12 +68,13 @@ TEST_CASE("weights of compositions meet the conditions of order four", "[mechani
     const std::string kind = stages == Stages::single ? "" : "-paired";
     const std::vector<double> triple = triple_jump_weights(stages);
     claim("triple-jump-sum" + kind, "The weights of the triple jump add up to one.", sum_of_powers(triple, 1), 1);
-    claim("triple-jump-cubes" + kind, "Their cubes add up to nothing.", sum_of_powers(triple, 3), 0);
-    claim("triple-jump-symmetry" + kind, "They are symmetric.", asymmetry(triple), 0);
+    claim("triple-jump-cubes" + kind, "The cubes of the triple jump's weights add up to zero.",
+          sum_of_powers(triple, 3), 0);
+    claim("triple-jump-symmetry" + kind, "The weights of the triple jump are symmetric.", asymmetry(triple), 0);
     const std::vector<double> suzuki = suzuki_weights(stages);
     claim("suzuki-sum" + kind, "The weights of Suzuki's composition add up to one.", sum_of_powers(suzuki, 1), 1);
-    claim("suzuki-cubes" + kind, "Their cubes add up to nothing.", sum_of_powers(suzuki, 3), 0);
-    claim("suzuki-symmetry" + kind, "They are symmetric.", asymmetry(suzuki), 0);
+    claim("suzuki-cubes" + kind, "The cubes of Suzuki's weights add up to zero.", sum_of_powers(suzuki, 3), 0);
+    claim("suzuki-symmetry" + kind, "The weights of Suzuki's composition are symmetric.", asymmetry(suzuki), 0);
   }
 }
 
@@ -90,8 +91,8 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   };
   claim("count", "There are as few as fit.", static_cast<double>(lengths.size()), 4);
   claim("longest", "The longest is the time over their number.", largest(lengths), 0.375);
-  claim("shortest", "So is the shortest.", smallest(lengths), 0.375);
-  claim("end", "They end at the time.", state.time, 2);
+  claim("shortest", "The shortest step equals the time over the number of steps.", smallest(lengths), 0.375);
+  claim("end", "The last step ends exactly at the end time.", state.time, 2);
   state.time = 0.5;
   lengths.clear();
   equal_steps_to(state, 2, 0.3, {}, [&](double length) { lengths.push_back(length); });
@@ -106,7 +107,8 @@ TEST_CASE("adaptive methods keep their tolerance", "[mechanics]") {
       const bool fifth = method == AdaptiveMethod::dormand_prince_5;
       check.that(
           {.id = (fifth ? "dormand-prince-" : "fehlberg-") + std::to_string(std::lround(-std::log10(tolerance))),
-           .text = fifth ? "Dormand and Prince's method." : "Fehlberg's method of order seven.",
+           .text = fifth ? "Dormand and Prince's method holds its error to the tolerance over all steps."
+                         : "Fehlberg's method of order seven holds its error to the tolerance over all steps.",
            .quantity = "error over the tolerance and the number of steps",
            .source = "Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I (1993), II.4"},
           {.value = oscillator_error(method, tolerance)},

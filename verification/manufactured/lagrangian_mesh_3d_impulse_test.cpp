@@ -69,14 +69,14 @@ TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its w
   }
   check.that(
       {.id = "kinetic",
-       .text = "The kinetic energy converges to that of the wave with second order.",
+       .text = "The kinetic energy converges to the wave's at second order.",
        .quantity = "observed order",
        .source = source},
       evidence::observed_order(sizes, kinetic),
       Order{.theory = 2, .tolerance = 0.2, .reason = "bilinear patches under a pressure taken at their middles"});
   check.that(
       {.id = "rates",
-       .text = "Volumes do not change.",
+       .text = "Rates of all cell volumes after the impulse are zero.",
        .quantity = "largest rate of a volume over the volume",
        .unit = "1",
        .source = source},

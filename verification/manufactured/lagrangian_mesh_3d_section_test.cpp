@@ -87,7 +87,7 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     check.that({.id = "plane-" + id,
-                .text = "Over a plane slope every node is where that of the mesh in the plane is, " + id + ".",
+                .text = "Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
                 .quantity = "largest difference of a place",
                 .unit = "depth",
                 .source = source},

@@ -223,11 +223,14 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
       }
     }
   }
-  check.that({.id = "volume", .text = "The motion keeps volumes.", .quantity = "largest det F - 1", .source = source},
+  check.that({.id = "volume",
+              .text = "The exact motion conserves volumes: det F = 1.",
+              .quantity = "largest det F - 1",
+              .source = source},
              {.value = volume.value()},
              Roundoff{.operations = 100, .scale = 4, .reason = "products of three of some tens of roundings each"});
   check.that({.id = "walls",
-              .text = "It keeps the walls and the bottom.",
+              .text = "The exact motion stays on the walls and the bottom.",
               .quantity = "largest distance from them",
               .source = source},
              {.value = walls.value()},
@@ -237,7 +240,7 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
                                   "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; "
                                   "a term of the pressure forgotten or a wrong sign makes 1e-2"};
   check.that({.id = "velocity",
-              .text = "Velocities are rates of places.",
+              .text = "Velocities of the exact motion are the rates of its positions.",
               .quantity = "largest difference from that by differences",
               .source = source},
              {.value = velocity.value()}, bound);
@@ -302,12 +305,12 @@ TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
     check.that({.id = id + "-places",
-                .text = id + ": places are of second order in time.",
+                .text = id + ": places are second-order in time.",
                 .quantity = "observed order",
                 .source = source},
                observed_order(taus, places), second);
     check.that({.id = id + "-velocities",
-                .text = id + ": velocities are of second order in time.",
+                .text = id + ": velocities are second-order in time.",
                 .quantity = "observed order",
                 .source = source},
                observed_order(taus, velocities), second);

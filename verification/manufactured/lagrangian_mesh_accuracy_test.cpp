@@ -76,7 +76,8 @@ class Judge {
       }
     }
     check_.that({.id = std::string(name(integrator)) + "-order",
-                 .text = std::string(title(integrator)) + ": order " + std::to_string(order(integrator)) + ".",
+                 .text = "The coordinate error of " + std::string(title(integrator)) + " has order " +
+                         std::to_string(order(integrator)) + ".",
                  .quantity = "order of the largest coordinate error",
                  .source = source},
                 seiche::evidence::observed_order(tau, error, floor), expected_order(integrator, tau.front()));
@@ -91,7 +92,7 @@ class Judge {
   void keeps_exactly(Integrator integrator, int steps, double scale) {
     check_.that(
         {.id = std::string(name(integrator)) + "-energy",
-         .text = std::string(title(integrator)) + ": energy to round-off.",
+         .text = "Energy is conserved to round-off (" + std::string(title(integrator)) + ").",
          .quantity = "largest energy defect",
          .source = source},
         {.value = integrated(motion_, integrator, steps).largest_energy_defect,
@@ -116,7 +117,7 @@ class Judge {
     const double last_digit = std::pow(10, std::floor(std::log10(expected.value)) - expected.printed + 1);
     check_.that(
         {.id = std::string(name(integrator)) + what + std::to_string(steps),
-         .text = std::string(title(integrator)) + ": the number of an earlier program.",
+         .text = "The " + quantity + " has its recorded value (regression, " + std::string(title(integrator)) + ").",
          .quantity = quantity,
          .source = digits},
         {.value = value, .resolution = std::to_string(steps) + " steps"},

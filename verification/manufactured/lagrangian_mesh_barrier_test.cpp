@@ -49,7 +49,7 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
     errors.push_back(largest.value());
   }
   check.that({.id = "force",
-              .text = "The forces are those of the energy.",
+              .text = "The forces agree with the energy.",
               .quantity = "order of the largest difference in the width of the differences",
               .source = "the energy of corner_barrier.hpp"},
              evidence::observed_order(widths, errors, 1e-9),

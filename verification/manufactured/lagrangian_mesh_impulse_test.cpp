@@ -86,14 +86,15 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
                evidence::observed_order(h, errors), criterion);
     panel.points(id, h, errors, verification::Role::computed);
   };
-  order("lower-half", "Velocities in the lower half are those of the wave, to second order.", lower_half,
+  order("lower-half", "Velocities in the lower half agree with the wave, to second order.", lower_half,
         {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
-  order("energy", "So is the kinetic energy.", kinetic, {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
+  order("energy", "The kinetic energy after the impulse converges at second order.", kinetic,
+        {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
   order("surface", "Velocities at the surface are so to first order.", surface,
         {1, 0.2, "a surface node feels the pressure half a cell below"});
   check.that(
       {.id = "areas",
-       .text = "No cell's area changes.",
+       .text = "Rates of all cell areas after the impulse are zero to round-off.",
        .quantity = "largest rate of an area over the area",
        .unit = "sqrt(g/depth)",
        .source = source},

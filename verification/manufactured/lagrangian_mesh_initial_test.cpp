@@ -177,10 +177,11 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
   };
   const std::string smooth = "smooth wave; the coarsest mesh has four rows";
   order("area", "the mesh's area is the water's, to second order.", area, 0.1, smooth);
-  order("kinetic", "so is its kinetic energy.", kinetic, 0.2, smooth);
-  order("potential", "so is its potential energy.", potential, 0.1, smooth);
+  order("kinetic", "the mesh's kinetic energy is the water's, to second order.", kinetic, 0.2, smooth);
+  order("potential", "the mesh's potential energy is the water's, to second order.", potential, 0.1, smooth);
   order("projection", "the projection changes the velocities by second order (L2 norm).", change, 0.2, smooth);
-  order("projection-below", "so it does in the largest norm in the lower half.", interior, 0.2, smooth);
+  order("projection-below", "the projection changes the velocities in the lower half by second order (largest norm).",
+        interior, 0.2, smooth);
 }
 
 TEST_CASE("first data of a mesh are those of the exact wave, to second order", "[manufactured]") {

@@ -58,7 +58,8 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
       error.erase(error.begin(), error.begin() + 2);
     }
     check.that({.id = std::string(name(integrator)),
-                .text = std::string(title(integrator)) + ": order " + std::to_string(order(integrator)) + ".",
+                .text = "The coordinate error of " + std::string(title(integrator)) + " has order " +
+                        std::to_string(order(integrator)) + ".",
                 .quantity = "order of the largest coordinate error",
                 .source = source},
                seiche::evidence::observed_order(tau, error, 5e-12),

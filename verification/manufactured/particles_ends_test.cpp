@@ -35,7 +35,7 @@ TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufacture
     errors.push_back(std::abs(flow.particles().velocity[10] - exact));
   }
   check.that({.id = "order",
-              .text = "The velocity after four seconds is of second order in the step.",
+              .text = "The velocity after four seconds is second-order in the step.",
               .quantity = "order of the error of the velocity",
               .source = "Manning's law, integrated"},
              evidence::observed_order(steps, errors, 1e-12),
@@ -67,7 +67,7 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
     errors.push_back(std::abs(flow.ledger().left_impulse.value() - exact));
   }
   check.that({.id = "impulse",
-              .text = "The piston's impulse is that of the simple wave, to second order.",
+              .text = "The piston's impulse agrees with the simple wave, to second order.",
               .quantity = "order of the error of the impulse",
               .source = "Stoker, Water Waves (1957), section 10.3"},
              evidence::observed_order(widths, errors, 1e-12),

@@ -65,12 +65,15 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
     const std::string name = level == Level::godunov ? "G1" : (level == Level::muscl ? "M2" : "H2");
     panel.points(name, sizes, errors);
     if (level == Level::godunov) {
-      check.that(
-          {.id = "order_G1", .text = "G1 is of first order.", .quantity = "order of L1(h)", .source = "Godunov (1959)"},
-          observed_order(sizes, errors), Order{1, 0.2, "first order from below: wide particles smear the crest"});
+      check.that({.id = "order_G1",
+                  .text = "The depth of scheme G1 converges at first order.",
+                  .quantity = "order of L1(h)",
+                  .source = "Godunov (1959)"},
+                 observed_order(sizes, errors),
+                 Order{1, 0.2, "first order from below: wide particles smear the crest"});
     } else {
       check.that({.id = "order_" + name,
-                  .text = name + " is of second order.",
+                  .text = "The depth of scheme " + name + " converges at second order.",
                   .quantity = "order of L1(h)",
                   .source = "van Leer (1979)"},
                  observed_order(sizes, errors),
@@ -139,7 +142,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
     }
   }
   check.that({.id = "edges",
-              .text = "Edges converge with second order.",
+              .text = "Positions of the edges converge at second order.",
               .quantity = "order of L1(x)",
               .source = "method of manufactured solutions"},
              observed_order(sizes, edge_errors),
@@ -147,7 +150,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
                    "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited "
                    "extrema and of the rest cancel on coarse rows"});
   check.that({.id = "velocities",
-              .text = "Velocities converge with second order.",
+              .text = "Velocities of the particles converge at second order.",
               .quantity = "order of L1(u)",
               .source = "method of manufactured solutions"},
              observed_order(sizes, velocity_errors),

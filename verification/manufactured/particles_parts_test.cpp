@@ -141,7 +141,7 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
                Order{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"});
   };
   order("mass", "The mass that has left is of second order.", mass);
-  order("momentum", "So is the momentum.", momentum);
+  order("momentum", "The momentum that has left is second-order in the particle spacing.", momentum);
   check.that({.id = "mirrored",
               .text = "To the left the same passes as to the right.",
               .quantity = "largest difference of mass or momentum",
@@ -211,8 +211,8 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
                         .reason = "the exponent is found to a rounding by halving; momenta up to 2, in some thirty "
                                   "operations"});
   };
-  claim("mass", "The mass is the particle's.", masses.value());
-  claim("momentum", "So is the momentum.", momenta.value());
+  claim("mass", "The mass under the tip's profile equals the particle's mass.", masses.value());
+  claim("momentum", "The momentum that has left is second-order in the particle spacing.", momenta.value());
 }
 
 }  // namespace particles_parts_test

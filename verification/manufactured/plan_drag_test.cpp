@@ -144,7 +144,7 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
              seiche::evidence::observed_order(steps, off),
              Order{1, 0.2, "absorption acts before the forces of a step and not with them"});
   check.that({.id = "size",
-              .text = "And is that at the smallest step.",
+              .text = "The error at the smallest step is small against the amplitude.",
               .quantity = "difference over the first amplitude",
               .source = "z'' + r z' + Omega^2 z = 0"},
              {.value = off.back(), .resolution = "tau = 0.025"},
@@ -226,7 +226,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   seiche::Worst changed;
   for (std::size_t k = 0; k < 2 * n; ++k) changed.add(same[k] - smooth[k]);
   check.that({.id = "smooth",
-              .text = "Motions of second degree stay.",
+              .text = "Motions of second degree are not changed by damping the pattern.",
               .quantity = "largest change of a velocity",
               .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
              {.value = changed.value()},
@@ -249,13 +249,13 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   }
   check.that(
       {.id = "momentum",
-       .text = "Momentum is kept.",
+       .text = "Momentum is conserved by the drag to round-off.",
        .quantity = "change of its two components together",
        .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
       {.value = momentum},
       Roundoff{.operations = 16 * 2 * static_cast<double>(n), .scale = 1, .reason = "sixteen pairs at every node"});
   check.that({.id = "energy",
-              .text = "Random motions lose energy.",
+              .text = "Energy of random motions falls when the pattern is damped.",
               .quantity = "energy after over that before is less than 1",
               .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
              {.value = energy_after < energy_before ? 1.0 : 0.0},
@@ -348,7 +348,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
              {.value = (last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
              Bound{.limit = 0.05, .reason = "1/(1 + 2 x), x some tens, is positive and small", .expected = 0.05});
   check.that({.id = "energy",
-              .text = "Energy is lost.",
+              .text = "Energy falls where two velocities become one.",
               .quantity = "energy after over that before is less than 1",
               .source = source},
              {.value = energy(last) < energy(wild) ? 1.0 : 0.0},

@@ -173,9 +173,9 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
   };
   claim("normal", "The velocity normal to the bottom is kept.", normal_part.value());
   claim("axis", "The velocity along the axis of the rotation is kept.", axis_part.value());
-  claim("length", "The magnitude is kept.", length.value());
+  claim("length", "The magnitude of the carried velocity is conserved.", length.value());
   claim("wall-energy", "At a slanted wall the energy is kept.", wall_energy.value());
-  claim("wall", "No velocity through the wall.", through_wall.value());
+  claim("wall", "The velocity component through the wall is zero.", through_wall.value());
 }
 
 TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {

@@ -84,7 +84,7 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
               .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
              evidence::observed_order(sizes, of_elevation), third);
   check.that({.id = "velocity",
-              .text = "So are velocities.",
+              .text = "Velocities after the remap are of second order.",
               .quantity = "observed order",
               .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
              evidence::observed_order(sizes, of_velocity), third);

@@ -233,7 +233,7 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
     check.that({.id = id + "-" + of, .text = text + ": " + what, .quantity = "largest difference", .source = source},
                {.value = worst.value()}, rounding);
   };
-  claim("state", "places, velocities and multipliers are those of the whole, copies too.", state);
+  claim("state", "places, velocities and multipliers agree with the whole, copies too.", state);
   claim("first", "first places, which masses and new columns come from, likewise.", first);
   claim("volumes", "volumes of cells likewise.", volume);
   claim("masses", "masses of the nodes around a block's own cells, which their coefficients need, likewise.", mass);
@@ -244,11 +244,11 @@ TEST_CASE("blocks of a lattice are shifted by a window as the whole is", "[manuf
               "A lattice of 8 x 6 cells in four blocks, each with a ring of its neighbours' cells, is shifted by three "
               "columns; after each shift copies get the numbers of those who own them. Nothing tells the blocks from "
               "the whole.");
-  shift_blocks<plan::Model>(check, "plan", "The plan model", water());
+  shift_blocks<plan::Model>(check, "plan", "The 2DH model", water());
   plan::Lattice inclined = water();
   inclined.bottom = std::make_shared<PolynomialBottom>(
       std::vector<PolynomialBottom::Term>{{.coefficient = -2}, {.coefficient = 0.05, .x_power = 1}});
-  shift_blocks<plan::Model>(check, "inclined", "The plan model over an inclined bottom", inclined);
+  shift_blocks<plan::Model>(check, "inclined", "The 2DH model over an inclined bottom", inclined);
   shift_blocks<mesh::Model>(check, "hexahedra", "Layers of hexahedra", hexahedra());
 }
 

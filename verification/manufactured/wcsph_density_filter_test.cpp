@@ -57,7 +57,7 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
   }
   check.that(
       {.id = "linear",
-       .text = "A linear density is reproduced.",
+       .text = "A linear density is reproduced by the filter.",
        .quantity = "largest relative error",
        .source = source},
       {.value = largest.value()},

@@ -89,12 +89,18 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
   const double h = 0.0148;
   const double top = 10 / (7 * std::numbers::pi * h * h);
   const Roundoff five{.operations = 5, .scale = top, .reason = "5 rounded operations on W(0)"};
-  check.that(
-      {.id = "cubic-top", .text = "W(0) = 10/(7 pi h^2).", .quantity = "W(0)", .unit = "1/m^2", .source = cubic_source},
-      {.value = weight<CubicSpline>(0, h)}, Roundoff{5, top, five.reason, top});
-  check.that(
-      {.id = "cubic-h", .text = "W(h) = 5/(14 pi h^2).", .quantity = "W(h)", .unit = "1/m^2", .source = cubic_source},
-      {.value = weight<CubicSpline>(h, h)}, Roundoff{5, top, five.reason, 0.25 * top});
+  check.that({.id = "cubic-top",
+              .text = "The cubic spline has W(0) = 10/(7 pi h^2).",
+              .quantity = "W(0)",
+              .unit = "1/m^2",
+              .source = cubic_source},
+             {.value = weight<CubicSpline>(0, h)}, Roundoff{5, top, five.reason, top});
+  check.that({.id = "cubic-h",
+              .text = "The cubic spline has W(h) = 5/(14 pi h^2).",
+              .quantity = "W(h)",
+              .unit = "1/m^2",
+              .source = cubic_source},
+             {.value = weight<CubicSpline>(h, h)}, Roundoff{5, top, five.reason, 0.25 * top});
   CHECK(weight<CubicSpline>(2 * h, h) == 0);
   CHECK(weight<WendlandC2>(2.5 * h, h) == 0);
   CHECK(radial_slope<WendlandC2>(2.5 * h, h) == 0);
@@ -164,7 +170,7 @@ TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong toget
   }
   const double scale = std::pow(1.1, 7) * stiffness;
   check.that({.id = "inverse",
-              .text = "Density and pressure are inverse.",
+              .text = "Density and pressure of Tait's equation are inverse functions.",
               .quantity = "density error",
               .unit = "kg/m^3",
               .source = source},

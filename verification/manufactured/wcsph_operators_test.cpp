@@ -115,17 +115,17 @@ void check_printed(Check& check, const std::vector<Errors>& table, const std::ve
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       const auto n = static_cast<double>(sizes[2 * k]);
       const double scatter = disordered ? 3 * std::sqrt(20.0) / n * row.values[k] : 0;
-      check.that(
-          {.id = fmt::format("{}-{}", row.id, n),
-           .text = fmt::format("The error of the {} at N = {} is that of an earlier program.", row.operator_name, n),
-           .quantity = "relative L2 error",
-           .source = source},
-          {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
-          Bound{.limit = row.half_digits[k] + scatter,
-                .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
-                                       "two norms over N^2/20 independent samples each"
-                                     : "half a unit of the last printed digit",
-                .expected = row.values[k]});
+      check.that({.id = fmt::format("{}-{}", row.id, n),
+                  .text = fmt::format("The error of the {} at N = {} has its recorded value (regression).",
+                                      row.operator_name, n),
+                  .quantity = "relative L2 error",
+                  .source = source},
+                 {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
+                 Bound{.limit = row.half_digits[k] + scatter,
+                       .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
+                                              "two norms over N^2/20 independent samples each"
+                                            : "half a unit of the last printed digit",
+                       .expected = row.values[k]});
     }
   }
 }
@@ -189,8 +189,8 @@ TEST_CASE("on disordered particles only moving least squares keeps its order", "
   const auto about = [](double theory) {
     return Order{theory, 0.25, "scatter of 3 sqrt(20)/N per norm over a factor of 4 in the spacing"};
   };
-  check_order(check, "interpolation-order", "Interpolation does not converge.", column(table, &Errors::interpolation),
-              about(0));
+  check_order(check, "interpolation-order", "Interpolation on disordered particles does not converge.",
+              column(table, &Errors::interpolation), about(0));
   check_order(check, "difference-order", "The difference gradient does not converge.",
               column(table, &Errors::difference), about(0));
   check_order(check, "symmetric-order", "The symmetric gradient grows as 1/dx.", column(table, &Errors::symmetric),
@@ -221,8 +221,8 @@ TEST_CASE("operators converge on disordered particles when the number of neighbo
   const Order first{1, 0.25, "order 2 in h; scatter and discrete sums of few neighbours at the coarse end"};
   check_order(check, "difference-order", "The difference gradient is of order 1.", column(table, &Errors::difference),
               first);
-  check_order(check, "interpolation-order", "Interpolation is of order 1.", column(table, &Errors::interpolation),
-              first);
+  check_order(check, "interpolation-order", "Interpolation with growing support is of order 1.",
+              column(table, &Errors::interpolation), first);
   check_order(check, "mls-order", "Moving least squares is of order 1.", column(table, &Errors::moving_least_squares),
               Order{1, 0.05, "an error of the smooth field, without scatter"});
   check_printed(

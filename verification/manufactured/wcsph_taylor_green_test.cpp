@@ -141,7 +141,7 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
   constexpr double early = 0.05;
   const auto first = [&](const std::string& id, std::size_t n, const Decay& decay) {
     check.that({.id = id + "-first",
-                .text = fmt::format("At first the rate is that of the operator on the lattice (N = {}).", n),
+                .text = fmt::format("At first the rate agrees with the operator on the lattice (N = {}).", n),
                 .quantity = "rate of decay over 2 nu k^2, during a twentieth of the decay time",
                 .source = "lattice sum of the laminar term"},
                {.value = decay.rate_over(rate, early), .resolution = fmt::format("N = {}", n)},
@@ -195,7 +195,7 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
     const Decay decay = run(vortices, row.run);
     const std::string resolution = fmt::format("{}, {} steps", row.name, decay.steps);
     check.that({.id = row.id + "-rate",
-                .text = fmt::format("The rate of decay is that of an earlier program ({}).", row.name),
+                .text = fmt::format("The rate of decay has its recorded value (regression) ({}).", row.name),
                 .quantity = "rate of decay over 2 nu k^2",
                 .source = source},
                {.value = decay.rate_over(vortices.rate()), .resolution = resolution},
@@ -205,7 +205,7 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
                      .expected = row.printed});
     check.measure(row.id + ": rate over the first half", decay.rate_over(vortices.rate(), 0.5));
     check.that({.id = row.id + "-velocity",
-                .text = fmt::format("The velocity field is that of the vortices ({}).", row.name),
+                .text = fmt::format("The velocity field agrees with the vortices ({}).", row.name),
                 .quantity = "L2 of the velocity error over the initial speed, after one decay time",
                 .source = source},
                {.value = decay.velocity_error, .resolution = resolution},

@@ -71,7 +71,7 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
   }
   const Flow along = with_pressure(spacing, water(0), 2000, 0);
   check.that({.id = "along",
-              .text = "A pressure that is linear along the wall is that of the middle of the face.",
+              .text = "A pressure that is linear along the wall agrees with the middle of the face.",
               .quantity = "pressure",
               .unit = "Pa",
               .source = source},

@@ -42,21 +42,24 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
     const evidence::Roundoff limit{.operations = 1e4, .scale = 1, .reason = "one rounding of g h tau/dx < 1 per step"};
     const auto source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050";
     check.that({.id = id + "-discharge",
-                .text = "No flow starts.",
+                .text = "The discharge of the lake at rest stays zero to round-off.",
                 .quantity = "largest discharge",
                 .unit = "m^2/s",
                 .source = source},
                {.value = fastest.value(), .resolution = "N = 200, tau = 0.005 s"}, limit);
     check.that({.id = id + "-depth",
-                .text = "The surface stays.",
+                .text = "The depth of the lake at rest stays constant to round-off.",
                 .quantity = "largest change of depth",
                 .unit = "m",
                 .source = source},
                {.value = moved.value(), .resolution = "N = 200, tau = 0.005 s"}, limit);
-    check.that(
-        {.id = id + "-mass", .text = "Mass is constant.", .quantity = "mass defect", .unit = "m^2", .source = source},
-        {.value = flow.mass_defect(), .resolution = "N = 200, tau = 0.005 s"},
-        evidence::Roundoff{.operations = 1e4 * cells, .scale = dx, .reason = "one rounding per cell and step"});
+    check.that({.id = id + "-mass",
+                .text = "Mass of the lake at rest is constant to round-off.",
+                .quantity = "mass defect",
+                .unit = "m^2",
+                .source = source},
+               {.value = flow.mass_defect(), .resolution = "N = 200, tau = 0.005 s"},
+               evidence::Roundoff{.operations = 1e4 * cells, .scale = dx, .reason = "one rounding per cell and step"});
   }
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit",
       State state = problem.start;
       for (int n = 0; n < 1000; ++n) stepper.step(state, 0.1);
       check.that({.id = lake.id + (stepping == Stepping::one_step ? "-one-step" : "-conservative"),
-                  .text = lake.text + ": nothing moves.",
+                  .text = "Water at rest stays at rest (" + lake.text + ").",
                   .quantity = "largest displacement or velocity",
                   .source = "Frank, Discrete models of incompressible fluid (1994), chapter 4.1"},
                  {.value = largest_difference(state, problem.start), .resolution = "tau = 0.1, 1000 steps"},

@@ -90,7 +90,7 @@ TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") 
       }
       const std::string id = lake.id + "-" + std::string(name(integrator));
       check.that({.id = id,
-                  .text = std::string(title(integrator)) + ", " + lake.text + ": nothing moves.",
+                  .text = "Water at rest stays at rest (" + std::string(title(integrator)) + ", " + lake.text + ").",
                   .quantity = "largest displacement or velocity",
                   .source = source},
                  {.value = moved.value(), .resolution = "tau = 0.02, 10000 steps"},

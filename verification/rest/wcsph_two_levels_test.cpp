@@ -85,7 +85,7 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
     area_error.add(ahead / ((basin - column) * low) - 1);
   }
   check.that({.id = "hydrostatic",
-              .text = "The pressure is that of the depth below the level of its side, in water and walls.",
+              .text = "The pressure agrees with the depth below the level of its side, in water and walls.",
               .quantity = "largest error over rho_0 g H",
               .source = source},
              {.value = pressure_error.value()},

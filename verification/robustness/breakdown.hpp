@@ -52,14 +52,17 @@ inline void claim_of_breakdown(Check& check, const std::string& id, const std::s
 inline void claim_breakdown(Check& check, const std::string& id, const Breakdown& breakdown, const std::string& word,
                             double leftmost, double rightmost) {
   INFO(id << ": " << breakdown.message);
-  claim_of_breakdown(
-      check, id, "stops", "The run stops and says why.", breakdown.message.find(word) != std::string::npos,
-      "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
-  claim_of_breakdown(check, id, "when", "It says when.", breakdown.says_when,
-                     "time and steps of the state before the failing step", "the message must lead to the cause");
-  claim_of_breakdown(check, id, "where", "It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
+  claim_of_breakdown(check, id, "stops", "The run stops and states the cause (" + id + ").",
+                     breakdown.message.find(word) != std::string::npos,
+                     "seiche::Divergence whose message contains \"" + word + "\"",
+                     "nothing may be computed from a broken state");
+  claim_of_breakdown(check, id, "when", "The message states time and step of the last valid state (" + id + ").",
+                     breakdown.says_when, "time and steps of the state before the failing step",
+                     "the message must lead to the cause");
+  claim_of_breakdown(check, id, "where", "The message states the position of the failure (" + id + ").",
+                     breakdown.place >= leftmost && breakdown.place <= rightmost,
                      "place where the failure is known to begin", "the message must lead to the cause");
-  claim_of_breakdown(check, id, "kept", "The state is that of before the failing step.", breakdown.kept,
+  claim_of_breakdown(check, id, "kept", "The state before the failing step is kept (" + id + ").", breakdown.kept,
                      "equal coordinates, rates, multipliers, time and number of steps",
                      "a caller may go on with a shorter step");
   check.measure(id + ": time", breakdown.time);

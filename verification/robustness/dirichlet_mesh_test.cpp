@@ -95,10 +95,11 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
     check.measure(id + ": largest dropped", rank.largest_dropped);
   };
   const Rank lattice = rank_of(rectangular);
-  claim("rectangular", "The rectangular lattice lacks two.", lattice, 223);
-  claim("staggered", "Staggered rows have full rank.", rank_of(layer_mesh(layer)),
+  claim("rectangular", "The constraint matrix of a rectangular lattice lacks two ranks.", lattice, 223);
+  claim("staggered", "The constraint matrix of staggered rows has full rank.", rank_of(layer_mesh(layer)),
         static_cast<long>(layer_mesh(layer).nodes()));
-  claim("jittered", "So has a jittered block.", rank_of(jittered(free_patch(8, 5, {0, 0}, {8, 5}, false), 0.2, 1)), 54);
+  claim("jittered", "The constraint matrix of a jittered block has full rank.",
+        rank_of(jittered(free_patch(8, 5, {0, 0}, {8, 5}, false), 0.2, 1)), 54);
   // How many neighbours of a row have opposite signs in the null vectors.
   double alternating = 0;
   double pairs = 0;

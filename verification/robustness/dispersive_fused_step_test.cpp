@@ -134,18 +134,18 @@ TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") 
     const std::string resolution = "300 cells, 1000 steps";
     const auto [a, b] = both(false);
     check.that({.id = basin.id,
-                .text = fmt::format("Fused and separate steps agree: {}.", basin.text),
+                .text = fmt::format("Fused and separate steps agree ({}).", basin.text),
                 .quantity = "largest difference of a coordinate, rate or multiplier",
                 .source = "the same scheme"},
                {.value = largest_difference(a, b), .resolution = resolution}, limit(steps, 75));
     const auto [c, d] = both(true);
     check.that({.id = basin.id + "-feedback",
-                .text = fmt::format("Fused and separate steps with feedback agree: {}.", basin.text),
+                .text = fmt::format("Fused and separate steps with feedback agree ({}).", basin.text),
                 .quantity = "largest difference of a coordinate or rate",
                 .source = "the same scheme"},
                {.value = motion_difference(c, d), .resolution = resolution}, fed_back(75 / tau));
     check.that({.id = basin.id + "-feedback-multipliers",
-                .text = fmt::format("So do their multipliers: {}.", basin.text),
+                .text = fmt::format("Multipliers of fused and separate steps agree ({}).", basin.text),
                 .quantity = "largest difference of a multiplier",
                 .source = "the same scheme"},
                {.value = largest_difference(c.multipliers, d.multipliers), .resolution = resolution},

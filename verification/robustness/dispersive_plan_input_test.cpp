@@ -156,7 +156,7 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
               "whatever the cells. Longer steps are a warning, not an error: small waves may not notice.");
   Flow flow(rectangular_lattice({.begin = 0, .end = 1, .south = 0, .north = 1, .columns = 20, .rows = 20}));
   check.that({.id = "bound",
-              .text = "The bound is that of the fastest mode.",
+              .text = "The bound of the step agrees with the fastest mode.",
               .quantity = "longest stable step over 2 sqrt(alpha H/g)",
               .source = "exact/plan_dispersion.hpp"},
              {.value = flow.stable_step() / (2 * std::sqrt(1.0 / 3))},
@@ -167,7 +167,7 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
   flow.advance(0.5 * flow.stable_step());
   flow.advance(1.01 * flow.stable_step());
   check.that({.id = "count",
-              .text = "Longer steps are counted.",
+              .text = "Steps longer than the bound are counted.",
               .quantity = "steps beyond stability",
               .source = "interface of the model"},
              {.value = static_cast<double>(flow.steps_beyond_stability())},

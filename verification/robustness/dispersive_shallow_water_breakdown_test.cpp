@@ -28,10 +28,10 @@ Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
 void claim_breakdown(Check& check, const std::string& id, const Flow& flow, const Breakdown& breakdown,
                      const std::string& word, double leftmost, double rightmost) {
   seiche::verification::claim_breakdown(check, id, breakdown, word, leftmost, rightmost);
-  seiche::verification::claim_of_breakdown(check, id, "limit", "There still is a longest stable step.",
-                                           std::isfinite(flow.stable_step()) && flow.stable_step() > 0,
-                                           "finite and positive after the failure",
-                                           "a caller may go on with a shorter step");
+  seiche::verification::claim_of_breakdown(
+      check, id, "limit", "The longest stable step is still stated after the failure.",
+      std::isfinite(flow.stable_step()) && flow.stable_step() > 0, "finite and positive after the failure",
+      "a caller may go on with a shorter step");
 }
 
 Channel beach(double cotangent, double wall, double table_end) {
@@ -102,7 +102,10 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
   const long below = still.steps_beyond_stability();
   for (int k = 0; k < 2; ++k) still.advance(1.001 * limit);
   check.that(
-      {.id = "counted", .text = "Longer steps are counted.", .quantity = "steps counted", .source = source},
+      {.id = "counted",
+       .text = "Steps longer than the stable limit are counted.",
+       .quantity = "steps counted",
+       .source = source},
       {.value = static_cast<double>(still.steps_beyond_stability() - 10 * below), .resolution = "3 below, 2 above"},
       evidence::Bound{.limit = 0, .reason = "two were longer", .expected = 2});
   Channel rough = channel;
@@ -121,7 +124,7 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
       }
     }
     check.that({.id = std::string("too-long-") + stepping_names[k],
-                .text = "A wave in far too long steps stops, and the state is that of before.",
+                .text = "A wave in far too long steps stops, and the state before the failing step is kept.",
                 .quantity = "stopped with the state kept",
                 .source = source},
                {.value = stopped ? 1.0 : 0.0},

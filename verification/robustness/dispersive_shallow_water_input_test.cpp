@@ -218,7 +218,8 @@ TEST_CASE("bad starts, schemes and steps are refused with name, value and range"
   for (const double tau : {0.0, -0.1, not_a_number, infinity}) {
     refusals.refused("tau", "A step that is not positive and finite.", {"tau", "positive and finite"},
                      [&] { flow.advance(tau); });
-    refusals.refused("tau_to", "So with many steps.", {"tau", "positive and finite"}, [&] { flow.advance_to(1, tau); });
+    refusals.refused("tau_to", "A step of many that is not positive and finite.", {"tau", "positive and finite"},
+                     [&] { flow.advance_to(1, tau); });
     refusals.refused("courant", "A Courant number that is not positive and finite.", {"courant", "positive and finite"},
                      [&] { flow.advance_to(1, 0.1, {}, tau); });
   }

@@ -81,14 +81,15 @@ TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", 
       CHECK(divergence.place() > 19);
     }
     const std::string id(shallow_water_finite_volume::name(scheme));
-    check.that({.id = id,
-                .text = "Scheme " + id + (scheme == Scheme::mac_cormack ? " breaks down." : " survives."),
-                .quantity = "breakdown",
-                .source = source},
-               {.value = diverged ? 1.0 : 0.0, .resolution = "60 cells, Courant number 0.4"},
-               evidence::Qualitative{.detector = "seiche::Divergence thrown before t = 5 s",
-                                     .reason = "a depth that is negative or not finite ends the run",
-                                     .expected = scheme == Scheme::mac_cormack});
+    check.that(
+        {.id = id,
+         .text = "Scheme " + id + (scheme == Scheme::mac_cormack ? " breaks down" : " survives") + " on a dry bed.",
+         .quantity = "breakdown",
+         .source = source},
+        {.value = diverged ? 1.0 : 0.0, .resolution = "60 cells, Courant number 0.4"},
+        evidence::Qualitative{.detector = "seiche::Divergence thrown before t = 5 s",
+                              .reason = "a depth that is negative or not finite ends the run",
+                              .expected = scheme == Scheme::mac_cormack});
     for (const double depth : flow.depth()) CHECK((diverged || depth >= 0));
   }
 }

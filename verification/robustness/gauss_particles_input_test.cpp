@@ -181,7 +181,7 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
   INFO(message);
   const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
   check.that({.id = "left",
-              .text = "It says which place, and what the lattice covers.",
+              .text = "The message names the position that was left and the range of the lattice.",
               .quantity = "said so",
               .source = "interface of the model"},
              {.value = named ? 1.0 : 0.0},
@@ -189,7 +189,7 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
                                            "a run that breaks down must say where"});
   // The disc's outermost ring has radius 0.96; its rightmost particle passes 1.5 at t = 0.54 and more.
   check.that({.id = "time",
-              .text = "It stops when the drop arrives, not later.",
+              .text = "The run stops at the time when the drop arrives, not later.",
               .quantity = "time of the last state",
               .source = "uniform motion"},
              {.value = flow.time(), .resolution = "tau = 0.05"},

@@ -168,18 +168,18 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
   for (const double u : flow.state().u) motion.add(u);
   for (const double z : flow.surface_z()) motion.add(z);
   check.that({.id = "still",
-              .text = "The water is still.",
+              .text = "Still water in a moving window stays still.",
               .quantity = "largest speed or elevation",
               .source = "interface of the model"},
              {.value = motion.value()}, evidence::Bound{0, "every force is exactly zero"});
   check.that({.id = "place",
-              .text = "The window has followed.",
+              .text = "The moving window has followed the stated reach.",
               .quantity = "x of the east side",
               .source = "interface of the model"},
              {.value = flow.x().back()},
              evidence::Bound{.limit = 0, .reason = "one column of width 1 for each unit of time", .expected = 14});
   check.that({.id = "shifts",
-              .text = "Columns left behind are counted.",
+              .text = "The number of columns left behind by the window is counted.",
               .quantity = "number of columns",
               .source = "interface of the model"},
              {.value = static_cast<double>(flow.shifts())},
@@ -223,7 +223,7 @@ void claim_threads(const std::string& id, mechanics::Stepping stepping) {
   const bool all = same(run(2)) && same(run(3));
   omp_set_num_threads(threads);
   check.that({.id = id,
-              .text = "One, two and three threads give the same bits.",
+              .text = "Results of one, two and three threads are bitwise identical.",
               .quantity = "equal coordinates, rates and multipliers",
               .source = "interface of the model"},
              {.value = all ? 1.0 : 0.0, .resolution = fmt::format("{} x {} x 2 cells", columns, rows)},

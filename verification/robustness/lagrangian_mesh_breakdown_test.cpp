@@ -78,9 +78,10 @@ TEST_CASE("implicit steps that do not converge stop, and long steps are counted"
   check.that(
       {.id = "counted-below", .text = "Steps below the limit are not counted.", .quantity = "steps", .source = source},
       {.value = static_cast<double>(below)}, Bound{0, "none was longer"});
-  check.that({.id = "counted", .text = "Longer steps are counted.", .quantity = "steps", .source = source},
-             {.value = static_cast<double>(still.steps_beyond_stability())},
-             Bound{.limit = 0, .reason = "two were longer", .expected = 2});
+  check.that(
+      {.id = "counted", .text = "Steps longer than the bound are counted.", .quantity = "steps", .source = source},
+      {.value = static_cast<double>(still.steps_beyond_stability())},
+      Bound{.limit = 0, .reason = "two were longer", .expected = 2});
   Flow flow(layer_mesh(layer), {}, {.stepping = Stepping::conservative});
   claim_breakdown(check, "implicit", run_until_breakdown(flow, 1.05 * flow.stable_step(), 100), "not converged", 0, 6);
 }

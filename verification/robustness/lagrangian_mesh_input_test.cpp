@@ -151,7 +151,10 @@ TEST_CASE("bad starts and steps of the Lagrangian mesh are refused and change no
   }
   refusals.refused("time", "A run into the past.", {"time", "present"}, [&] { flow.advance_to(0, 0.1); });
   const bool kept = flow.state().q == before.q && flow.state().u == before.u && flow.state().steps == before.steps;
-  check.that({.id = "kept", .text = "Refused steps change nothing.", .quantity = "state kept", .source = "interface"},
+  check.that({.id = "kept",
+              .text = "Rejected steps leave the state as it was.",
+              .quantity = "state kept",
+              .source = "interface"},
              {.value = kept ? 1.0 : 0.0},
              evidence::Qualitative{"equal coordinates, rates and number of steps", "a caller may go on"});
 }

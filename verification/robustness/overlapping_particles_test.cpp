@@ -132,7 +132,10 @@ TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robus
                    [] { Flow flow(full_box(), {}, {.walls = four_walls}); });
   Flow cured(full_box(), {}, {.stabilisation = 0.1, .walls = four_walls});
   cured.advance(0.05);
-  check.that({.id = "cured", .text = "With stabilisation it rests.", .quantity = "largest velocity", .source = source},
+  check.that({.id = "cured",
+              .text = "The full box stays at rest with stabilisation.",
+              .quantity = "largest velocity",
+              .source = source},
              {.value = worst(cured.state().u)}, Bound{0, "every force is exactly zero"});
   Particles half = full_box();
   half.x.resize(50);

@@ -10,12 +10,14 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/robustness/refusals.hpp"
 
 namespace particles_input_test {
 
 using namespace seiche::shallow_water_particles;
 using seiche::evidence::Qualitative;
 using seiche::verification::Check;
+using seiche::verification::Refusals;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -23,27 +25,13 @@ Particles still_water(std::size_t count = 10) {
   return uniform_stretches({{0, 10, {1, 0}}}, count);
 }
 
-// The message of the std::invalid_argument that `action` must throw; empty when it does not.
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
-}
-
 TEST_CASE("bad particles, ends and steps are refused with their name", "[robustness]") {
   Check check("particles_bad_input", "Bad input of the particle method",
               "Each refusal is a std::invalid_argument, thrown before anything changes, whose message names the "
               "quantity.");
+  Refusals refusals(check);
   const auto refused = [&](const std::string& id, const std::string& text, const std::string& word, auto action) {
-    const std::string message = refusal(action);
-    INFO(id << ": " << message);
-    check.that({.id = id, .text = text, .quantity = "refused by name", .source = "interface of the model"},
-               {.value = message.find(word) != std::string::npos ? 1.0 : 0.0},
-               Qualitative{"std::invalid_argument whose message contains \"" + word + "\"", "input must be refused"});
+    refusals.refused(id, text, {word}, action);
   };
   refused("few", "Fewer than four particles.", "number of particles", [] { ParticleFlow flow(still_water(3)); });
   refused("order", "Edges that do not increase.", "edge", [] {
@@ -87,7 +75,7 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
     ParticleFlow flow(still_water(), {Piston{}, Wall{}});
   });
   refused("tau_zero", "A step of length zero.", "tau", [] { ParticleFlow(still_water()).advance(0); });
-  refused("tau_celerity", "A step beyond the celerity limit names the particle.", "celerity",
+  refused("tau_celerity", "A step beyond the celerity limit.", "celerity",
           [] { ParticleFlow(still_water()).advance(1); });
   refused("tau_jump", "A step in which a jump would cross more than a particle.", "particle", [] {
     const double u = seiche::shallow_water::velocity_change(9.81, 8, 1);
@@ -128,7 +116,7 @@ TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
   seiche::Smallest thinnest;
   for (std::size_t i = 0; i < flow.particles().size(); ++i) thinnest.add(flow.particles().depth(i));
   check.that({.id = "wet",
-              .text = "Every particle stays wet.",
+              .text = "Depths of all particles stay positive while the piston almost escapes.",
               .quantity = "all depths positive at t = 0.5 s",
               .source = "Stoker, Water Waves (1957), 10.4: a piston that withdraws faster than 2 c leaves the water"},
              {.value = thinnest.value() > 0 ? 1.0 : 0.0},
@@ -159,7 +147,7 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
              {.value = stopped && step == 2 ? 1.0 : 0.0},
              Qualitative{"seiche::Divergence after 2 complete steps", "nothing may be computed from a NaN"});
   check.that({.id = "place",
-              .text = "It says where.",
+              .text = "The breakdown message states the position of the failure.",
               .quantity = "place inside the region of the bad force",
               .source = "interface of the model"},
              {.value = place >= 5 && place <= 10 ? 1.0 : 0.0},
@@ -187,10 +175,9 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
              seiche::evidence::Bound{.limit = 2e-9 * 0.5 * 9.81 * (4 + 1) * 2,
                                      .reason = "densities that differ by 1e-9 are equal, so that the thrusts of the "
                                                "ends are known to 2e-9, for 2 s"});
+  Refusals refusals(check);
   const auto refused = [&](const std::string& id, const std::string& text, const std::string& word, auto action) {
-    check.that({.id = id, .text = text, .quantity = "refused by name", .source = "interface of the model"},
-               {.value = refusal(action).find(word) != std::string::npos ? 1.0 : 0.0},
-               Qualitative{"std::invalid_argument whose message contains \"" + word + "\"", "input must be refused"});
+    refusals.refused(id, text, {word}, action);
   };
   refused("open", "A section that water passes.", "end", [] { AsWritten row(still_water(), {Open{}, Wall{}}); });
   refused("step", "A step of no length.", "tau", [&] { flow.advance(0); });

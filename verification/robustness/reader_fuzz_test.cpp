@@ -42,7 +42,7 @@ void claim(Check& check, const std::string& format, const Tally& tally) {
   check.measure(format + "_accepted", static_cast<double>(tally.accepted));
   check.measure(format + "_slowest_s", tally.slowest.value());
   check.that({.id = format,
-              .text = fmt::format("Every damaged {} input is read or refused in one line.", format),
+              .text = fmt::format("Every damaged {} input is read or rejected in one line.", format),
               .quantity = "inputs that end otherwise",
               .source = "interface of the reader"},
              {.value = static_cast<double>(tally.misbehaved), .resolution = fmt::format("{} inputs", count)},
@@ -226,15 +226,15 @@ TEST_CASE("what crashes or spins in a child process is a refusal in the parent",
   };
   const std::string large(5'000'000, 'x');
   ends_in("text", "The child's text is returned whole.", large, [&] { return large; });
-  ends_in("exception", "Its exception is thrown again.", "invalid_argument: no",
+  ends_in("exception", "An exception in the child is thrown again by the parent.", "invalid_argument: no",
           []() -> std::string { throw std::runtime_error("no"); });
-  ends_in("crash", "Its crash is an exception.", "runtime_error: the child process crashed by signal 11",
-          []() -> std::string {
+  ends_in("crash", "A crash of the child becomes an exception of the parent.",
+          "runtime_error: the child process crashed by signal 11", []() -> std::string {
             std::raise(SIGSEGV);
             return {};
           });
-  ends_in("endless", "Its endless loop is an exception.", "runtime_error: the child process did not end within 1 s",
-          []() -> std::string {
+  ends_in("endless", "An endless loop in the child becomes an exception of the parent.",
+          "runtime_error: the child process did not end within 1 s", []() -> std::string {
             for (volatile bool forever = true; forever;) {
             }
             return {};

@@ -1,6 +1,7 @@
-/// Bad input is refused by a std::invalid_argument that names what is wrong.
+/// Bad input is rejected by a std::invalid_argument that names what is wrong.
 #pragma once
 
+#include <cctype>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,7 +27,9 @@ class Refusals {
  public:
   explicit Refusals(Check& check) : check_(check) {}
 
-  /// Claims that `action` is refused with a message that contains all of `words`: parameter, value, range.
+  /// Claims that `action` is rejected with a message that contains all of `words`: parameter, value, range.
+  ///
+  /// @param text  the bad input: "A grid without a step."
   template <class Action>
   void refused(const std::string& id, const std::string& text, const std::vector<std::string>& words, Action action) {
     const std::string message = refusal(action);
@@ -37,11 +40,15 @@ class Refusals {
       named = named && message.find(word) != std::string::npos;
       wanted += (wanted.empty() ? "\"" : ", \"") + word + "\"";
     }
+    const std::string input = static_cast<char>(std::tolower(text.front())) + text.substr(1);
     check_.that(
-        {.id = id, .text = text, .quantity = "refused by name", .source = "interface of the model"},
+        {.id = id,
+         .text = "Input is rejected by name: " + input,
+         .quantity = "rejected by name",
+         .source = "interface of the model"},
         {.value = named ? 1.0 : 0.0},
         evidence::Qualitative{"std::invalid_argument whose message contains " + wanted,
-                              "input must be refused before anything is computed, with what is wrong, its value "
+                              "input must be rejected before anything is computed, with what is wrong, its value "
                               "and what is allowed"});
   }
 

@@ -122,7 +122,7 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
   Convection convection;
   const std::string given = infeasible([&] { convection.begin(masses, std::vector<Exchange>{{1, 2, 1.5}}, {x, y}); });
   INFO(given);
-  claim_of_breakdown(check, "mass", "refused", "A mass that would not be positive.",
+  claim_of_breakdown(check, "mass", "refused", "A mass that would not be positive stops the run.",
                      given.find("mass of node 2 at (0.75, 0) becomes -0.5") != std::string::npos,
                      "mechanics::Infeasible with the node, its place and the mass", "the root of it is needed");
   convection.begin(masses, std::vector<Exchange>{{0, 1, 30}, {1, 2, 30}, {2, 0, 30}}, {x, y});
@@ -137,7 +137,7 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
         0, mean);
   });
   INFO(unsettled);
-  claim_of_breakdown(check, "iteration", "refused", "An iteration that does not settle.",
+  claim_of_breakdown(check, "iteration", "refused", "An iteration that does not settle stops the run.",
                      unsettled.find("does not settle in 60 iterations") != std::string::npos,
                      "mechanics::Infeasible with the number of iterations", "an unsettled step would not be neutral");
 }

@@ -133,9 +133,10 @@ TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, 
   };
   claim("parallel", "The paddle's functions are called outside of parallel loops.", "calls within one",
         static_cast<double>(in_parallel), 0, "they are the user's, and may throw or share what they use");
-  claim("times", "They are called at times from 0 on.", "calls at negative times", static_cast<double>(before_zero), 0,
-        "a measured motion begins at 0");
-  claim("calls", "They are called a few times a step.", "most calls in a step", static_cast<double>(most), 20,
+  claim("times", "The paddle's functions are called at times from 0 on.", "calls at negative times",
+        static_cast<double>(before_zero), 0, "a measured motion begins at 0");
+  claim("calls", "The paddle's functions are called a few times a step.", "most calls in a step",
+        static_cast<double>(most), 20,
         "pose and rate at two instants for each of at most three evaluations, and at one for each of at most four "
         "positions: 20");
 }

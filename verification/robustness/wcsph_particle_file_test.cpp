@@ -143,12 +143,12 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
     CHECK(names == std::vector<std::string>{"density", "identity", "kind", "pressure", "velocity"});
   }
   const std::string format = "XDMF model and format, version 3";
-  check.that({.id = "frames", .text = "Both frames are there.", .quantity = "frames", .source = format},
-             {.value = static_cast<double>(times.size())},
-             evidence::Bound{.limit = 0, .reason = "a count", .expected = 2});
+  check.that(
+      {.id = "frames", .text = "Both frames of the run are in the file.", .quantity = "frames", .source = format},
+      {.value = static_cast<double>(times.size())}, evidence::Bound{.limit = 0, .reason = "a count", .expected = 2});
   CHECK(times == std::vector<double>{0, 0.125});
   check.that({.id = "topology",
-              .text = "Every particle is a vertex.",
+              .text = "Every particle is a vertex of the XDMF topology.",
               .quantity = "Polyvertex of as many elements as particles",
               .source = format},
              {.value = polyvertex ? 1.0 : 0.0},

@@ -167,7 +167,7 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
               .source = "flow_state.hpp"},
              {.value = static_cast<double>(accepted)}, seiche::evidence::Bound{.limit = 0, .reason = "a count"});
   check.that({.id = "kept",
-              .text = "A refused state changes nothing, then and 40 steps later.",
+              .text = "A rejected state changes nothing, then and 40 steps later.",
               .quantity = "differing: now, 40 steps later",
               .source = "flow_state.hpp"},
              {.value = (kept ? 0.0 : 1.0) + (same(plain, asked) ? 0 : 1)},

@@ -1,4 +1,4 @@
-"""Pages on a phone: nothing makes the page itself wider than the screen. Skipped where there is no Chromium.
+"""Pages on a phone: none is wider than the screen, text has 12 pixels and contrast 4.5:1. Skipped without Chromium.
 
     /usr/bin/python3 reports/render/tests/test_phone.py
 """
@@ -20,12 +20,25 @@ from render.tests.test_side_by_side import row, table  # noqa: E402
 WIDTH = 390     # of a phone, in pixels of a page
 # Frames of that width, for a window of Chromium without a screen is at least 500 wide.
 FRAMES = """<!DOCTYPE html><body>{frames}<script>
+const light = colour => {{
+  const [r, g, b] = colour.match(/[\\d.]+/g).map(v => v / 255).map(v => v <= .04045 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4);
+  return .2126 * r + .7152 * g + .0722 * b + .05;
+}};
+const faint = (frame, e) => {{      // text that cannot be read: too small, or too near its background
+  const look = one => frame.contentWindow.getComputedStyle(one);
+  let behind = e;
+  while (behind.parentElement && look(behind).backgroundColor.endsWith(", 0)")) behind = behind.parentElement;
+  const [text, paper] = [light(look(e).color), light(look(behind).backgroundColor)];
+  return parseFloat(look(e).fontSize) < 12 || Math.max(text, paper) / Math.min(text, paper) < 4.5;
+}};
 addEventListener("load", () => {{
   const found = {{}};
   for (const frame of document.querySelectorAll("iframe")) {{
     const page = frame.contentDocument.documentElement;
     const names = [...frame.contentDocument.querySelectorAll("code.name")];
-    found[frame.title] = {{width: page.scrollWidth, broken: names.filter(n => n.getClientRects().length > 1).length}};
+    const said = [...frame.contentDocument.querySelectorAll("body *:not(sup, sub, script, svg *, th > [style^=color])")].filter(
+      e => e.getClientRects().length && [...e.childNodes].some(n => n.nodeType == 3 && n.textContent.trim()));
+    found[frame.title] = {{faint: said.filter(e => faint(frame, e)).map(e => e.outerHTML.slice(0, 120)), width: page.scrollWidth, broken: names.filter(n => n.getClientRects().length > 1).length}};
   }}
   document.body.innerHTML = "<pre id=found></pre>";
   document.getElementById("found").textContent = JSON.stringify(found);
@@ -71,6 +84,7 @@ class Phone(unittest.TestCase):
             found = measured(report, pages)
             self.assertEqual(sorted(found), sorted(pages))
             self.assertEqual({page: one["width"] for page, one in found.items() if one["width"] > WIDTH}, {})
+            self.assertEqual({page: one["faint"] for page, one in found.items() if one["faint"]}, {})
             self.assertEqual({page: one["broken"] for page, one in found.items() if one["broken"]}, {})
 
 

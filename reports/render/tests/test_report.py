@@ -151,7 +151,7 @@ def write_evidence(folder):
                        claim("three", "uncertainty"), claim("four", "qualitative", measured=1, expected=1)]))
     write_arrays(folder / "two_solvers.h5", {"f": [every_style, every_style[:3]], "long": [many]})
     put(record("two_solvers", solver="another", data="two_solvers.another.h5", figures=[figure("f")],
-               tables=[first_look([["whose it is", "that of nobody"]])]), "two_solvers.another")
+               tables=[first_look([["likely cause", "that of nobody"]])]), "two_solvers.another")
     write_arrays(folder / "two_solvers.another.h5", {"f": [every_style[:2]]})
     put(record("hostile", kind="verification", group=HOSTILE, solver="seiche", title=HOSTILE, source=HOSTILE,
                article=HOSTILE + "\n\n[link](javascript:alert(1)) ![p](http://example.org/p.png) <img src=x onerror=y>",

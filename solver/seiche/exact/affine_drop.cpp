@@ -264,7 +264,7 @@ SelfTest StretchingDrop::self_test() const {
            "16 roundings"},
           {"time of the axis at time t is t", std::abs(time_of(a) / t - 1), 64 * epsilon,
            "two quadratures of 30 points a panel, axis rounded"},
-          {"the ellipse is that of the integrated equation of motion",
+          {"the ellipse agrees with the integrated equation of motion",
            (end.deformation - at(t).deformation).norm() / at(t).deformation.norm(),
            3 * (1.7 * 1e-14 + 4 * epsilon * std::sqrt(30)),
            "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on "

@@ -167,7 +167,7 @@ double PressureForcedWave::uncertainty(double t) const {
 SelfTest PressureForcedWave::self_test() const {
   SelfTest identities;
   if (kinetic_energy_) {
-    identities.push_back({"kinetic energy at t = 0 is that of the Stokes wave",
+    identities.push_back({"kinetic energy at t = 0 agrees with the Stokes wave",
                           std::abs(integrals(0).kinetic_energy / *kinetic_energy_ - 1), 1e-13,
                           "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; "
                           "Stokes wave to 1e-14"});

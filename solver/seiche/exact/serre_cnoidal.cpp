@@ -182,7 +182,7 @@ SelfTest SerreCnoidal::self_test() const {
            "differences of depths, ten roundings"},
           {"the flux of momentum, seen from the wave, is the same everywhere", momentum.value(), 10 * epsilon,
            "ten roundings of its terms"},
-          {"the slope squared is that of the first integral, over the largest", slope.value() / steepest.value(),
+          {"the slope squared agrees with the first integral, over the largest", slope.value() / steepest.value(),
            uncertainty(), "differences of depths, ten roundings"}};
 }
 

@@ -185,7 +185,7 @@ double energy_of_finest(const Entry& entry) {
 
 void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, const std::string& source) {
   claims.from(source).check(
-      model.id + "-lasts", fmt::format("Followed to the end: {}.", model.name), "time until it breaks down",
+      model.id + "-lasts", fmt::format("The run reaches the end time ({}).", model.name), "time until it breaks down",
       [](const Entry& entry) { return entry.finest().lasted; },
       Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = last});
 }
@@ -202,7 +202,7 @@ void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::st
 void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std::string& reason,
                       const std::string& source) {
   claims.from(source).check(
-      model.id + "-dissipates", fmt::format("It loses energy and gains none: {}.", model.name),
+      model.id + "-dissipates", fmt::format("Energy at the end is below the energy at the start ({}).", model.name),
       "the energy falls, on every resolution",
       [](const Entry& entry) {
         const auto falls = [](const Attempt& one) { return one.energy < 0; };
@@ -213,7 +213,7 @@ void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std
 
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,
                   const std::string& reason, const std::string& source) {
-  claims.from(source).check(model.id + "-energy", fmt::format("The energy is kept to round-off: {}.", model.name),
+  claims.from(source).check(model.id + "-energy", fmt::format("The energy is conserved to round-off: {}.", model.name),
                             "relative change", energy_of_finest,
                             Roundoff{.operations = operations, .scale = scale, .reason = reason});
 }

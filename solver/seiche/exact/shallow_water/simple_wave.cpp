@@ -155,7 +155,7 @@ SelfTest SimpleWave::self_test() const {
   };
   const double depth =
       worst(0, 4, [&](int i) { return profile_.depth(profile_.start + 0.25 * i * (profile_.end - profile_.start)); });
-  return {{"the area of the hump is constant, over that of the water",
+  return {{"the area of the hump is constant, over the water's",
            std::abs(area(t) - area(0)) / (depth * (profile_.end - profile_.start)), 1e-12 + 2 * uncertainty(),
            "16 panels of 30 Gauss points; the profile at half the breaking time is smooth; twice the slope of t = 0 "
            "times the rounding of x"}};

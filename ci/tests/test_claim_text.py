@@ -1,0 +1,84 @@
+"""What people read follows the rules of the language: claims, help, messages, README, templates.
+
+A claim stands alone: it begins with its quantity, has six words or more, and no other claim of its case has its words.
+Home-made terms give way to the field's. MOST is a ratchet: a count may fall, and is then lowered here, never rise.
+"""
+
+import collections
+import json
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+ROOT = pathlib.Path(os.environ.get("SEICHE_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
+EVIDENCE = pathlib.Path(os.environ.get("SEICHE_EVIDENCE", ROOT / "build/release/evidence"))
+
+LEANS = re.compile(r"(It|Its|So|Nor|And|They|Their|One|None|That|Those|These|This|Neither)\b(?!-)")
+LOOSE = re.compile(r"\b(is|are) told\b|earlier program|as measured|\bas (high|fast) as\b|\b(that|those) of\b")
+HOME_MADE = re.compile(
+    r"\bplan (model|version)\b|still level|planted defect|broken on purpose|evidence of record|declared failure"
+    r"|\btiles?\b|(?<!-)\bpublished sets?\b|\bcontest(ant)?s?\b|\bpeers?\b|\bstrangers?\b|\bleague\b|touch-?down|bit by bit"
+    r"|\bto the last (bit|digit)\b|largest run-up|\bruns? through\b|\bturns? over\b|\bfolds?\b|\bfolded\b"
+    r"|earlier program|\b(is|are) told\b|\brefus(e|es|ed|al|als)\b|\bjudge[sd]?\b|\b(that|those) of\b", re.I)
+MOST = {"leans": 0, "short": 0, "twice": 0, "loose": 0, "home-made: claims": 0, "home-made: help": 0,
+        "home-made: README": 0, "home-made: messages": 0, "home-made: templates": 0}
+LITERAL = re.compile(r'//[^\n]*|"((?:\\.|[^"\\\n])*)"')
+
+
+def claims():
+    """(case and claim, sentence) of every record."""
+    for file in sorted(EVIDENCE.glob("*.json")):
+        record = json.loads(file.read_text())
+        if record.get("solver") == "seiche":
+            for claim in record["claims"]:
+                yield f"{record['case']} {record['tier']} {record['set']}", claim["id"], claim["text"]
+
+
+def helped():
+    seiche = os.environ["SEICHE"]
+    top = subprocess.run([seiche, "--help"], capture_output=True, text=True, check=True).stdout
+    commands = re.findall(r"^  (\w+)  ", top, re.M)
+    return [top] + [subprocess.run([seiche, name, "--help"], capture_output=True, text=True).stdout for name in commands]
+
+
+def spoken(file):
+    """The string literals of a C++ file that hold more than one word."""
+    return [said for said in LITERAL.findall(file.read_text()) if " " in said]
+
+
+class Language(unittest.TestCase):
+    def held(self, rule, found):
+        found = list(found)
+        self.assertLessEqual(len(found), MOST[rule], "\n".join(map(str, [f"{rule}:", *found])))
+        self.assertEqual(len(found), MOST[rule], f"{rule}: lower MOST to {len(found)}")
+
+    def test_claims_stand_alone(self):
+        if not any(EVIDENCE.glob("*.json")):
+            self.skipTest(f"no records in {EVIDENCE}")
+        every = list(claims())
+        self.assertGreater(len(every), 500)
+        uses = collections.Counter((case, text) for case, _, text in every)
+        self.held("leans", (one for one in every if LEANS.match(one[2])))
+        self.held("short", (one for one in every if len(one[2].split()) < 6))
+        self.held("twice", (one for one in every if uses[one[0], one[2]] > 1))
+        self.held("loose", (one for one in every if LOOSE.search(one[2])))
+        self.held("home-made: claims", (one for one in every if HOME_MADE.search(one[2])))
+
+    def test_terms_are_the_fields(self):
+        texts = {
+            "README": (ROOT / "README.md").read_text().splitlines(),
+            "help": [line for text in helped() for line in text.splitlines()],
+            "messages": [said for room in ("command", "case", "scoring")
+                         for file in sorted((ROOT / "validation" / room).glob("*.cpp")) for said in spoken(file)],
+            "templates": [line for file in sorted((ROOT / "reports/render/templates").glob("*.j2"))
+                          for line in re.sub(r"{[{%#].*?[}%#]}|<[^>]*>", " ", file.read_text(), flags=re.S).splitlines()],
+        }
+        for name, lines in texts.items():
+            with self.subTest(name):
+                self.held(f"home-made: {name}", (line for line in lines if HOME_MADE.search(line)))
+
+
+if __name__ == "__main__":
+    unittest.main()
