@@ -17,10 +17,8 @@ namespace wrong_results_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Bound;
-using evidence::Qualitative;
+using namespace seiche::verification;
 using evidence::Verdict;
-using verification::Check;
 
 Verdict verdict_of(const evidence::Record& record, const std::string& id) {
   for (const evidence::JudgedClaim& claim : record.claims()) {
@@ -155,12 +153,11 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   }
   const FrontFit fit = front_fit({T, X}, data, 100, 0.02);
   const auto close = [&](const std::string& id, double value, double expected) {
-    check.that(
-        {.id = id, .text = "It is found.", .quantity = id, .source = "definition of the fit"}, {.value = value},
-        Bound{.limit = 1e-5,
-              .reason = "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
-                        "0.005^2/4 = 6e-6",
-              .expected = expected});
+    check.that({.id = id, .text = "It is found.", .quantity = id, .source = "definition of the fit"}, {.value = value},
+               Bound{1e-5,
+                     "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
+                     "0.005^2/4 = 6e-6",
+                     expected});
   };
   close("shift", fit.shift, shift);
   close("rate", fit.rate, rate);
@@ -176,13 +173,12 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
               .text = "Twice the uncertainty of the front is twice that of its rate.",
               .quantity = "ratio",
               .source = "linear propagation"},
-             {.value = *twice.rate_numerical / *fit.rate_numerical},
-             Bound{.limit = 1e-12, .reason = "round-off", .expected = 2});
+             {.value = *twice.rate_numerical / *fit.rate_numerical}, Bound{1e-12, "round-off", 2});
   check.that({.id = "certain",
               .text = "A front that is known exactly adds none.",
               .quantity = "numerical uncertainty of the rate",
               .source = "linear propagation"},
-             {.value = *exact.rate_numerical}, Bound{.limit = 0, .reason = "nothing was stated to be uncertain"});
+             {.value = *exact.rate_numerical}, Bound{0, "nothing was stated to be uncertain"});
   check.that({.id = "unstated",
               .text = "Where nothing is stated nothing is known.",
               .quantity = "an uncertainty is given",
@@ -200,7 +196,7 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
                     for (double& x : farther) x += 0.02;
                     return std::abs(front_fit({T, farther}, data, 100, 0.02).rate - fit.rate) / *fit.rate_numerical;
                   }()},
-             Bound{.limit = 1, .reason = "a bound of errors of every sign, to first order"});
+             Bound{1, "a bound of errors of every sign, to first order"});
 }
 
 }  // namespace wrong_results_test

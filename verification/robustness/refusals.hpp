@@ -26,23 +26,21 @@ class Refusals {
  public:
   explicit Refusals(Check& check) : check_(check) {}
 
-  /// Claims that `action` is refused with a message that contains all of `words`: parameter, value, range.
+  /// `action` is refused with a message that contains all of `words`: parameter, value, range.
   template <class Action>
-  void refused(const std::string& id, const std::string& text, const std::vector<std::string>& words, Action action) {
+  void refused(const std::string& what, const std::vector<std::string>& words, Action action) {
     const std::string message = refusal(action);
-    INFO(id << ": " << message);
+    INFO(message);
     bool named = true;
     std::string wanted;
     for (const std::string& word : words) {
       named = named && message.find(word) != std::string::npos;
       wanted += (wanted.empty() ? "\"" : ", \"") + word + "\"";
     }
-    check_.that(
-        {.id = id, .text = text, .quantity = "refused by name", .source = "interface of the model"},
-        {.value = named ? 1.0 : 0.0},
-        evidence::Qualitative{"std::invalid_argument whose message contains " + wanted,
-                              "input must be refused before anything is computed, with what is wrong, its value "
-                              "and what is allowed"});
+    check_.holds(what, {named ? 1.0 : 0.0},
+                 evidence::Qualitative{"std::invalid_argument whose message contains " + wanted,
+                                       "input must be refused before anything is computed, with what is wrong, its "
+                                       "value and what is allowed"});
   }
 
  private:
