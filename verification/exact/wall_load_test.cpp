@@ -58,14 +58,14 @@ void claim_series(Check& check) {
   const WallLoad small(0.05, 1, 192);
   const WallLoad twice(0.1, 1, 192);
   const auto order = [](double half, double whole) { return std::log2(std::abs(whole / half)); };
-  const auto third = [&](const std::string& id, const std::string& name, double half, double whole) {
+  const auto third = [&](const std::string& name, double half, double whole) {
     check.holds(fmt::format("The series of second order for the {} is its limit for small waves.", name),
                 {order(half, whole)},
                 Bound{0.3, "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2", 3});
   };
-  third("bottom", "pressure at the foot", small.largest_bottom().value - WallLoad::bottom_series(0.05),
+  third("pressure at the foot", small.largest_bottom().value - WallLoad::bottom_series(0.05),
         twice.largest_bottom().value - WallLoad::bottom_series(0.1));
-  third("force", "force", small.largest_force().value - WallLoad::force_series(0.05),
+  third("force", small.largest_force().value - WallLoad::force_series(0.05),
         twice.largest_force().value - WallLoad::force_series(0.1));
   check.that(
       {.id = "series-still",

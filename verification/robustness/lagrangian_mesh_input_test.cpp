@@ -134,7 +134,7 @@ TEST_CASE("bad starts and steps of the Lagrangian mesh are refused and change no
   for (const auto& [id, tau] : std::vector<std::pair<std::string, double>>{
            {"zero", 0}, {"negative", -0.1}, {"nan", not_a_number}, {"infinite", infinity}}) {
     const double step = tau;
-    refusals.refused("tau_" + id, "A step that is not positive and finite.", {"tau", "positive and finite"},
+    refusals.refused("A step that is not positive and finite: " + id + ".", {"tau", "positive and finite"},
                      [&] { flow.advance(step); });
   }
   refusals.refused("A run into the past.", {"time", "present"}, [&] { flow.advance_to(0, 0.1); });
