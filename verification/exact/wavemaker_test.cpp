@@ -125,11 +125,10 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
   Worst displaced;
   for (const auto& [paddle, mean] : {std::pair{Paddle::piston, 1.0}, std::pair{Paddle::flap, 0.5}}) {
     const Wavemaker maker(paddle, {1, 1}, exact::AngularFrequency{1.3});
-    const double deviation.sizes = maker.wavenumber();
+    const double k = maker.wavenumber();
     for (const double part : {0.15, 0.25, 0.6}) {
       const double t = part * maker.period();
-      const double passed = 0.5 * maker.wave_height() / deviation.sizes *
-                            (std::sin(deviation.sizes * far) - std::sin(deviation.sizes * far - 1.3 * t));
+      const double passed = 0.5 * maker.wave_height() / k * (std::sin(k * far) - std::sin(k * far - 1.3 * t));
       displaced.add(water(maker, far, t) - water(maker, far, 0) - (mean * maker.paddle_position(t) - passed));
     }
   }
