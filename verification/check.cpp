@@ -2,6 +2,8 @@
 #include "verification/check.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -46,12 +48,29 @@ Check::Check(const std::string& name, const std::string& title, const std::strin
   record_.title = title;
   record_.source = where.file_name();
   record_.article = article;
+  assertions_ = {"assertions",
+                 "Assertions",
+                 "Each is judged as a claim is; a presence is 1.",
+                 {{"holds", ""}, {"measured", ""}, {"expected", ""}, {"limit", ""}, {"criterion", ""}, {"reason", ""}},
+                 {},
+                 {}};
 }
 
 Check::~Check() {
   record_.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   if (std::uncaught_exceptions() > exceptions_) record_.error = "the test ended by an exception";
   try {
+    if (!assertions_.rows.empty()) {
+      record_.check({.id = "assertions",
+                     .text = record_.title + ": all of the table of assertions hold.",
+                     .quantity = "largest part of a limit that is used",
+                     .source = "table of assertions"},
+                    {.value = used_.value()},
+                    evidence::Bound{1,
+                                    "each has its own limit and reason; round-off and presence count 0 "
+                                    "where they are met, infinity where not"});
+      record_.table(std::move(assertions_));
+    }
     evidence::write(record_, evidence_directory());
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "record %s could not be written: %s\n", record_.name.c_str(), failure.what());
@@ -69,21 +88,44 @@ void Check::expect(const std::string& id) {
   CHECK(found->as_declared());
 }
 
+void Check::expect(const std::string& what, const char* kind, const std::string& reason, const evidence::Judgement& j) {
+  const bool number = kind != std::string("roundoff") && kind != std::string("qualitative");
+  const double infinity = std::numeric_limits<double>::infinity();
+  used_.add(j.verdict != evidence::Verdict::pass ? infinity
+            : number && j.limit > 0              ? (j.measured - j.expected) / j.limit
+                                                 : 0);
+  assertions_.rows.push_back({what, j.measured, j.expected, j.limit, kind, reason});
+  CAPTURE(what, kind, j.measured, j.uncertainty.value_or(std::numeric_limits<double>::quiet_NaN()), j.expected, j.limit,
+          j.note);
+  CHECK(evidence::name(j.verdict) == evidence::name(evidence::Verdict::pass));
+}
+
+void Check::holds(const std::string& what, const evidence::Measurement& measurement,
+                  const evidence::Criterion& criterion) {
+  constexpr std::array kinds{"roundoff", "order", "bound", "uncertainty", "qualitative"};  // as the variant has them
+  expect(what, kinds[criterion.index()], std::visit([](const auto& c) { return c.reason; }, criterion),
+         judge(measurement, settled(criterion, measurement.told)));
+}
+
+void Check::holds(const std::string& what, const evidence::ObservedOrder& observed, const evidence::Order& criterion) {
+  expect(what, "order", criterion.reason, judge(observed, criterion));
+}
+
 void Check::that(const evidence::Claim& claim, const evidence::Measurement& measurement,
                  const evidence::Criterion& criterion) {
-  record_.check(claim, measurement, criterion);
+  record_.check(sourced(claim), measurement, criterion);
   expect(claim.id);
 }
 
 void Check::that(const evidence::Claim& claim, const evidence::ObservedOrder& observed,
                  const evidence::Order& criterion) {
-  record_.check(claim, observed, criterion);
+  record_.check(sourced(claim), observed, criterion);
   expect(claim.id);
 }
 
 void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
                           const evidence::Criterion& criterion, const evidence::KnownFailure& failure) {
-  record_.known_failure(claim, measurement, criterion, failure);
+  record_.known_failure(sourced(claim), measurement, criterion, failure);
   expect(claim.id);
 }
 

@@ -49,8 +49,7 @@ inline void check_table(Check& check, const std::string& id, const std::string& 
        .quantity = "largest deviation, in units of what the printed digits allow",
        .source = source},
       {.value = worst.value()},
-      evidence::Bound{.limit = 1,
-                      .reason = "half a unit of the last digit printed or, where larger, " + accuracy.reason});
+      evidence::Bound{1, "half a unit of the last digit printed or, where larger, " + accuracy.reason});
 }
 
 }  // namespace seiche::verification

@@ -14,8 +14,7 @@ namespace conical_island_energy_test {
 
 using namespace seiche;
 using dispersive_shallow_water_2d::Flow;
-using evidence::Bound;
-using evidence::Roundoff;
+using namespace seiche::verification;
 
 constexpr double spacing = 1;  // [m]
 constexpr double after = 1;    // [s]: the water has been highest in front of the island
@@ -26,7 +25,7 @@ validation::ConicalIsland island() {
 }
 
 TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation][full]") {
-  verification::Check check(
+  Check check(
       "conical_island_energy", "A wave climbs an island: conservative steps",
       "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, cells "
       "next "
@@ -56,24 +55,21 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
               .unit = "s",
               .source = source},
              {.value = std::max(end - flow.time(), 0.0), .resolution = resolution, .where = stopped},
-             Bound{.limit = 1e-9, .reason = "rounding of the time; with friction the same wave passes"});
+             Bound{1e-9, "rounding of the time; with friction the same wave passes"});
   check.that({.id = "climbs",
               .text = "The water has climbed the island.",
               .quantity = "largest elevation of the shoreline over the wave's height",
               .source = source},
              {.value = highest.value() / (0.045 * 0.32), .resolution = resolution},
-             Bound{.limit = 1.25,
-                   .reason = "the height is doubled at a wall; the experiment's largest is 2.8",
-                   .expected = 2.5});
+             Bound{1.25, "the height is doubled at a wall; the experiment's largest is 2.8", 2.5});
   check.that({.id = "energy",
               .text = "Energy of the wave at the island is conserved to round-off.",
               .quantity = "largest change over the first value",
               .source = source},
              {.value = drift.value(), .resolution = resolution},
-             Roundoff{.operations = static_cast<double>(flow.steps()),
-                      .scale = 100,
-                      .reason = "places of 20 m and sides of 0.2 m next to the shore: each step rounds their "
-                                "differences anew"});
+             Roundoff{static_cast<double>(flow.steps()), 100,
+                      "places of 20 m and sides of 0.2 m next to the shore: each step rounds their "
+                      "differences anew"});
 }
 
 }  // namespace conical_island_energy_test

@@ -20,8 +20,6 @@ using namespace seiche::verification;
 using Channel = FlatChannel<seiche::linear::PeriodicTridiagonal>;
 using seiche::largest;
 using seiche::worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 3";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -54,12 +52,7 @@ Conservation solitary(double tau, const Make& make) {
 }
 
 void known_digits(Check& check, const std::string& id, const std::string& text, double value, double expected) {
-  check.that({.id = id,
-              .text = text + " has its two recorded digits.",
-              .quantity = "largest relative defect, t <= 100",
-              .source = digits},
-             {.value = value},
-             Bound{.limit = 0.05, .reason = "expected values have two digits", .expected = expected, .relative = true});
+  check.holds(id + ": " + text, {value}, Bound{0.05, "expected values have two digits", expected, true});
 }
 
 TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "[conservation]") {
@@ -67,6 +60,7 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
       "mechanics_solitary_wave", "Solitary wave in a periodic flat channel: three schemes",
       "Amplitude 0.3, length 60, cells of 0.25, $t \\le 100$. One-step: energy and volumes err by $O(\\tau^2)$. With "
       "feedback the volumes no longer accumulate their drift. Fully conservative: all to round-off.");
+  check.source(source);
   const auto one_step = [](Channel& c) { return OneStep<Channel>(c); };
   const auto feedback = [](Channel& c) { return OneStep<Channel>(c, {.drift_feedback = true}); };
   const auto conservative = [](Channel& c) { return ConservativeStep<Channel>(c); };
@@ -102,34 +96,26 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
   const double steps = 2000;
   check.that({.id = "C-energy",
               .text = "Energy is conserved to round-off (conservative scheme).",
-              .quantity = "largest relative energy defect",
-              .source = source},
-             {.value = c2.energy, .resolution = "tau = 0.05"},
-             Roundoff{.operations = steps, .scale = 1, .reason = "one rounded energy per step"});
-  check.that({.id = "C-volume",
-              .text = "Fully conservative: every cell's volume to round-off.",
-              .quantity = "largest relative volume defect",
-              .source = source},
-             {.value = c2.volume, .resolution = "tau = 0.05"},
-             Roundoff{.operations = steps,
-                      .scale = 60 / 0.25,
-                      .reason = "one rounded marker position, up to the channel's length, per step and cell width"});
+              .quantity = "largest relative energy defect"},
+             {.value = c2.energy, .resolution = "tau = 0.05"}, Roundoff{steps, 1, "one rounded energy per step"});
   check.that(
-      {.id = "C-momentum",
-       .text = "Momentum to round-off with every scheme.",
-       .quantity = "largest momentum defect",
-       .source = source},
-      {.value = worst(
-           std::array{a1.momentum, a2.momentum, a3.momentum, b2.momentum, b3.momentum, c2.momentum, h2.momentum})},
-      Roundoff{.operations = 4000, .scale = 1.6, .reason = "one rounded update per step of the wave's momentum"});
+      {.id = "C-volume",
+       .text = "Fully conservative: every cell's volume to round-off.",
+       .quantity = "largest relative volume defect"},
+      {.value = c2.volume, .resolution = "tau = 0.05"},
+      Roundoff{steps, 60 / 0.25, "one rounded marker position, up to the channel's length, per step and cell width"});
+  check.that({.id = "C-momentum",
+              .text = "Momentum is conserved to round-off with every scheme.",
+              .quantity = "largest momentum defect"},
+             {.value = worst(std::array{a1.momentum, a2.momentum, a3.momentum, b2.momentum, b3.momentum, c2.momentum,
+                                        h2.momentum})},
+             Roundoff{4000, 1.6, "one rounded update per step of the wave's momentum"});
   check.that({.id = "C-feedback-volume",
-              .text = "Fully conservative with feedback: volumes no longer accumulate even rounding.",
+              .text = "Volumes do not accumulate rounding (conservative scheme with feedback).",
               .quantity = "largest relative volume defect",
               .source = digits + ": 4.5e-14"},
              {.value = h2.volume, .resolution = "tau = 0.05"},
-             Roundoff{.operations = 16,
-                      .scale = 60 / 0.25,
-                      .reason = "a few rounded marker positions, up to the channel's length, per cell width"});
+             Roundoff{16, 60 / 0.25, "a few rounded marker positions, up to the channel's length, per cell width"});
 }
 
 TEST_CASE("each sweep of the implicit step gains a fixed number of digits", "[conservation]") {
@@ -141,17 +127,11 @@ TEST_CASE("each sweep of the implicit step gains a fixed number of digits", "[co
     const Conservation c =
         solitary(0.1, [&](Channel& channel) { return ConservativeStep<Channel>(channel, {.fixed_sweeps = sweeps}); });
     const std::string n = std::to_string(sweeps);
-    known_digits(check, "energy-" + n, "The energy error with " + n + " sweeps", c.energy, energies[sweeps - 1]);
+    known_digits(check, "energy-" + n, n + " sweeps: energy.", c.energy, energies[sweeps - 1]);
     if (sweeps < 4) {
-      check.that({.id = "volume-" + n,
-                  .text = "The cell-volume error with " + n + " sweeps has its recorded order of magnitude.",
-                  .quantity = "largest relative volume defect",
-                  .source = digits},
-                 {.value = c.volume},
-                 Bound{.limit = 0.1,
-                       .reason = "two digits, relative to cells of 0.25 that are 1 % wider here",
-                       .expected = volumes[sweeps - 1],
-                       .relative = true});
+      check.holds(
+          n + " sweeps: cell volume.", {c.volume},
+          Bound{0.1, "two digits, relative to cells of 0.25 that are 1 % wider here", volumes[sweeps - 1], true});
     }
   }
 }
@@ -189,13 +169,13 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
               .quantity = "largest energy defect",
               .source = "Quispel & McLaren, J. Phys. A 41 (2008) 045206"},
              {.value = largest(std::array{plain.first, composed.first})},
-             Roundoff{.operations = 20000, .scale = 10, .reason = "one rounded energy, of terms up to 10, per step"});
+             Roundoff{20000, 10, "one rounded energy, of terms up to 10, per step"});
   check.that({.id = "links",
               .text = "Link lengths of the chain are conserved to round-off.",
               .quantity = "largest link defect",
               .source = "bilinear constraints at the middle"},
              {.value = largest(std::array{plain.second, composed.second})},
-             Roundoff{.operations = 20000, .scale = 3, .reason = "one rounded coordinate, up to 3, per step"});
+             Roundoff{20000, 3, "one rounded coordinate, up to 3, per step"});
 }
 
 TEST_CASE("implicit steps do not depend on when they begin nor on who counts them", "[conservation]") {
@@ -234,19 +214,11 @@ TEST_CASE("implicit steps do not depend on when they begin nor on who counts the
     }
     const std::string id = composed ? "composed-" : "plain-";
     const std::string name = composed ? "Suzuki's composition" : "plain steps";
-    check.measure(name + ": sweeps of 200 steps", static_cast<double>(first.sweeps));
-    check.that({.id = id + "bytes",
-                .text = "Coordinates and rates do not depend on the first time, nor on who counts steps: " + name + ".",
-                .quantity = "of six runs, those that end otherwise than the first",
-                .source = "the system is autonomous"},
-               {.value = static_cast<double>(different), .resolution = "200 steps"},
-               Bound{.limit = 0, .reason = "equality of bytes"});
-    check.that({.id = id + "sweeps",
-                .text = "The number of sweeps does not either: " + name + ".",
-                .quantity = "most sweeps of a run less those of the first",
-                .source = "the system is autonomous"},
-               {.value = static_cast<double>(most - first.sweeps), .resolution = "200 steps"},
-               Bound{.limit = 0, .reason = "every step but the first extrapolates"});
+    check.holds(
+        id + "bytes: Coordinates and rates do not depend on the first time, nor on who counts steps: " + name + ".",
+        {static_cast<double>(different)}, Bound{0, "equality of bytes"});
+    check.holds(id + "sweeps: The number of sweeps does not either: " + name + ".",
+                {static_cast<double>(most - first.sweeps)}, Bound{0, "every step but the first extrapolates"});
   }
 }
 

@@ -11,7 +11,7 @@ namespace dispersive_elementary_volumes_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, figure 4 and formula (10)";
 
@@ -86,7 +86,7 @@ Shape shape_of(const std::vector<Point>& outline) {
   return shape;
 }
 
-void draw(verification::Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
+void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
   auto& figure = check.figure(
       "model", "The discrete shallow-water model on a slope",
       "Markers on the surface; elementary volumes, bounded by verticals at the middle abscissas between markers; the "
@@ -113,7 +113,7 @@ void draw(verification::Check& check, const Shore& shore, const std::vector<Shap
 }
 
 TEST_CASE("particles of the dispersive model have the mass of their elementary volumes", "[conservation]") {
-  verification::Check check(
+  Check check(
       "conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
       "The water between the surface through the markers and the bottom is cut by verticals at the middles between "
       "markers. A particle has the mass of its piece, constant in time. Here the pieces are measured as polygons, over "
@@ -133,11 +133,8 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
   }
   const double water = shape_of(shore.outline(shore.markers.x.front(), shore.markers.x.back())).area;
   const auto claim = [&](const std::string& id, const std::string& text, double defect, double scale) {
-    check.that({.id = id, .text = text, .quantity = "largest defect", .unit = "H^2", .source = source},
-               {.value = defect},
-               evidence::Roundoff{.operations = 40,
-                                  .scale = scale,
-                                  .reason = "products x y of the polygon's corners, eight corners of five operations"});
+    check.holds(id + ": " + text, {defect},
+                Roundoff{40, scale, "products x y of the polygon's corners, eight corners of five operations"});
   };
   claim("masses", "The masses are the areas of the elementary volumes.", worst_mass.value(), 7.2);
   claim("cells", "The constant volumes are the areas between neighbouring markers.", worst_cell.value(), 7.2);
@@ -150,18 +147,15 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
               .quantity = "mass of the tip/area of the last cell",
               .source = source},
              {.value = model.masses().back() / triangle},
-             evidence::Roundoff{
-                 .operations = 10, .scale = 0.25, .reason = "two areas of five operations each", .expected = 0.25});
+             Roundoff{10, 0.25, "two areas of five operations each", 0.25});
   Channel consistent = shore.channel;
   consistent.tip_mass = TipMass::consistent;
-  check.that(
-      {.id = "tip-consistent",
-       .text = "The consistent tip mass is a sixth of it.",
-       .quantity = "mass of the tip/area of the last cell",
-       .source = "rigid acceleration of a plane surface over a plane slope"},
-      {.value = Model(consistent, shore.markers).masses().back() / triangle},
-      evidence::Roundoff{
-          .operations = 10, .scale = 1.0 / 6, .reason = "two areas of five operations each", .expected = 1.0 / 6});
+  check.that({.id = "tip-consistent",
+              .text = "The consistent tip mass is a sixth of it.",
+              .quantity = "mass of the tip/area of the last cell",
+              .source = "rigid acceleration of a plane surface over a plane slope"},
+             {.value = Model(consistent, shore.markers).masses().back() / triangle},
+             Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
   draw(check, shore, volumes);
 }
 

@@ -17,7 +17,7 @@
 namespace dispersive_plan_bottom_reduction_test {
 
 using namespace seiche;
-using evidence::Roundoff;
+using namespace seiche::verification;
 using mechanics::Stepping;
 namespace plan = dispersive_shallow_water_2d;
 namespace line = dispersive_shallow_water_1d;
@@ -115,7 +115,7 @@ Difference difference(const Slope& slope, std::size_t rows, Stepping stepping, b
 
 TEST_CASE("waves of the plan model over a bottom uneven along one axis are those of the one-dimensional model",
           "[conservation]") {
-  verification::Check check(
+  Check check(
       "dispersive_plan_bottom_reduction", "Plan model over slopes: waves along one axis",
       "Water of equal depth 1 over a slope of 1:50, and over one that is bent, runs down with a jet of 0.2 in it, in a "
       "channel of 30 depths with walls all around, 60 columns, 100 steps of 0.2. One and three rows of the plan model, "
@@ -147,28 +147,22 @@ TEST_CASE("waves of the plan model over a bottom uneven along one axis are those
         const evidence::Measurement measured{.value = found.along, .resolution = "h = 0.5, tau = 0.2, 100 steps"};
         if (bottom.slope.bend != 0 && stepping == Stepping::conservative) {
           check.that(same, measured,
-                     evidence::Bound{.limit = 1e-10,
-                                     .reason = "the one-dimensional model holds its frames from the fourth sweep of a "
-                                               "step on: sweeps contract by (omega tau)^2/4 = 0.03, so three leave "
-                                               "3e-5 of the first change of an angle, b'' a tau^2/2 = 1e-6 with "
-                                               "accelerations a of 0.03; times velocities of 0.3 and the step 2e-12, "
-                                               "and 100 steps"});
+                     Bound{1e-10,
+                           "the one-dimensional model holds its frames from the fourth sweep of a "
+                           "step on: sweeps contract by (omega tau)^2/4 = 0.03, so three leave "
+                           "3e-5 of the first change of an angle, b'' a tau^2/2 = 1e-6 with "
+                           "accelerations a of 0.03; times velocities of 0.3 and the step 2e-12, "
+                           "and 100 steps"});
         } else {
           check.that(same, measured,
-                     Roundoff{.operations = 4 * steps,
-                              .scale = length,
-                              .reason = "both models round places up to the channel's length once in a step, and the "
-                                        "integral of the bottom under a cell, as long, likewise; sweeps begin anew"});
+                     Roundoff{4 * steps, length,
+                              "both models round places up to the channel's length once in a step, and the "
+                              "integral of the bottom under a cell, as long, likewise; sweeps begin anew"});
         }
-        check.that({.id = id + "-across",
-                    .text = "Displacement and velocity across the channel stay zero to round-off.",
-                    .quantity = "largest displacement and velocity across the channel",
-                    .source = source},
-                   {.value = found.across, .resolution = "h = 0.5, tau = 0.2, 100 steps"},
-                   Roundoff{.operations = 2 * steps,
-                            .scale = variant.along_y ? length : 0.7 * static_cast<double>(variant.rows),
-                            .reason = "places and velocities up to the width are rounded twice in a step; along y the "
-                                      "bottom's integral is taken between places along it"});
+        check.holds(id + "-across: Nothing moves across.", {found.across},
+                    Roundoff{2 * steps, variant.along_y ? length : 0.7 * static_cast<double>(variant.rows),
+                             "places and velocities up to the width are rounded twice in a step; along y the "
+                             "bottom's integral is taken between places along it"});
       }
     }
   }

@@ -19,8 +19,6 @@ namespace dispersive_plan_energy_test {
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1, 3 and 4.2";
 
@@ -85,25 +83,14 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
       const Defects d = defects(conservative, basin.lattice, basin.settings, tau, 5);
       const std::string id = fmt::format("{}-{}", basin.id, tau == 0.1 ? "short" : "long");
       const double steps = 5 / tau;
-      const std::string resolution = fmt::format("h = 0.5, tau = {:g}", tau);
-      check.that({.id = id + "-energy",
-                  .text = "Energy is conserved to round-off over " + basin.text + ".",
-                  .quantity = "largest energy defect over the hump's energy",
-                  .source = source},
-                 {.value = d.energy, .resolution = resolution},
-                 Roundoff{.operations = 2 + 100 * steps / basin.spread,
-                          .scale = 1,
-                          .reason = "some 100 roundings in a step of the energy's part at a node; squares add up, so "
-                                    "that it counts over how many nodes the energy is spread, never fewer than at the "
-                                    "beginning; and of the energies themselves"});
-      check.that({.id = id + "-volume",
-                  .text = "Every cell's volume is conserved to round-off over " + basin.text + ".",
-                  .quantity = "largest defect of a volume over a cell's volume",
-                  .source = source},
-                 {.value = d.volume, .resolution = resolution},
-                 Roundoff{.operations = 12 * steps,
-                          .scale = basin.lattice.x.back() / 0.5,
-                          .reason = "12 rounded places, up to the box's length, per step and over a cell's side, 0.5"});
+      check.holds(id + "-energy: Energy to round-off over " + basin.text + ".", {d.energy},
+                  Roundoff{2 + 100 * steps / basin.spread, 1,
+                           "some 100 roundings in a step of the energy's part at a node; squares add up, so "
+                           "that it counts over how many nodes the energy is spread, never fewer than at the "
+                           "beginning; and of the energies themselves"});
+      check.holds(id + "-volume: Every cell's volume to round-off over " + basin.text + ".", {d.volume},
+                  Roundoff{12 * steps, basin.lattice.x.back() / 0.5,
+                           "12 rounded places, up to the box's length, per step and over a cell's side, 0.5"});
     }
   }
 }
@@ -124,26 +111,20 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
       panel.line(fmt::format("tau = {:g}", tau), d.times, d.energies);
       energies.push_back(d.energy);
       volumes.push_back(d.volume);
-      check.measure(fmt::format("{}: energy defect at tau = {:g}", id, tau), d.energy);
-      check.measure(fmt::format("{}: volume defect at tau = {:g}", id, tau), d.volume);
       if (tau != taus.back()) continue;
-      check.that({.id = id + "-no-drift",
-                  .text = "The energy error does not drift over ten times as long a run.",
-                  .quantity = "largest energy defect of the whole run over that of its first half",
-                  .source = source},
-                 {.value = d.energy / d.first_half},
-                 Bound{.limit = 0.5, .reason = "a drift would double it", .expected = 1});
+      check.holds(id + "-no-drift: The energy does not drift.", {d.energy / d.first_half},
+                  Bound{0.5, "a drift would double it", 1});
     }
     const auto order = [&](const std::string& what, const std::vector<double>& errors) {
       check.that({.id = id + "-order-" + what,
                   .text = "The largest defect of " + what + " is of second order.",
                   .quantity = "observed order",
                   .source = source},
-                 seiche::evidence::observed_order(taus, errors),
-                 seiche::evidence::Order{.theory = 2,
-                                         .tolerance = 0.3,
-                                         .reason = "a symmetric scheme of second order; the "
-                                                   "maximum over time is not a smooth function of the step"});
+                 observed_order(taus, errors),
+                 Order{.theory = 2,
+                       .tolerance = 0.3,
+                       .reason = "a symmetric scheme of second order; the "
+                                 "maximum over time is not a smooth function of the step"});
     };
     order("energy", energies);
     order("volumes", volumes);

@@ -13,7 +13,7 @@ namespace dispersive_plan_far_bottom_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
-using evidence::Roundoff;
+using namespace seiche::verification;
 
 constexpr double begin = 400;  // of the water
 constexpr double length = 10;
@@ -44,13 +44,13 @@ Flow basin() {
 }
 
 TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {
-  verification::Check check(
+  Check check(
       "dispersive_plan_far_bottom", "Conservative steps far along a surveyed bottom",
       "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the integral of "
       "the bottom, which volumes are sums of, has counted to 300 there, while far from the hump markers move by less "
       "than a millionth. The discrete gradient divides by such ways; what it divides must not have the round-off of "
       "the integral, or sweeps never settle.");
-  const std::string source = "Frank (1994), chapter 1 and section 4.2; discrete gradients: McLachlan et al. (1999)";
+  check.source(source);
   Flow flow = basin();
   const double energy = flow.energy();
   int done = 0;
@@ -63,19 +63,15 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
   } catch (const Divergence&) {
     // Told by the number of steps.
   }
-  check.that(
-      {.id = "settles", .text = "The sweeps of every step settle.", .quantity = "steps that did not", .source = source},
-      {.value = static_cast<double>(steps - done)},
-      evidence::Bound{.limit = 0, .reason = "sweeps contract by (omega tau)^2/4 = 0.02"});
+  check.that({.id = "settles", .text = "The sweeps of every step settle.", .quantity = "steps that did not"},
+             {.value = static_cast<double>(steps - done)}, Bound{0, "sweeps contract by (omega tau)^2/4 = 0.02"});
   check.that({.id = "energy",
               .text = "Energy is conserved to round-off where the bathymetry reaches far.",
-              .quantity = "largest change over the first value",
-              .source = source},
+              .quantity = "largest change over the first value"},
              {.value = drift.value()},
-             Roundoff{.operations = steps,
-                      .scale = begin / 0.5,
-                      .reason = "the width of a cell, half a depth, is a difference of places of 400, rounded anew "
-                                "in each step"});
+             Roundoff{steps, begin / 0.5,
+                      "the width of a cell, half a depth, is a difference of places of 400, rounded anew "
+                      "in each step"});
   std::vector<double> changes(flow.model().constraints());
   flow.model().constraint_values(flow.state().q, changes);
   Worst volume;
@@ -83,13 +79,11 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
   check.that({.id = "volume",
               .text = "The volume of every cell is conserved to round-off.",
               .quantity = "largest change of a volume",
-              .unit = "depth^3",
-              .source = source},
+              .unit = "depth^3"},
              {.value = volume.value()},
-             Roundoff{.operations = 24.0 + steps,
-                      .scale = 0.75 * begin * 0.5,
-                      .reason = "the volume itself is a sum of four edges half a depth long, each with the integral, "
-                                "300, at three places; steps add what they round"});
+             Roundoff{24.0 + steps, 0.75 * begin * 0.5,
+                      "the volume itself is a sum of four edges half a depth long, each with the integral, "
+                      "300, at three places; steps add what they round"});
 }
 
 }  // namespace dispersive_plan_far_bottom_test

@@ -15,10 +15,6 @@ namespace dispersive_plan_gradients_test {
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
-using evidence::Bound;
-using evidence::Roundoff;
-
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4.2, formulas 9, 10";
 
 /// 6 x 5 cells, uneven surface, off a rectangle at random; nothing holds them.
 Lattice uneven_lattice(std::shared_ptr<const PlanBottom> bottom) {
@@ -132,19 +128,17 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
               "polynomials of degree one and two in each coordinate: their differences have no error but rounding, "
               "1e-16 of the volume over twice the step.");
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.that({.id = id, .text = text, .quantity = "largest error of an entry", .source = source},
-               {.value = value, .resolution = "step 1e-4"},
-               Bound{1e-9,
-                     "differences: step^2/6 of the third derivatives of the bottom, 1e-9 of their 0.1, and roundings "
-                     "of 1e-16 over 2e-4, 1e-12"});
+    check.holds(id + ": " + text, {value},
+                Bound{1e-9,
+                      "differences: step^2/6 of the third derivatives of the bottom, 1e-9 of their 0.1, and roundings "
+                      "of 1e-16 over 2e-4, 1e-12"});
   };
   Model level(uneven_lattice({}));
   Model polynomial(uneven_lattice(quartic_bottom()));
   Model bump(uneven_lattice(std::make_shared<BumpBottom>()));
   Model improved(uneven_lattice({}), {.inertia = 0.4, .gamma = 1.0 / 15});
   const auto exact = [&](const std::string& id, const std::string& text, double value, const Roundoff& rounding) {
-    check.that({.id = id, .text = text, .quantity = "largest error of an entry", .source = source},
-               {.value = value, .resolution = "step 1e-4"}, rounding);
+    check.holds(id + ": " + text, {value}, rounding);
   };
   exact("level", "Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
         {.operations = 200,
@@ -186,8 +180,7 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
     moment_error.add(bilinear_patch::moment(x, y, z) - gauss(x, y, z, [](double at) { return at * at / 2; }));
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.that({.id = id, .text = text, .quantity = "largest difference", .source = source}, {.value = value},
-               Roundoff{.operations = 60, .scale = 1, .reason = "some 60 operations on numbers of size one"});
+    check.holds(id + ": " + text, {value}, Roundoff{60, 1, "some 60 operations on numbers of size one"});
   };
   claim("triangulations", "The volume is the mean of the two triangulations.", mean.value());
   claim("volume", "The volume under a bilinear patch equals the integral by quadrature.", volume_error.value());

@@ -15,7 +15,7 @@
 namespace dispersive_plan_reduction_test {
 
 using namespace seiche;
-using evidence::Roundoff;
+using namespace seiche::verification;
 using mechanics::Stepping;
 namespace plan = dispersive_shallow_water_2d;
 namespace line = dispersive_shallow_water_1d;
@@ -64,7 +64,7 @@ plan::Flow plan_flow(std::size_t rows, Stepping stepping, bool along_y, double g
 }
 
 TEST_CASE("waves of the plan model along one axis are those of the one-dimensional model", "[conservation]") {
-  verification::Check check(
+  Check check(
       "dispersive_plan_reduction", "Plan model: waves along one axis",
       "A jet of 0.4 in still water of a channel of 30 depths, 60 columns, 100 steps of 0.2, with walls all around. "
       "One, two and four rows of the plan model, along x and along y, and the one-dimensional model give the same "
@@ -107,25 +107,13 @@ TEST_CASE("waves of the plan model along one axis are those of the one-dimension
       }
       const std::string id = fmt::format("{}{}{}{}", stepping == Stepping::one_step ? "one-step-" : "conservative-",
                                          variant.rows, variant.along_y ? "-turned" : "", gamma > 0 ? "-improved" : "");
-      const std::string source =
-          "Frank, Discrete models of incompressible fluid (1994), chapter 3 and section 4.2: formula 8 in plan";
-      check.that({.id = id,
-                  .text = fmt::format("{} rows move as the one-dimensional model.", variant.rows),
-                  .quantity = "largest difference of a coordinate or velocity",
-                  .source = source},
-                 {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2, 100 steps"},
-                 Roundoff{.operations = 2 * steps,
-                          .scale = length,
-                          .reason = "both models round places up to the channel's length once in a step; what is "
-                                    "added to them is small, and sweeps begin anew"});
-      check.that({.id = id + "-across",
-                  .text = "Displacement and velocity across the channel stay zero to round-off.",
-                  .quantity = "largest displacement and velocity across the channel",
-                  .source = source},
-                 {.value = across.value(), .resolution = "h = 0.5, tau = 0.2, 100 steps"},
-                 Roundoff{.operations = 2 * steps,
-                          .scale = 0.7 * static_cast<double>(variant.rows),
-                          .reason = "places and velocities up to the width are rounded twice in a step"});
+      check.holds(id + ": " + fmt::format("{} rows move as the one-dimensional model.", variant.rows), {worst.value()},
+                  Roundoff{2 * steps, length,
+                           "both models round places up to the channel's length once in a step; what is "
+                           "added to them is small, and sweeps begin anew"});
+      check.holds(id + "-across: Nothing moves across.", {across.value()},
+                  Roundoff{2 * steps, 0.7 * static_cast<double>(variant.rows),
+                           "places and velocities up to the width are rounded twice in a step"});
     }
   }
 }

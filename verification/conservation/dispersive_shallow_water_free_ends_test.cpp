@@ -14,8 +14,7 @@ namespace dispersive_shallow_water_free_ends_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
-using seiche::evidence::Roundoff;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 constexpr double half_length = 5;
 constexpr std::size_t cells = 80;
@@ -70,15 +69,9 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
       off_course.add(centre() - start - speed * flow.time());
       if (conservative && k % (steps / 5) == 0) panel.line(fmt::format("t = {:.0f}", flow.time()), flow.x(), flow.y());
     }
-    const std::string resolution = fmt::format("{} cells, tau = {:g}, {} steps", cells, tau, steps);
     const auto claim = [&](const std::string& what, const std::string& text, double value, double magnitude,
                            const std::string& reason) {
-      check.that({.id = id + "-" + what,
-                  .text = text,
-                  .quantity = "largest defect",
-                  .source = "nothing acts on the patch from outside"},
-                 {.value = value, .resolution = resolution},
-                 Roundoff{.operations = steps, .scale = magnitude, .reason = reason + ", once per step"});
+      check.holds(id + "-" + what + ": " + text, {value}, Roundoff{steps, magnitude, reason + ", once per step"});
     };
     claim("momentum", "Momentum is conserved to round-off between free ends.", flow.ledger().largest_defect("momentum"),
           scale.value(), "rounding of each marker's m|u|, whose squares add up");

@@ -19,8 +19,6 @@ using namespace seiche::mechanics;
 using namespace seiche::verification;
 using seiche::Point;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, proposition 4";
 
@@ -68,34 +66,29 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
       "Without the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, "
       "and its angular momentum changes sign at every step; likewise the momentum without a translation. Energy "
       "asks nothing of the space: it is kept with the single field of the stream function x^3 y^2.");
-  const std::string resolution = "48 particles, 1000 steps";
   const double mass = std::acos(-1.0);
-  const auto kept = [&](const std::string& id, const std::string& text, const std::string& quantity, double defect,
-                        double scale) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = source},
-               {.value = defect, .resolution = resolution},
-               Roundoff{.operations = steps,
-                        .scale = scale,
-                        .reason = "one rounded velocity per step; scale: sums of "
-                                  "magnitudes, at most 3 times the mass"});
+  const auto kept = [&](const std::string& id, const std::string& text, double defect, double scale) {
+    check.holds(id + ": " + text, {defect},
+                Roundoff{steps, scale,
+                         "one rounded velocity per step; scale: sums of "
+                         "magnitudes, at most 3 times the mass"});
   };
   {
     Problem all(linear_fields(), mixed);
     const InvariantsLedger ledger = all.run();
-    kept("all-energy", "Energy is conserved to round-off with all linear fields.", "largest defect of the energy",
-         ledger.largest_defect("energy"), 3 * mass);
-    kept("all-momentum", "Momentum is conserved to round-off with all linear fields.", "largest defect of the momentum",
+    kept("all-energy", "Energy is conserved to round-off with all linear fields.", ledger.largest_defect("energy"),
+         3 * mass);
+    kept("all-momentum", "Momentum is conserved to round-off with all linear fields.",
          ledger.largest_defect("momentum"), 3 * mass);
-    kept("all-angular", "With all linear fields: angular momentum.", "largest defect of the angular momentum",
-         ledger.largest_defect("angular"), 3 * mass);
+    kept("all-angular", "With all linear fields: angular momentum.", ledger.largest_defect("angular"), 3 * mass);
   }
   {
     Problem no_rotation(without(2), mixed);
     const InvariantsLedger ledger = no_rotation.run();
-    kept("no-rotation-energy", "Energy is conserved to round-off without the rotation.", "largest defect of the energy",
+    kept("no-rotation-energy", "Energy is conserved to round-off without the rotation.",
          ledger.largest_defect("energy"), 3 * mass);
     kept("no-rotation-momentum", "Momentum is conserved to round-off without the rotation.",
-         "largest defect of the momentum", ledger.largest_defect("momentum"), 3 * mass);
+         ledger.largest_defect("momentum"), 3 * mass);
   }
   const auto reflected = [&](const std::string& id, const std::string& text, std::size_t field,
                              const std::function<Point(Point)>& velocity, const std::string& entry) {
@@ -107,9 +100,8 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
     const double first = watch.ledger().entry(entry).initial;
     step.step(problem.state, tau);
     watch.record(problem.state);
-    check.that({.id = id, .text = text, .quantity = "value after one step over that before", .source = source},
-               {.value = watch.ledger().entry(entry).value / first, .resolution = "48 particles, one step"},
-               Roundoff{.operations = 48, .scale = 1, .reason = "a sum over 48 particles", .expected = -1});
+    check.holds(id + ": " + text, {watch.ledger().entry(entry).value / first},
+                Roundoff{48, 1, "a sum over 48 particles", -1});
   };
   reflected("no-rotation-reflects", "Without the rotation the angular momentum changes sign.", 2, turning,
             "angular_momentum_z");
@@ -121,7 +113,7 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
       "momentum_x");
   {
     Problem odd({{{1, 3, 2}}}, mixed);
-    kept("odd-energy", "With a single field, of the stream function x^3 y^2: energy.", "largest defect of the energy",
+    kept("odd-energy", "With a single field, of the stream function x^3 y^2: energy.",
          odd.run().largest_defect("energy"), 3 * mass);
   }
 }
@@ -149,16 +141,12 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
     ProjectedStep<Model> step(model);
     for (long k = 0; k < std::lround(2 / length); ++k) step.step(state, length);
     const double loss = first - model.kinetic_energy(state.q, state.u);
-    check.that(
-        {.id = "tau-" + std::to_string(std::lround(1 / length)),
-         .text = "The loss is the predicted one: 1/tau = " + std::to_string(std::lround(1 / length)) + ".",
-         .quantity = "loss of energy up to t = 2 over the prediction",
-         .source = source},
-        {.value = loss / (length / 2 * integral), .resolution = "300 particles"},
-        Bound{.limit = length / 2 * first_rate / integral,
-              .reason = "a sum that takes |a|^2, which falls all the time, at an end of each step errs by half a step "
-                        "times its first value",
-              .expected = 1});
+    check.holds("The loss is the predicted one: 1/tau = " + std::to_string(std::lround(1 / length)) + ".",
+                {loss / (length / 2 * integral)},
+                Bound{length / 2 * first_rate / integral,
+                      "a sum that takes |a|^2, which falls all the time, at an end of each step errs by half a step "
+                      "times its first value",
+                      1});
   }
 }
 
@@ -189,16 +177,14 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
               .quantity = "largest distance along an axis from the exact place",
               .source = source},
              {.value = spray.value(), .resolution = resolution},
-             Roundoff{.operations = count, .scale = 5, .reason = "one rounding of places up to 5 per step"});
-  check.that(
-      {.id = "drop",
-       .text = "The drop falls as a whole.",
-       .quantity = "largest distance along an axis from the exact place",
-       .source = source},
-      {.value = fallen.value(), .resolution = resolution},
-      Roundoff{.operations = count * count,
-               .scale = 1,
-               .reason = "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
+             Roundoff{count, 5, "one rounding of places up to 5 per step"});
+  check.that({.id = "drop",
+              .text = "The drop falls as a whole.",
+              .quantity = "largest distance along an axis from the exact place",
+              .source = source},
+             {.value = fallen.value(), .resolution = resolution},
+             Roundoff{count * count, 1,
+                      "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
 }
 
 TEST_CASE("markers among free particles are never reflected", "[conservation]") {
@@ -221,7 +207,7 @@ TEST_CASE("markers among free particles are never reflected", "[conservation]") 
               .quantity = "distance of the velocities",
               .source = source},
              {.value = std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
-             Roundoff{.operations = 100, .scale = 1, .reason = "a projection of 48 particles onto five fields"});
+             Roundoff{100, 1, "a projection of 48 particles onto five fields"});
 }
 
 }  // namespace gauss_particles_spaces_test

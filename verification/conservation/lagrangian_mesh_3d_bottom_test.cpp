@@ -14,7 +14,6 @@ using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
 using seiche::Worst;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.1";
 constexpr double duration = 6;
@@ -61,25 +60,19 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
       "the conservative scheme takes mean gradients of it too, the one-step scheme keeps it within the square of the "
       "step.");
   const Defects kept = defects({.stepping = Stepping::conservative}, 0.1);
-  const auto roundoff = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
-                            double operations, double scale, const std::string& reason) {
-    check.that({.id = "conservative-" + id, .text = text, .quantity = quantity, .source = source},
-               {.value = value, .resolution = "tau = 0.1, conservative"},
-               Roundoff{.operations = operations, .scale = scale, .reason = reason});
+  const auto roundoff = [&](const std::string& id, const std::string& text, double value, double operations,
+                            double scale, const std::string& reason) {
+    check.holds("conservative-" + id + ": " + text, {value}, Roundoff{operations, scale, reason});
   };
-  roundoff("energy", "The conservative scheme keeps the energy to round-off.",
-           "largest energy defect over the hump's energy", kept.energy, 2 + 64 * 60 / 3.0, 1,
+  roundoff("energy", "The conservative scheme keeps the energy to round-off.", kept.energy, 2 + 64 * 60 / 3.0, 1,
            "some 64 roundings in each of 60 steps of the energy's part at a node; squares add up, so that it counts "
            "over how many nodes the energy is spread: three at the beginning, (sum e)^2/sum e^2 for e = exp(-1.2 r^2), "
            "2.6 square depths");
-  roundoff("volume", "The conservative scheme keeps every cell's volume to round-off.",
-           "largest defect of a volume over a cell's volume", kept.volume, 60 * 24, 6 / 0.2,
+  roundoff("volume", "The conservative scheme keeps every cell's volume to round-off.", kept.volume, 60 * 24, 6 / 0.2,
            "24 rounded places, up to 6 depths, per step and over the smallest height of a cell, 0.2");
-  roundoff("bottom", "The conservative scheme keeps the nodes on the bottom to round-off.",
-           "largest distance of a node from the bottom", kept.bottom, 60 * 3, 6,
+  roundoff("bottom", "The conservative scheme keeps the nodes on the bottom to round-off.", kept.bottom, 60 * 3, 6,
            "three rounded places, up to 6 depths, per step; the bottom is of degree three, and Gauss's rule exact");
-  roundoff("oblique", "Nodes on the bottom that slide along the oblique wall stay at it.",
-           "largest distance of a node from the wall", kept.oblique, 60 * 2, 6,
+  roundoff("oblique", "Nodes on the bottom that slide along the oblique wall stay at it.", kept.oblique, 60 * 2, 6,
            "two rounded places, up to 6 depths, per step");
   const std::vector<double> taus{0.2, 0.1, 0.05, 0.025};
   std::vector<double> energies;
@@ -93,11 +86,11 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
     check.that({.id = "order-" + id, .text = text, .quantity = "observed order", .source = source},
-               seiche::evidence::observed_order(taus, errors),
-               seiche::evidence::Order{.theory = 2,
-                                       .tolerance = 0.3,
-                                       .reason = "a symmetric scheme of second order; the maximum over time is not a "
-                                                 "smooth function of the step"});
+               observed_order(taus, errors),
+               Order{.theory = 2,
+                     .tolerance = 0.3,
+                     .reason = "a symmetric scheme of second order; the maximum over time is not a "
+                               "smooth function of the step"});
   };
   order("energy", "The largest energy error is second-order in the step (one-step scheme).", energies);
   order("volume", "The largest error of a volume is second-order in the step (one-step scheme).", volumes);
@@ -121,9 +114,7 @@ TEST_CASE("hexahedra over an uneven bottom return when their velocities are reve
               .quantity = "largest difference of a coordinate or a velocity",
               .source = source},
              {.value = largest_difference(state, problem.start), .resolution = "60 steps each way"},
-             Roundoff{.operations = 120,
-                      .scale = 6,
-                      .reason = "each place, up to 6 depths, rounded once in a step; what is added to it is small"});
+             Roundoff{120, 6, "each place, up to 6 depths, rounded once in a step; what is added to it is small"});
 }
 
 }  // namespace lagrangian_mesh_3d_bottom_test

@@ -13,8 +13,6 @@ namespace lagrangian_mesh_3d_energy_test {
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.1";
 
@@ -44,27 +42,18 @@ TEST_CASE("a hump in a box of hexahedra keeps energy and volumes with the conser
       "exactly: the fully conservative scheme keeps energy and volumes to round-off.");
   const double tau = 0.1;
   const double time = 10;
-  const auto keeps = [&](const std::string& id, const Defects& d, const std::string& resolution,
-                         const seiche::evidence::Criterion& energy) {
-    check.that({.id = id + "-energy",
-                .text = "Energy is conserved to round-off (conservative scheme, " + id + " solver).",
-                .quantity = "largest energy defect over the hump's energy",
-                .source = source},
-               {.value = d.energy, .resolution = resolution}, energy);
-    check.that({.id = id + "-volume",
-                .text = "Conservative, " + id + " solver: every cell's volume to round-off.",
-                .quantity = "largest defect of a volume over a cell's volume",
-                .source = source},
-               {.value = d.volume, .resolution = resolution},
-               Roundoff{.operations = 100 * 24,
-                        .scale = 10 / 0.5,
-                        .reason = "24 rounded places, up to 10 depths, per step and over a cell's side, 0.5"});
+  const auto keeps = [&](const std::string& id, const Defects& d, const seiche::evidence::Criterion& energy) {
+    check.holds("Energy is conserved to round-off (conservative scheme, " + id + " solver).", {d.energy}, energy);
+    check.holds(
+        "Energy is conserved to round-off (conservative scheme, " + id + " solver: every cell's volume to round-off.",
+        {d.volume},
+        Roundoff{100 * 24, 10 / 0.5, "24 rounded places, up to 10 depths, per step and over a cell's side, 0.5"});
   };
   const Scheme conservative{.stepping = Stepping::conservative};
-  keeps("iterative", defects(conservative, {.tolerance = 1e-13}, tau, time), "tau = 0.1",
-        Bound{.limit = 1e-12,
-              .reason = "pressures do work on the 1e-13 of the volumes' rates that the solver leaves in each of 100 "
-                        "steps; of either sign, it adds up as squares"});
+  keeps("iterative", defects(conservative, {.tolerance = 1e-13}, tau, time),
+        Bound{1e-12,
+              "pressures do work on the 1e-13 of the volumes' rates that the solver leaves in each of 100 "
+              "steps; of either sign, it adds up as squares"});
 }
 
 TEST_CASE("energy and volumes of the one-step scheme on hexahedra err by the square of the step", "[conservation]") {
@@ -81,12 +70,11 @@ TEST_CASE("energy and volumes of the one-step scheme on hexahedra err by the squ
     volumes.push_back(d.volume);
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = source},
-               seiche::evidence::observed_order(taus, errors),
-               seiche::evidence::Order{.theory = 2,
-                                       .tolerance = 0.3,
-                                       .reason = "a symmetric scheme of second order; the "
-                                                 "maximum over time is not a smooth function of the step"});
+    check.that({.id = id, .text = text, .quantity = "observed order", .source = source}, observed_order(taus, errors),
+               Order{.theory = 2,
+                     .tolerance = 0.3,
+                     .reason = "a symmetric scheme of second order; the "
+                               "maximum over time is not a smooth function of the step"});
   };
   order("energy", "The largest energy defect is of second order.", energies);
   order("volume", "The largest defect of a volume is of second order.", volumes);
@@ -109,9 +97,7 @@ TEST_CASE("a hexahedral mesh returns when its velocities are reversed", "[conser
               .quantity = "largest difference of a coordinate or a velocity",
               .source = source},
              {.value = largest_difference(state, problem.start), .resolution = "100 steps each way"},
-             Roundoff{.operations = 200,
-                      .scale = 10,
-                      .reason = "each place, up to 10 depths, rounded once in a step; what is added to it is small"});
+             Roundoff{200, 10, "each place, up to 10 depths, rounded once in a step; what is added to it is small"});
 }
 
 }  // namespace lagrangian_mesh_3d_energy_test

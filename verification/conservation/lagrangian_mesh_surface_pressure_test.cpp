@@ -9,8 +9,8 @@
 
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
@@ -19,10 +19,6 @@ namespace lagrangian_mesh_surface_pressure_test {
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::verification;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
-
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 2";
 
 struct Named {
   std::string id, text;
@@ -69,26 +65,14 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
     }
     const auto lightest = *std::ranges::min_element(flow.model().nodes().mass());
     const double kick = p0 * 0.5 * tau / lightest;  // a node's edge is half a depth long
-    check.that({.id = scheme.id + "-rest",
-                .text = "Water under uniform pressure stays at rest (" + scheme.text + ").",
-                .quantity = "largest displacement after 1000 steps",
-                .unit = "depth",
-                .source = source},
-               {.value = moved.value(), .resolution = "12 x 4 cells, tau = 0.05"},
-               Roundoff{.operations = 48.0 * static_cast<double>(steps),
-                        .scale = kick * tau * std::sqrt(static_cast<double>(steps)),
-                        .reason = "a step rounds the kick of the pressure on a node, p0 times half a depth over its "
-                                  "mass, once per cell; velocities add up as a random walk, places follow them"});
-    check.that({.id = scheme.id + "-multipliers",
-                .text = "All multipliers equal the pressure (" + scheme.text + ").",
-                .quantity = "largest |lambda - p0|",
-                .unit = "rho g depth",
-                .source = source},
-               {.value = pressure.value(), .resolution = "12 x 4 cells, tau = 0.05"},
-               Roundoff{.operations = 48.0 * static_cast<double>(steps),
-                        .scale = p0,
-                        .reason = "the solution of 48 equations, and velocities of rounded kicks that must be "
-                                  "brought to rest again, over 1000 steps"});
+    check.holds(scheme.text + ").", {moved.value()},
+                Roundoff{48.0 * static_cast<double>(steps), kick * tau * std::sqrt(static_cast<double>(steps)),
+                         "a step rounds the kick of the pressure on a node, p0 times half a depth over its "
+                         "mass, once per cell; velocities add up as a random walk, places follow them"});
+    check.holds(scheme.text + ": all multipliers are the pressure.", {pressure.value()},
+                Roundoff{48.0 * static_cast<double>(steps), p0,
+                         "the solution of 48 equations, and velocities of rounded kicks that must be "
+                         "brought to rest again, over 1000 steps"});
   }
 }
 
@@ -173,15 +157,11 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
         panel.line("oscillator", time, expected, Role::exact);
         panel.points("mesh", time, computed, Role::computed);
       }
-      check.that({.id = scheme.id + "-" + name,
-                  .text = "The elevation equals the driven oscillator's (" + scheme.text + ").",
-                  .quantity = "largest difference over the largest elevation",
-                  .source = source},
-                 {.value = worst.value() / highest.value(), .resolution = "24 x 4 cells, tau = 0.1, 400 steps"},
-                 Bound{.limit = steps * tau * omega * highest.value() * highest.value() +
-                                4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest.value(),
-                       .reason = "third-order terms: the square of the elevation, in depths, times the phase that has "
-                                 "passed; and places of order one that are rounded in ten operations of each step"});
+      check.holds(scheme.text + ": the elevation is that of the oscillator.", {worst.value() / highest.value()},
+                  Bound{steps * tau * omega * highest.value() * highest.value() +
+                            4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest.value(),
+                        "third-order terms: the square of the elevation, in depths, times the phase that has "
+                        "passed; and places of order one that are rounded in ten operations of each step"});
     }
   }
 }

@@ -17,11 +17,8 @@ namespace particles_jumps_test {
 using namespace seiche::shallow_water_particles;
 using seiche::Largest;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
+using namespace seiche::verification;
 using seiche::shallow_water::ProfileError;
-using seiche::verification::Check;
-using seiche::verification::Role;
 
 constexpr double gravity = 9.81;
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
@@ -51,6 +48,7 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
               "exact time averages of edge velocity and pressure, so the reconstructed profile has no discretisation "
               "error at all: what is left is rounding. Across the jump the energy of the reconstruction must fall at "
               "$g (h_1-h_0)^3 a/(4 h_1)$, the rate of the jump relations.");
+  check.source(source);
   const seiche::exact::Bore exact(gravity, 1, 2, 0, 40);
   const double u = exact.behind_velocity();
   ParticleFlow flow(bore(gravity, 0, 40, 120, 2, 1, 120), {piston(u), Wall{}});
@@ -76,10 +74,9 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
   const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
   check.that({.id = "alone",
               .text = "Beside an isolated bore no second jump is seen.",
-              .quantity = "jumps dropped beside a larger one",
-              .source = source},
+              .quantity = "jumps dropped beside a larger one"},
              {.value = static_cast<double>(flow.events().adjacent_discarded), .resolution = resolution},
-             Bound{.limit = 0, .reason = "the water on both sides is uniform"});
+             Bound{0, "the water on both sides is uniform"});
   const ProfileError error = reconstructed(flow, exact);
   check.that({.id = "depth",
               .text = "The depth reconstructed beside the bore is exact.",
@@ -94,38 +91,30 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
               .source = source + ", fig. 12"},
              {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 5.4));
   check.that(
-      {.id = "width",
-       .text = "The jump is at most one particle wide.",
-       .quantity = "particles in the jump",
-       .source = source},
+      {.id = "width", .text = "The jump is at most one particle wide.", .quantity = "particles in the jump"},
       {.value = static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200)), .resolution = resolution},
-      Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of a hand-over"});
+      Bound{1, "one particle holds the jump; none at the instant of a hand-over"});
   check.that({.id = "bounds",
               .text = "No depth outside the two exact depths in any step.",
               .quantity = "largest excess",
-              .unit = "m",
-              .source = source},
+              .unit = "m"},
              {.value = std::max(outside.value(), 0.0), .resolution = resolution}, rounding(steps, 2));
-  check.that(
-      {.id = "momentum",
-       .text = "Momentum changes by the impulses of the ends only.",
-       .quantity = "momentum defect",
-       .unit = "m^3/s",
-       .source = source},
-      {.value = flow.momentum_defect(), .resolution = resolution},
-      Roundoff{.operations = 10,
-               .scale = flow.ledger().left_impulse.value(),
-               .reason =
-                   "books, their sum, and what is left of three numbers are rounded once, as large as the impulse "
-                   "of the piston, for sums are compensated; 100 steps round the momenta of 120 particles, a "
-                   "hundredth of that each"});
+  check.that({.id = "momentum",
+              .text = "Momentum changes by the impulses of the ends only.",
+              .quantity = "momentum defect",
+              .unit = "m^3/s"},
+             {.value = flow.momentum_defect(), .resolution = resolution},
+             Roundoff{10, flow.ledger().left_impulse.value(),
+                      "books, their sum, and what is left of three numbers are rounded once, as large as the impulse "
+                      "of the piston, for sums are compensated; 100 steps round the momenta of 120 particles, a "
+                      "hundredth of that each"});
   check.that({.id = "entropy",
               .text = "Energy falls at the rate of the jump relations at every instant.",
               .quantity = "largest deviation of the energy lost",
               .unit = "m^4/s^2",
               .source = "Stoker, Water Waves (1957), ch. 10"},
              {.value = deviation.value(), .resolution = resolution},
-             Roundoff{.operations = 100, .scale = start, .reason = "one rounded work per step; scale is the energy"});
+             Roundoff{100, start, "one rounded work per step; scale is the energy"});
   auto& panel = check.figure("energy", "Energy lost by the bore", "Energy of the two-state reconstruction against D t.")
                     .panel({.x = "t [s]", .y = "energy lost [m^4/s^2]"});
   panel.line("exact", times, expected, Role::exact);
@@ -143,30 +132,11 @@ TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundr
     const int steps = static_cast<int>(13 * count);
     for (int k = 0; k < steps; ++k) flow.advance(2.6 / steps);
     const std::string n = fmt::format("_{}", count);
-    const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 2.6 / steps);
     const ProfileError error = reconstructed(flow, exact);
-    check.that({.id = "wall_depth" + n,
-                .text = "Depth at the wall after reflection.",
-                .quantity = "depth",
-                .unit = "m",
-                .source = source + ", fig. 15"},
-               {.value = flow.particles().depth(count - 1), .resolution = resolution},
-               Roundoff{.operations = 100.0 * steps,
-                        .scale = 1.45,
-                        .reason = "a hundred rounded operations a step",
-                        .expected = exact.reflected_depth()});
-    check.that({.id = "depth" + n,
-                .text = "The depth reconstructed beside the bore is exact.",
-                .quantity = "L1 error of depth",
-                .unit = "m",
-                .source = source + ", fig. 15"},
-               {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 1.45));
-    check.that({.id = "velocity" + n,
-                .text = "The velocity reconstructed beside the bore is exact.",
-                .quantity = "L1 error of velocity",
-                .unit = "m/s",
-                .source = source + ", fig. 15"},
-               {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 3.8));
+    check.holds("wall_depth" + n + ": Depth at the wall after reflection.", {flow.particles().depth(count - 1)},
+                Roundoff{100.0 * steps, 1.45, "a hundred rounded operations a step", exact.reflected_depth()});
+    check.holds("depth" + n + ": Reconstructed depth is exact.", {error.depth.l1}, rounding(steps, 1.45));
+    check.holds("velocity" + n + ": Reconstructed velocity is exact.", {error.velocity.l1}, rounding(steps, 3.8));
   }
 }
 
@@ -199,26 +169,12 @@ TEST_CASE("two bores collide exactly", "[conservation]") {
                       {piston(exact.left().velocity), piston(exact.right().velocity)});
     flow.advance_to(exact.collision_time() + 2);
     const ProfileError error = reconstructed(flow, exact);
-    const std::string resolution = fmt::format("N = {}, Courant 0.4", count);
-    check.that({.id = fmt::format("depth_{}", count),
-                .text = "Reconstructed depth is exact after the collision.",
-                .quantity = "L1 error of depth",
-                .unit = "m",
-                .source = "Stoker, Water Waves (1957), ch. 10"},
-               {.value = error.depth.l1, .resolution = resolution}, rounding(static_cast<double>(flow.steps()), 2.7));
-    check.that({.id = fmt::format("velocity_{}", count),
-                .text = "Reconstructed velocity is exact after the collision.",
-                .quantity = "L1 error of velocity",
-                .unit = "m/s",
-                .source = "Stoker, Water Waves (1957), ch. 10"},
-               {.value = error.velocity.l1, .resolution = resolution},
-               rounding(static_cast<double>(flow.steps()), 5.2));
-    check.that({.id = fmt::format("followed_{}", count),
-                .text = "The collision of the two bores was followed exactly once.",
-                .quantity = "collisions followed",
-                .source = source},
-               {.value = static_cast<double>(flow.events().collisions), .resolution = resolution},
-               Bound{.limit = 0, .reason = "a count", .expected = 1});
+    check.holds(fmt::format("depth_{}", count) + ": Reconstructed depth is exact after the collision.",
+                {error.depth.l1}, rounding(static_cast<double>(flow.steps()), 2.7));
+    check.holds(fmt::format("velocity_{}", count) + ": Reconstructed velocity is exact after the collision.",
+                {error.velocity.l1}, rounding(static_cast<double>(flow.steps()), 5.2));
+    check.holds(fmt::format("followed_{}", count) + ": The collision was followed once.",
+                {static_cast<double>(flow.events().collisions)}, Bound{0, "a count", 1});
   }
 }
 
@@ -235,25 +191,11 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
       flow.advance(3.12 / steps);
       if (flow.time() > 0.5) deviation.add(flow.discharge(10) - exact.discharge_at_dam());
     }
-    const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 3.12 / steps);
-    check.that({.id = fmt::format("front_{}", count),
-                .text = "The position of the front on the dry bed is exact.",
-                .quantity = "position",
-                .unit = "m",
-                .source = "Ritter (1892)"},
-               {.value = flow.particles().edge.back(), .resolution = resolution},
-               Roundoff{.operations = static_cast<double>(steps),
-                        .scale = 29.5,
-                        .reason = "one rounded displacement per step",
-                        .expected = exact.front(3.12)});
-    check.that({.id = fmt::format("discharge_{}", count),
-                .text = "Discharge at the dam after t = 0.5 s.",
-                .quantity = "largest deviation",
-                .unit = "m^2/s",
-                .source = source + ", fig. 8"},
-               {.value = deviation.value(), .resolution = resolution},
-               Bound{.limit = 1.0 / static_cast<double>(2 * count),
-                     .reason = "the section lies in one of N particles of depth ~1/2: half a particle's share"});
+    check.holds(fmt::format("front_{}", count) + ": Position of the front.", {flow.particles().edge.back()},
+                Roundoff{static_cast<double>(steps), 29.5, "one rounded displacement per step", exact.front(3.12)});
+    check.holds(fmt::format("discharge_{}", count) + ": Discharge at the dam after t = 0.5 s.", {deviation.value()},
+                Bound{1.0 / static_cast<double>(2 * count),
+                      "the section lies in one of N particles of depth ~1/2: half a particle's share"});
   }
 }
 

@@ -12,9 +12,7 @@
 namespace particles_open_section_test {
 
 using namespace seiche::shallow_water_particles;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
   Open open;
@@ -29,8 +27,7 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
               "depth: no particle stays, yet the exact steady flow must stay. Mass and momentum that pass the sections "
               "are booked, and the error of the depth after 40 s falls with the square of the particle width.");
   const seiche::exact::SteadyBump exact(9.81, 4.42, 2);
-  std::vector<double> sizes;
-  std::vector<double> errors;
+  Convergence errors;
   for (const std::size_t count : {std::size_t{25}, std::size_t{50}, std::size_t{100}, std::size_t{200}}) {
     const Particles start = particles_from_profile(
         equal_width_edges(0, 25, count), [&](double x) { return exact.at(x).depth; },
@@ -41,44 +38,31 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     flow.advance_to(40);
     const auto error = cell_error(
         flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
-    sizes.push_back(25.0 / static_cast<double>(count));
-    errors.push_back(error.depth.l1);
-    const std::string resolution = fmt::format("N = {}, Courant 0.4", count);
-    check.that({.id = fmt::format("mass_{}", count),
-                .text = "Mass equals what has passed the sections.",
-                .quantity = "mass defect",
-                .unit = "m^2",
-                .source = "conservation of mass"},
-               {.value = flow.mass_defect(), .resolution = resolution},
-               Roundoff{.operations = 6,
-                        .scale = flow.ledger().left_mass.value(),
-                        .reason = "the books of the two sections, their sum, and what is left of three numbers are "
-                                  "rounded once, as large as the mass that has entered; sums are compensated, and one "
-                                  "particle at a section, of 1/80 of that mass at most, is rounded per step"});
-    check.that({.id = fmt::format("momentum_{}", count),
-                .text = "Momentum equals the sum of the booked impulses.",
-                .quantity = "momentum defect",
-                .unit = "m^3/s",
-                .source = "conservation of momentum"},
-               {.value = flow.momentum_defect(), .resolution = resolution},
-               Roundoff{.operations = 6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
-                                              std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
-                        .scale = flow.ledger().left_impulse.value(),
-                        .reason = "the books of the sections and of the bed, their sum, and what is left of three "
-                                  "numbers are rounded once, as large as the impulse at a section, for sums are "
-                                  "compensated; and every step rounds the momentum of each particle"});
+    errors.add(25.0 / static_cast<double>(count), error.depth.l1);
+    check.holds(fmt::format("mass_{}", count) + ": Mass equals what has passed the sections.", {flow.mass_defect()},
+                Roundoff{6, flow.ledger().left_mass.value(),
+                         "the books of the two sections, their sum, and what is left of three numbers are "
+                         "rounded once, as large as the mass that has entered; sums are compensated, and one "
+                         "particle at a section, of 1/80 of that mass at most, is rounded per step"});
+    check.holds(fmt::format("momentum_{}", count) + ": Momentum equals the booked impulses.", {flow.momentum_defect()},
+                Roundoff{6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
+                                 std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
+                         flow.ledger().left_impulse.value(),
+                         "the books of the sections and of the bed, their sum, and what is left of three "
+                         "numbers are rounded once, as large as the impulse at a section, for sums are "
+                         "compensated; and every step rounds the momentum of each particle"});
   }
   check.that({.id = "order",
               .text = "The depth over the bump converges at second order.",
               .quantity = "order of L1(h)",
               .source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269"},
-             seiche::evidence::observed_order(sizes, errors),
+             errors.order(),
              Order{2, 0.5,
                    "the ends of the bump have a kink in z', where the limited slopes are of first order over a "
                    "region that shrinks with the width"});
   auto& panel = check.figure("convergence", "Error of the steady depth", "L1 error against particle width.")
                     .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
-  panel.points("particles", sizes, errors);
+  panel.points("particles", errors.sizes, errors.errors);
 }
 
 }  // namespace particles_open_section_test

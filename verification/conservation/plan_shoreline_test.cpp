@@ -20,8 +20,6 @@ using namespace seiche::verification;
 using seiche::Largest;
 using seiche::PolynomialBottom;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 using seiche::plan_lattice::ShoreSide;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
@@ -98,8 +96,7 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
               .text = "Velocities inside a circular shore stay zero.",
               .quantity = "largest velocity",
               .source = source},
-             {.value = fastest(round)},
-             Roundoff{.operations = 200, .scale = 1, .reason = "elevations rounded once, of depth 1, and 200 steps"});
+             {.value = fastest(round)}, Roundoff{200, 1, "elevations rounded once, of depth 1, and 200 steps"});
 }
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
@@ -127,23 +124,10 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
     Worst volume_defect;
     for (const double defect : defects) volume_defect.add(defect);
     const auto cells = static_cast<double>(flow.shape().cells());
-    check.that({.id = problem.id + "-energy",
-                .text = "Energy is conserved to round-off (" + problem.text + ").",
-                .quantity = "largest relative defect",
-                .source = source},
-               {.value = energy_defect.value(), .resolution = fmt::format("{} steps of 0.1", steps)},
-               Roundoff{.operations = steps * cells,
-                        .scale = 1,
-                        .reason = "one rounded work per cell and step, of the size of the energy"});
-    check.that({.id = problem.id + "-volume",
-                .text = "The volume of every cell is conserved to round-off (" + problem.text + ").",
-                .quantity = "largest defect",
-                .unit = "depth^3",
-                .source = source},
-               {.value = volume_defect.value(), .resolution = fmt::format("{} steps of 0.1", steps)},
-               Roundoff{.operations = steps,
-                        .scale = half_width,
-                        .reason = "places up to 10, rounded per step, depth and width 1"});
+    check.holds(problem.text + ": the energy.", {energy_defect.value()},
+                Roundoff{steps * cells, 1, "one rounded work per cell and step, of the size of the energy"});
+    check.holds(problem.text + ": the volume of every cell.", {volume_defect.value()},
+                Roundoff{steps, half_width, "places up to 10, rounded per step, depth and width 1"});
   }
 }
 
@@ -168,7 +152,6 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
     for (std::size_t k = 0; k < time.size(); ++k) error.add(std::abs(shore[k] - swing[k]) / 0.5);
     spacings.push_back(2 * half_width / static_cast<double>(columns));
     errors.push_back(error.value());
-    check.measure(fmt::format("error_{}_columns", columns), error.value());
     panel.line(fmt::format("{} columns", columns), time, shore);
     if (columns == 80) panel.line("Thacker", time, swing, Role::exact);
   }

@@ -14,9 +14,6 @@ namespace wcsph_invariants_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703: antisymmetry of the pair forces";
 
@@ -63,17 +60,11 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
     const Totals start = flow.totals();
     for (int step = 0; step < 300; ++step) flow.advance();
     const Totals end = flow.totals();
-    check.that(
-        {.id = "momentum-" + name,
-         .text = fmt::format("Momentum is conserved to round-off ({}).", name),
-         .quantity = "|sum m u| over sum m |u| of the beginning",
-         .source = source},
-        {.value = std::hypot(end.momentum[0], end.momentum[1]) / start.absolute_momentum,
-         .resolution = fmt::format("N = {}, 300 steps", flow.particles().size())},
-        Roundoff{.operations = 300.0 * 4 / 1250,
-                 .scale = 1,
-                 .reason = "each of 1250 particles rounds its velocity 4 times per step, independently: the mean "
-                           "of their random walks over 300 steps"});
+    check.holds(fmt::format("Momentum is conserved to round-off ({}).", name),
+                {std::hypot(end.momentum[0], end.momentum[1]) / start.absolute_momentum},
+                Roundoff{300.0 * 4 / 1250, 1,
+                         "each of 1250 particles rounds its velocity 4 times per step, independently: the mean "
+                         "of their random walks over 300 steps"});
     CHECK(end.mass == start.mass);
   }
 }
@@ -102,16 +93,14 @@ TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conserv
               .quantity = "sum m (dr/dt - u) over its absolute sum",
               .source = source},
              {.value = drift / scale},
-             Roundoff{.operations = 20.0 + 1250,
-                      .scale = 0.05,
-                      .reason = "20 pairs per particle, and a sum of 1250 terms, of relative size 1/sqrt(1250) each"});
+             Roundoff{20.0 + 1250, 0.05,
+                      "20 pairs per particle, and a sum of 1250 terms, of relative size 1/sqrt(1250) each"});
   check.that({.id = "direction",
               .text = "Smoothing draws particles towards the motion of their neighbours.",
               .quantity = "sum m dr/dt . u below sum m u . u",
               .source = "Monaghan, J. Comput. Phys. 82 (1989) 1"},
              {.value = smoothed < square ? 1.0 : 0.0},
-             seiche::evidence::Qualitative{.detector = "sum m dr/dt . u < sum m u . u",
-                                           .reason = "the weights are positive: each pair contributes -|u_ab|^2"});
+             Qualitative{"sum m dr/dt . u < sum m u . u", "the weights are positive: each pair contributes -|u_ab|^2"});
 }
 
 TEST_CASE("energy and angular momentum are conserved to the order of the steps", "[conservation]") {
@@ -180,9 +169,8 @@ TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
               .quantity = "angular momentum/sum m |u| R",
               .source = "symmetry"},
              {.value = end.angular_momentum / end.absolute_momentum},
-             Roundoff{.operations = static_cast<double>(flow.steps()) * 4 / 1257,
-                      .scale = 1,
-                      .reason = "independent rounding of 1257 velocities, 4 times per step"});
+             Roundoff{static_cast<double>(flow.steps()) * 4 / 1257, 1,
+                      "independent rounding of 1257 velocities, 4 times per step"});
   CHECK(std::hypot(end.momentum[0], end.momentum[1]) / end.absolute_momentum < 1e-15);
 }
 

@@ -16,9 +16,7 @@ namespace wcsph_rates_test {
 using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::worst;
-using seiche::evidence::Roundoff;
 
-const std::string source = "formulas (2)-(6) summed over all pairs";
 constexpr double spacing = 0.1;
 
 /// A jittered layer over a floor, repeated in x.
@@ -90,18 +88,14 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
         const RateDifference found = compare(flow, spacing);
         table.rows.push_back(
             {setup.name, std::string(name_of(kernel)), model.name, found.motion, found.acceleration, found.density});
-        check.that({.id = fmt::format("{}-{}-{}", setup.id, name_of(kernel), model.id),
-                    .text = fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name,
-                                        name_of(kernel), model.name),
-                    .quantity = "largest relative difference of a rate",
-                    .source = source},
-                   {.value = worst(std::array{found.motion, found.acceleration, found.density})},
-                   Roundoff{.operations = 4,
-                            .scale = 1 / setup.deviation,
-                            .reason = "pressures are differences (rho/rho_0)^7 - 1 of densities within 1 % (blob) or "
-                                      "2 %: the rounding of rho/rho_0, of both particles and in both ways of summing, "
-                                      "counts 100 or 50 times; of the 40 others of a pair each counts once, "
-                                      "all together less than one of these"});
+        check.holds(fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name,
+                                name_of(kernel), model.name),
+                    {worst(std::array{found.motion, found.acceleration, found.density})},
+                    Roundoff{4, 1 / setup.deviation,
+                             "pressures are differences (rho/rho_0)^7 - 1 of densities within 1 % (blob) or "
+                             "2 %: the rounding of rho/rho_0, of both particles and in both ways of summing, "
+                             "counts 100 or 50 times; of the 40 others of a pair each counts once, "
+                             "all together less than one of these"});
       }
     }
   }
@@ -134,15 +128,11 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
       const RateDifference found = compare(flow, spacing);
       std::string id = setup.id + "-" + name;
       std::replace(id.begin(), id.end(), ' ', '-');
-      check.that({.id = id,
-                  .text = fmt::format("{}, {}: all rates agree with the sums over all pairs.", setup.name, name),
-                  .quantity = "largest relative difference of a rate",
-                  .source = source},
-                 {.value = worst(std::array{found.motion, found.acceleration, found.density})},
-                 Roundoff{.operations = 6,
-                          .scale = 1 / setup.deviation,
-                          .reason = "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of "
-                                    "a wall becomes a density and a pressure again"});
+      check.holds(id + ": " + fmt::format("{}, {}: all rates agree with the sums over all pairs.", setup.name, name),
+                  {worst(std::array{found.motion, found.acceleration, found.density})},
+                  Roundoff{6, 1 / setup.deviation,
+                           "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of "
+                           "a wall becomes a density and a pressure again"});
     }
   }
 }
@@ -161,11 +151,10 @@ TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") 
               .unit = "s",
               .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
              {.value = flow.advance()},
-             Roundoff{.operations = 40,
-                      .scale = expected,
-                      .reason = "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, "
-                                "and that of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
-                      .expected = expected});
+             Roundoff{40, expected,
+                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, "
+                      "and that of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
+                      expected});
 }
 
 }  // namespace wcsph_rates_test

@@ -18,10 +18,9 @@ namespace dispersive_plan_dispersion_test {
 using namespace seiche;
 using validation::PlanMode;
 using validation::PlanTank;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), formula 13 and section 4.2";
 
 struct HalfWaves {
   std::size_t x, y;
@@ -55,11 +54,11 @@ double stiffness(const PlanTank& tank) {
 }
 
 TEST_CASE("the plan model's linearised matrices have the eigenvalues of the closed form", "[dispersion]") {
-  verification::Check check("dispersion_dispersive_plan_symbol", "Dispersion of the plan model: eigenvalues",
-                            "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: "
-                            "the acceleration that the linearised forces and constraints give a mode is $-\\omega^2$ "
-                            "times the mode itself, with $\\omega$ of the closed form. No run, no time step, no "
-                            "amplitude.");
+  Check check("dispersion_dispersive_plan_symbol", "Dispersion of the plan model: eigenvalues",
+              "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: "
+              "the acceleration that the linearised forces and constraints give a mode is $-\\omega^2$ "
+              "times the mode itself, with $\\omega$ of the closed form. No run, no time step, no "
+              "amplitude.");
   for (const auto& [id, tank] : tanks()) {
     Worst worst;
     Largest rest;
@@ -71,33 +70,22 @@ TEST_CASE("the plan model's linearised matrices have the eigenvalues of the clos
       worst.add(found.square / std::pow(mode.linear_frequency(), 2) - 1);
       rest.add(found.rest);
     }
-    check.that({.id = "eigenvalues-" + id,
-                .text = "Eigenvalues of " + tank.text() + " agree with the closed form.",
-                .quantity = "largest relative deviation of omega^2",
-                .source = source},
-               {.value = worst.value()},
-               evidence::Roundoff{.operations = 30,
-                                  .scale = condition(tank),
-                                  .reason = "some thirty roundings of a row of a direct solution, amplified by the "
-                                            "condition of the equation for the pressure"});
+    check.holds("eigenvalues-" + id + ": Eigenvalues of " + tank.text() + " agree with the closed form.",
+                {worst.value()},
+                Roundoff{30, condition(tank),
+                         "some thirty roundings of a row of a direct solution, amplified by the "
+                         "condition of the equation for the pressure"});
     const auto cells = static_cast<double>(tank.columns * tank.rows);
-    check.that(
-        {.id = "eigenvectors-" + id,
-         .text = "Modes of " + tank.text() + " are eigenvectors.",
-         .quantity = "largest vertical acceleration off the mode, over omega^2",
-         .source = source},
-        {.value = rest.value()},
-        evidence::Roundoff{
-            .operations = 30,
-            .scale = kick.value() * (1 + condition(tank) / std::sqrt(cells)),
-            .reason = "some thirty roundings of a row of a direct solution, in the units of gravity's kick, which "
-                      "the pressure nearly balances in long waves; what is smooth of them, their mean over the "
-                      "cells, is amplified by the condition"});
+    check.holds("Modes of " + tank.text() + " are eigenvectors.", {rest.value()},
+                Roundoff{30, kick.value() * (1 + condition(tank) / std::sqrt(cells)),
+                         "some thirty roundings of a row of a direct solution, in the units of gravity's kick, which "
+                         "the pressure nearly balances in long waves; what is smooth of them, their mean over the "
+                         "cells, is amplified by the condition"});
   }
 }
 
 TEST_CASE("standing waves in plan have the frequencies of the closed form", "[dispersion]") {
-  verification::Check check(
+  Check check(
       "dispersion_dispersive_plan", "Dispersion of the plan model: runs",
       "Standing waves of some 1e-9 of the depth in boxes of square and of oblong cells, from one half-wave to nearly "
       "the shortest. The one-step scheme is linear for them: $\\omega$ follows from three successive amplitudes, by "
@@ -132,18 +120,14 @@ TEST_CASE("standing waves in plan have the frequencies of the closed form", "[di
       found.push_back(measured / expected * tank.frequency(k, 0) / unit);
     }
     panel.points("runs, " + tank.text(), places, found, Role::data);
-    check.that({.id = "frequencies-" + id,
-                .text = "Frequencies of " + tank.text() + " agree with the closed form.",
-                .quantity = "largest relative deviation of a frequency",
-                .source = source},
-               {.value = worst.value(), .resolution = "omega tau = 0.2, 200 steps"},
-               evidence::Bound{third_order.value() + 1e-13 +
-                                   4 * std::numeric_limits<double>::epsilon() *
-                                       std::sqrt(100 + 6 / (4 * std::pow(phase, 4) * steps)),
-                               "waves of finite height: the squares of the elevation in depths and of the steepness; "
-                               "the pressure is solved to the part 1e-13 of itself; second differences divide the "
-                               "rounding of amplitudes by (omega tau)^2, the mean over n steps that by sqrt(n); a "
-                               "hundred roundings of the rest"});
+    check.holds(
+        "frequencies-" + id + ": Frequencies of " + tank.text() + " agree with the closed form.", {worst.value()},
+        Bound{third_order.value() + 1e-13 +
+                  4 * std::numeric_limits<double>::epsilon() * std::sqrt(100 + 6 / (4 * std::pow(phase, 4) * steps)),
+              "waves of finite height: the squares of the elevation in depths and of the steepness; "
+              "the pressure is solved to the part 1e-13 of itself; second differences divide the "
+              "rounding of amplitudes by (omega tau)^2, the mean over n steps that by sqrt(n); a "
+              "hundred roundings of the rest"});
   }
 }
 

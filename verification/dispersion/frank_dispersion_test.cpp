@@ -15,21 +15,20 @@ namespace frank_dispersion_test {
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
 using validation::StandingBox;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 /// Elevations count from rest and are rounded relative to the amplitude, whatever it is; places to 1e-16 of the box.
-const evidence::Roundoff round_off{
+const Roundoff round_off{
     .operations = 150,
     .scale = 4.0 / 3,
     .reason =
         "widths of up to 25 cells are differences of places, rounded to the part 2^-52 of the box: each is off by "
         "the number of cells, their mean by its root, as if there were 25 cells of two places in each of two "
         "runs; fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
-const evidence::Bound fed_back{1e-11,
-                               "volumes that are fed back bring the rounding of places of size 1, 1e-16, into an "
-                               "amplitude of 1e-4, divided by phases of a step of about a tenth"};
-const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
+const Bound fed_back{1e-11,
+                     "volumes that are fed back bring the rounding of places of size 1, 1e-16, into an "
+                     "amplitude of 1e-4, divided by phases of a step of about a tenth"};
 
 /// Numbers in [0, 1) that fill the cube of nine dimensions evenly: additive recurrence with powers of the root of
 /// x^10 = x + 1, which generalises the golden ratio.
@@ -100,7 +99,7 @@ double progressive_frequency(const StandingBox& box, double amplitude, double di
 }
 
 TEST_CASE("small waves have the frequency of the discrete law for any parameters", "[dispersion]") {
-  verification::Check check(
+  Check check(
       "dispersion_frank", "Dispersion of the discrete dispersive shallow-water model",
       "Standing waves between walls, for 60 sets of depth, gravity, spacing, wavenumber up to the shortest that "
       "markers "
@@ -129,21 +128,17 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
       deviation.push_back(std::max(relative, 1e-17));
     }
     panel.points(label, resolution, deviation);
-    check.that(
-        {.id = label == "conservative" || label == "one-step" ? label : "feedback",
-         .text = fmt::format("With the {} scheme the frequencies agree with the law.", label),
-         .quantity = "largest relative deviation of the frequency",
-         .source = source + "; general alpha, beta, gamma and the time steps derived"},
-        {.value = worst.value(), .resolution = "60 sets of parameters"},
+    check.holds(
+        fmt::format("With the {} scheme the frequencies agree with the law.", label), {worst.value()},
         stepping == Stepping::one_step_feedback ? evidence::Criterion(fed_back) : evidence::Criterion(round_off));
   }
   panel.line("limit with volume feedback", std::vector{0.0, 1.0}, std::vector(2, fed_back.limit.value()), Role::guide);
 }
 
 TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion]") {
-  verification::Check check("dispersion_progressive", "Progressive waves in a periodic channel",
-                            "The matrix of a periodic channel is cyclic and there are no walls: another program path, "
-                            "the same law.");
+  Check check("dispersion_progressive", "Progressive waves in a periodic channel",
+              "The matrix of a periodic channel is cyclic and there are no walls: another program path, "
+              "the same law.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const double direction : {1.0, -1.0}) {
       Worst worst;
@@ -153,21 +148,18 @@ TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion
         const double twice = progressive_frequency(box, 2e-5, direction);
         worst.add((once + (once - twice) / 3) / box.linear_frequency() - 1);
       }
-      check.that({.id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
-                                    direction > 0 ? "right" : "left"),
-                  .text = "Waves that travel have the frequency of standing waves, in both directions.",
-                  .quantity = "largest relative deviation of the frequency",
-                  .source = source},
-                 {.value = worst.value(), .resolution = "kH = 0.6, 1.3, 2.9; 20 cells per wavelength, tau = 0.15"},
-                 round_off);
+      check.holds(fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
+                              direction > 0 ? "right" : "left") +
+                      ": Waves that travel have the frequency of standing waves, in both directions.",
+                  {worst.value()}, round_off);
     }
   }
 }
 
 TEST_CASE("compositions approach the law of the continuous time with the fourth power of the step", "[dispersion]") {
-  verification::Check check("dispersion_compositions", "Frequencies of the fourth-order compositions",
-                            "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of "
-                            "continuous time with $\\tau^4$.");
+  Check check("dispersion_compositions", "Frequencies of the fourth-order compositions",
+              "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of "
+              "continuous time with $\\tau^4$.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const TimeComposition composition : {TimeComposition::triple_jump, TimeComposition::suzuki}) {
       std::vector<double> steps;
@@ -183,8 +175,8 @@ TEST_CASE("compositions approach the law of the continuous time with the fourth 
                   .text = "The composition's frequency is of fourth order.",
                   .quantity = "order in tau of the relative error of the frequency",
                   .source = "Yoshida (1990); Suzuki (1990)"},
-                 evidence::observed_order(steps, errors, 1e-12),
-                 evidence::Order{4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"});
+                 observed_order(steps, errors, 1e-12),
+                 Order{4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"});
     }
   }
 }

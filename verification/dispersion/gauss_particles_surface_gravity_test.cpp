@@ -18,9 +18,6 @@ using namespace seiche::gauss_particles;
 using namespace seiche::verification;
 using seiche::Mean;
 using seiche::Point;
-using seiche::evidence::Bound;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 using seiche::exact::StokesWave;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
@@ -111,9 +108,8 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
        .quantity = "largest defect over the momentum",
        .source = source},
       {.value = wave.momentum_defect(), .resolution = resolution},
-      Roundoff{.operations = steps * periods,
-               .scale = 5,
-               .reason = "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
+      Roundoff{steps * periods, 5,
+               "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
 }
 
 TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]") {
@@ -149,23 +145,19 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
               .quantity = "largest defect over the kinetic energy",
               .source = source},
              {.value = wave.energy_defect(), .resolution = resolution},
-             Roundoff{.operations = steps * periods,
-                      .scale = 2,
-                      .reason = "one rounding per step of the kinetic and the potential energy"});
+             Roundoff{steps * periods, 2, "one rounding per step of the kinetic and the potential energy"});
   const std::vector<int> counts{28, 40, 56, 80};
-  std::vector<double> lengths;
-  std::vector<double> found;
+  Convergence found;
   for (const int count : counts) {
     Wave one_period(true, 0.9);
     one_period.run(count, 1);
-    lengths.push_back(turn / count);
-    found.push_back(one_period.difference());
+    found.add(turn / count, one_period.difference());
   }
   check.that({.id = "order",
               .text = "The surface converges with the second order of the step.",
               .quantity = "order of the rms difference after one period",
               .source = source},
-             seiche::evidence::observed_order(lengths, found),
+             found.order(),
              Order{2, 0.2,
                    "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the "
                    "lattice adds 1e-4 to differences from 5e-4"});

@@ -19,9 +19,7 @@ using exact::AiryDispersion;
 using exact::HexahedralDispersion;
 using exact::PlanDispersion;
 using exact::SurfaceInertia;
-using verification::check_table;
-using verification::claim_self_test;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
@@ -39,37 +37,32 @@ double plan_error(double wavelength, double spacing) {
   return 100 * (PlanDispersion(1, 1, spacing, spacing).frequency(k, 0) / AiryDispersion(1, 1).frequency(k) - 1);
 }
 
-void claim_limits(verification::Check& check) {
-  std::vector<double> sizes;
-  std::vector<double> errors;
+void claim_limits(Check& check) {
+  Convergence errors;
   for (std::size_t layers = 16; layers <= 256; layers *= 2) {
     const double h = 1 / static_cast<double>(layers);
-    sizes.push_back(h);
-    errors.push_back(std::abs(layers_error(3, h, layers, 0.5)));
+    errors.add(h, std::abs(layers_error(3, h, layers, 0.5)));
   }
   check.that({.id = "order",
               .text = "With cubes the law tends to Airy's with the square of their size.",
               .quantity = "order of the error at a wavelength of three depths, 29 degrees",
               .source = source},
-             evidence::observed_order(sizes, errors),
-             evidence::Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"});
+             errors.order(),
+             Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"});
   // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine plan lattice
   for (const std::size_t layers : {1UL, 2UL, 3UL}) {
     for (const bool tuned : {false, true}) {
       const HexahedralDispersion law(1, 1, 1e-3, 1e-3, layers, tuned ? SurfaceInertia::tuned : SurfaceInertia::nodal);
       const auto at = [&](double k) { return (1 - std::pow(law.phase_speed(0.6 * k, 0.8 * k), 2)) / (k * k); };
       const double h3 = law.layer_height();
-      check.that({.id = fmt::format("long-{}-{}", tuned ? "tuned" : "nodal", layers),
-                  .text = fmt::format("Long waves on {} layers, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", layers,
-                                      tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h3^2/6"),
-                  .quantity = "c",
-                  .source = source},
-                 {.value = (64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
-                 evidence::Bound{.limit = 1.4e-7,
-                                 .reason = "extrapolation leaves the product of the three k^2, 1e-6, times the "
-                                           "coefficient of k^8, at most the 1/16 of 1/(1 + k^2/2); the plan lattice "
-                                           "h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
-                                 .expected = 1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
+      check.holds(fmt::format("Long waves on {} layers, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", layers,
+                              tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h3^2/6"),
+                  {(64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
+                  Bound{1.4e-7,
+                        "extrapolation leaves the product of the three k^2, 1e-6, times the "
+                        "coefficient of k^8, at most the 1/16 of 1/(1 + k^2/2); the plan lattice "
+                        "h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
+                        1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
     }
   }
   const HexahedralDispersion fine(9.81, 2, 1e-4, 1e-4, 20000);
@@ -80,12 +73,12 @@ void claim_limits(verification::Check& check) {
               .quantity = "largest relative error of the frequency, k H = 0.6, 2, 6",
               .source = source},
              {.value = airy.value()},
-             evidence::Bound{.limit = 9e-8,
-                             .reason = "(k h)^2 of the shortest wave; the leading coefficient is "
-                                       "below 1"});
+             Bound{9e-8,
+                   "(k h)^2 of the shortest wave; the leading coefficient is "
+                   "below 1"});
 }
 
-void draw(verification::Check& check) {
+void draw(Check& check) {
   auto& figure = check.figure("models", "Frequency of the models in three dimensions against Airy's law",
                               "Relative error for waves along an axis, h1 = H/2: hexahedra in one to three layers, the "
                               "plan model, and the Green-Naghdi law that it tends to.");
@@ -133,7 +126,7 @@ void draw(verification::Check& check) {
 }
 
 TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[dispersion]") {
-  verification::Check check(
+  Check check(
       "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
       "The errors against Airy's law known to two digits, beside those of the plan model: Frank's remark that waves "
       "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three "
@@ -163,7 +156,7 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
   for (const std::size_t layers : {1UL, 2UL, 3UL, 40UL}) {
     for (const SurfaceInertia inertia : {SurfaceInertia::nodal, SurfaceInertia::tuned}) {
       const std::string name = fmt::format("{}-{}", inertia == SurfaceInertia::tuned ? "tuned" : "nodal", layers);
-      claim_self_test(check, name, HexahedralDispersion(9.81, 0.7, 0.3, 0.5, layers, inertia), source);
+      self_test_holds(check, name, HexahedralDispersion(9.81, 0.7, 0.3, 0.5, layers, inertia));
     }
   }
   claim_limits(check);

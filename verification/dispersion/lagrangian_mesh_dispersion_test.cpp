@@ -18,10 +18,9 @@ using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
 
 struct Tank {
   std::size_t columns, rows;
@@ -43,7 +42,7 @@ struct Tank {
 };
 
 TEST_CASE("the linearised mesh has the frequencies of the closed form", "[dispersion]") {
-  verification::Check check(
+  Check check(
       "dispersion_lagrangian_mesh", "Dispersion of the two-dimensional Lagrangian mesh",
       "The model is linearised about still water by its own calls: forces, constraints, masses. The eigenvalues of "
       "that "
@@ -77,31 +76,24 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
     // Frequencies of short waves need not ascend.
     std::vector<double> sorted = expected;
     std::sort(sorted.begin(), sorted.end());
-    check.that({.id = "waves-" + tank.name(),
-                .text = fmt::format("The {} mesh has one wave per column, and otherwise no frequency.", tank.name()),
-                .quantity = "number of waves",
-                .source = source},
-               {.value = static_cast<double>(modes.frequencies.size())},
-               evidence::Bound{.limit = 0,
-                               .reason = "only the surface has potential energy; one equation for all its nodes: the "
-                                         "water's volume",
-                               .expected = static_cast<double>(tank.columns)});
+    check.holds("waves-" + tank.name() + ": " +
+                    fmt::format("The {} mesh has one wave per column, and otherwise no frequency.", tank.name()),
+                {static_cast<double>(modes.frequencies.size())},
+                Bound{0,
+                      "only the surface has potential energy; one equation for all its nodes: the "
+                      "water's volume",
+                      static_cast<double>(tank.columns)});
     Worst worst;
     for (std::size_t m = 0; m < std::min(sorted.size(), modes.frequencies.size()); ++m) {
       worst.add(modes.frequencies[m] / sorted[m] - 1);
     }
-    check.that({.id = "frequencies-" + tank.name(),
-                .text = fmt::format("The frequencies of the {} mesh agree with the closed form.", tank.name()),
-                .quantity = "largest relative deviation of a frequency",
-                .source = source},
-               {.value = worst.value()},
-               evidence::Roundoff{
-                   .operations = 6.0 * static_cast<double>((tank.columns + 1) * (tank.rows + 1)),
-                   .scale = 0.5 * std::pow(sorted.back() / sorted.front(), 2),
-                   .reason = "two products with the basis and the reflections of the eigenvalues' solution round an "
-                             "entry once per coordinate, two on each node; entries are of the size of the largest "
-                             "omega^2, to which the lowest is compared, and a root has half the error. Forces are "
-                             "linear in elevations from rest: their rounding is relative"});
+    check.holds(fmt::format("The frequencies of the {} mesh agree with the closed form.", tank.name()), {worst.value()},
+                Roundoff{6.0 * static_cast<double>((tank.columns + 1) * (tank.rows + 1)),
+                         0.5 * std::pow(sorted.back() / sorted.front(), 2),
+                         "two products with the basis and the reflections of the eigenvalues' solution round an "
+                         "entry once per coordinate, two on each node; entries are of the size of the largest "
+                         "omega^2, to which the lowest is compared, and a root has half the error. Forces are "
+                         "linear in elevations from rest: their rounding is relative"});
     std::vector<double> places;
     std::vector<double> found;
     for (std::size_t m = 0; m < tank.columns; ++m) {

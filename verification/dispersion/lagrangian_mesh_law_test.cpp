@@ -16,8 +16,7 @@ using namespace seiche;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
 using exact::TimeScheme;
-using verification::check_table;
-using verification::claim_self_test;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
@@ -37,7 +36,7 @@ double error_against_airy(double wavelength, double column_width, std::size_t ro
 }
 
 TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[dispersion]") {
-  verification::Check check(
+  Check check(
       "exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
       "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's law "
       "that "
@@ -69,17 +68,15 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
       const std::string name = fmt::format("{}-{}", tuned ? "tuned" : "nodal", rows);
       const LagrangianMeshDispersion law(1, 1, 0.3, rows, inertia);
       const double h2 = law.row_height();
-      claim_self_test(check, name, LagrangianMeshDispersion(9.81, 0.7, 0.3, rows, inertia), source);
-      check.that({.id = "long-" + name,
-                  .text = fmt::format("Long waves on {} rows, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", rows,
-                                      tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h2^2/6"),
-                  .quantity = "c",
-                  .source = source},
-                 {.value = dispersion_coefficient(law)},
-                 evidence::Bound{.limit = 1e-6,
-                                 .reason = "extrapolation leaves the product of the three k^2, 1e-6, times a "
-                                           "coefficient below 1",
-                                 .expected = 1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
+      self_test_holds(check, name, LagrangianMeshDispersion(9.81, 0.7, 0.3, rows, inertia));
+      check.holds("long-" + name + ": " +
+                      fmt::format("Long waves on {} rows, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", rows,
+                                  tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h2^2/6"),
+                  {dispersion_coefficient(law)},
+                  Bound{1e-6,
+                        "extrapolation leaves the product of the three k^2, 1e-6, times a "
+                        "coefficient below 1",
+                        1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
     }
   }
   std::vector<double> sizes;
@@ -94,9 +91,8 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
        .text = "The law tends to Airy's with the square of the cells' size.",
        .quantity = "order in h1 = h2 of the error at a wavelength of three depths",
        .source = source},
-      evidence::observed_order(sizes, errors),
-      evidence::Order{
-          2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"});
+      observed_order(sizes, errors),
+      Order{2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"});
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0, 1), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(2.001 * pi), std::invalid_argument);

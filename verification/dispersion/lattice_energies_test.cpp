@@ -18,8 +18,7 @@ using namespace seiche;
 using exact::HexahedralDispersion;
 using exact::PlanDispersion;
 using exact::SurfaceInertia;
-using verification::BlochWave;
-using verification::CellColumn;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1, 4.2; closed forms of the cells";
@@ -47,22 +46,16 @@ Deviation deviation(const CellColumn& column, const Law& law) {
   return found;
 }
 
-void claim(verification::Check& check, const std::string& name, const std::string& lattice, const Deviation& found) {
-  check.that({.id = "waves-" + name,
-              .text = "Energies and volumes linearised about rest have the frequencies of the closed form, on " +
-                      lattice + ".",
-              .quantity = "largest relative deviation of omega^2",
-              .source = source},
-             {.value = found.wave.value(), .resolution = "100 wavenumbers over the zone"},
-             evidence::Bound{.limit = 1e-12,
-                             .reason = "second differences over a quarter of a depth leave 1e-15 of a cell's energy; "
-                                       "the longest wave has 1e-3 of the largest omega^2"});
-  check.that({.id = "vortices-" + name,
-              .text = "All other motions that the volumes allow are motionless, on " + lattice + ".",
-              .quantity = "largest omega^2 over the bound of the waves'",
-              .source = source},
-             {.value = found.vortex.value(), .resolution = "100 wavenumbers over the zone"},
-             evidence::Bound{.limit = 1e-13, .reason = "the same differences, 1e-14 of a cell's energy"});
+void claim(Check& check, const std::string& name, const std::string& lattice, const Deviation& found) {
+  check.holds("waves-" + name +
+                  ": Energies and volumes linearised about rest have the frequencies of the closed form, on " +
+                  lattice + ".",
+              {found.wave.value()},
+              Bound{1e-12,
+                    "second differences over a quarter of a depth leave 1e-15 of a cell's energy; "
+                    "the longest wave has 1e-3 of the largest omega^2"});
+  check.holds("vortices-" + name + ": All other motions that the volumes allow are motionless, on " + lattice + ".",
+              {found.vortex.value()}, Bound{1e-13, "the same differences, 1e-14 of a cell's energy"});
 }
 
 /// The same frequency from the symbol of the multipliers' matrix: for a plane wave it is tridiagonal over the layers.
@@ -90,7 +83,7 @@ double by_multipliers(const CellColumn& column, double kx, double ky) {
 }
 
 TEST_CASE("the laws of the models in three dimensions follow from their energies and volumes", "[dispersion]") {
-  verification::Check check(
+  Check check(
       "exact_lattice_energies", "Waves on lattices of cells from energies and volumes alone",
       "Potential energy and volumes of bilinear and trilinear cells by Gauss quadrature, differentiated twice about "
       "rest, joined to an infinite lattice by the phases of a plane wave: the eigenvalues of the motions that keep the "
@@ -126,9 +119,9 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
               .quantity = "largest relative deviation of omega",
               .source = source},
              {.value = multipliers.value(), .resolution = "1, 2, 3, 5 layers, 100 wavenumbers over the zone"},
-             evidence::Bound{.limit = 1e-12,
-                             .reason = "the problem is a difference from 1 of which the longest wave leaves 0.01, "
-                                       "solved to some ten roundings times the matrix's condition, below 1e2"});
+             Bound{1e-12,
+                   "the problem is a difference from 1 of which the longest wave leaves 0.01, "
+                   "solved to some ten roundings times the matrix's condition, below 1e2"});
 }
 
 }  // namespace lattice_energies_test

@@ -16,8 +16,7 @@ namespace one_step_linear_modes_test {
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 const std::string source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), I.1.4, I.5";
 constexpr double amplitude = 1e-7;
@@ -135,13 +134,14 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
       "it the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$, too high, and is stable for "
       "$\\Omega\\tau < 2$; the fully conservative one $\\tan(\\omega\\tau/2) = \\Omega\\tau/2$, too low by twice "
       "as much. The modes are those of the linearised chain, by an eigenvalue solver.");
+  check.source(source);
   const Modes all = modes();
   // Beyond 1.2 the sweeps of the implicit scheme, which gain (Omega tau)^2/4 each, take too many.
   const Deviation one_step = deviation(Integrator::one_step, all, {0.1, 0.3, 0.6, 0.9, 1.2, 1.5, 1.8});
   const Deviation conservative = deviation(Integrator::conservative, all, {0.1, 0.3, 0.6, 0.9, 1.2});
   auto& panel = check.figure("phase", "Frequency of small oscillations", "The fastest mode and the schemes' laws.")
                     .panel({.x = "Omega tau", .y = "omega / Omega"});
-  using seiche::verification::Role;
+  using Role;
   panel.points("one-step scheme", one_step.step, one_step.found, Role::computed);
   panel.line("arcsine law", one_step.step, one_step.law, Role::exact);
   panel.points("fully conservative", conservative.step, conservative.found, Role::peer);
@@ -151,27 +151,23 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
                     "at the smallest step; terms of second order in the amplitude are 1e-14"};
   check.that({.id = "one-step",
               .text = "The one-step scheme follows the arcsine law.",
-              .quantity = "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.8",
-              .source = source},
+              .quantity = "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.8"},
              {.value = one_step.largest.value()}, small);
   check.that({.id = "conservative",
               .text = "The fully conservative scheme follows the arctangent law.",
-              .quantity = "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.2",
-              .source = source},
+              .quantity = "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.2"},
              {.value = conservative.largest.value()}, small);
   check.that({.id = "stable",
               .text = "At 0.98 of the limit tau = 2/Omega_max the fastest mode stays bounded.",
-              .quantity = "largest displacement over the initial one, 10000 steps",
-              .source = source},
+              .quantity = "largest displacement over the initial one, 10000 steps"},
              {.value = growth(0.98, 10000)},
              Bound{1.01, "a mode released from rest oscillates between its ends; other modes enter by rounding"});
-  check.that({.id = "unstable",
-              .text = "At 1.02 of it the mode explodes.",
-              .quantity = "displacement grows by a factor of 1000 in 100 steps",
-              .source = source},
-             {.value = growth(1.02, 100) >= 1e3 ? 1.0 : 0.0},
-             seiche::evidence::Qualitative{"largest displacement >= 1000 times the initial",
-                                           "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
+  check.that(
+      {.id = "unstable",
+       .text = "At 1.02 of it the mode explodes.",
+       .quantity = "displacement grows by a factor of 1000 in 100 steps"},
+      {.value = growth(1.02, 100) >= 1e3 ? 1.0 : 0.0},
+      Qualitative{"largest displacement >= 1000 times the initial", "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
 }
 
 }  // namespace one_step_linear_modes_test

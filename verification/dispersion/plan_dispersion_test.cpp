@@ -15,10 +15,7 @@ namespace plan_dispersion_test {
 
 using namespace seiche;
 using exact::PlanDispersion;
-using verification::check_table;
-using verification::claim_self_test;
-using verification::Printed;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 constexpr double diagonal = pi / 4;
@@ -36,7 +33,7 @@ Printed error(double spacing, double direction, double k, int power, const std::
 }
 
 /// Three of the printed numbers are one off in the last digit.
-void claim_misprints(verification::Check& check) {
+void claim_misprints(Check& check) {
   struct Misprint {
     std::string id;
     double spacing, direction, k, printed, half_unit, three_digits;
@@ -51,7 +48,7 @@ void claim_misprints(verification::Check& check) {
          .quantity = "relative error of the frequency",
          .source = printed_once},
         {.value = square(m.spacing).frequency_error(m.k, m.direction)},
-        evidence::Bound{.limit = m.half_unit, .reason = "half a unit of the last digit printed", .expected = m.printed},
+        Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
         {.value = m.three_digits,
          .width = 0.1 * m.half_unit,
          .reason = "printed after rounding twice, to three digits and to two; the law agrees with the eigenvalues of "
@@ -59,7 +56,7 @@ void claim_misprints(verification::Check& check) {
   }
 }
 
-void claim_orders(verification::Check& check) {
+void claim_orders(Check& check) {
   constexpr double k = 1.2;
   constexpr double direction = 0.5;
   std::vector<double> spacings;
@@ -75,14 +72,14 @@ void claim_orders(verification::Check& check) {
               .text = "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
               .quantity = "order in h1 at k H = 1.2, 29 degrees, h2 = 0.7 h1",
               .source = source},
-             evidence::observed_order(spacings, errors),
-             evidence::Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
+             observed_order(spacings, errors),
+             Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
   check.that({.id = "leading-term",
               .text = "Beyond its leading error the law deviates with the fourth power of the spacing.",
               .quantity = "order in h1 of the error minus its leading term",
               .source = source},
-             evidence::observed_order(spacings, rests),
-             evidence::Order{4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
+             observed_order(spacings, rests),
+             Order{4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
   const double h = 0.5;
   const double small = 0.02;
   check.that({.id = "anisotropy",
@@ -90,12 +87,10 @@ void claim_orders(verification::Check& check) {
               .quantity = "2 delta omega/omega over (h k)^2 at k H = 0.02",
               .source = source},
              {.value = 2 * square(h).frequency_error(small, diagonal) / (h * h * small * small)},
-             evidence::Bound{.limit = 3e-4 / 12,
-                             .reason = "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4",
-                             .expected = -1.0 / 12});
+             Bound{3e-4 / 12, "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4", -1.0 / 12});
 }
 
-void draw(verification::Check& check) {
+void draw(Check& check) {
   auto& sizes = check.figure("wavelength", "Error of the frequency on plan lattices",
                              "Relative error against the Green-Naghdi law for square cells: along an axis the terms of "
                              "second order cancel for long waves, at 45 degrees they do not.");
@@ -136,10 +131,10 @@ void draw(verification::Check& check) {
 }
 
 TEST_CASE("the law of the plan model has the known digits and limits", "[dispersion]") {
-  verification::Check check("exact_plan_dispersion", "Dispersion law of dispersive shallow water in plan",
-                            "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, "
-                            "the leading error with its anisotropy, and "
-                            "the order in the spacing.");
+  Check check("exact_plan_dispersion", "Dispersion law of dispersive shallow water in plan",
+              "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, "
+              "the leading error with its anisotropy, and "
+              "the order in the spacing.");
   check_table(check, "digits-axis", "errors along an axis, h = 0.5 H, k H = 0.25, 1.5; h = H, 0.25, 0.5, 1, 1.5",
               {error(0.5, 0, 0.25, 5, "-2.5"), error(0.5, 0, 1.5, 2, "-2.0"), error(1, 0, 0.25, 5, "-8.8"),
                error(1, 0, 0.5, 3, "-1.35"), error(1, 0, 1, 2, "-1.8"), error(1, 0, 1.5, 2, "-7.1")},
@@ -151,9 +146,9 @@ TEST_CASE("the law of the plan model has the known digits and limits", "[dispers
        error(1, diagonal, 1.5, 1, "-1.2")},
       printed_once);
   claim_misprints(check);
-  claim_self_test(check, "square", square(0.5), source);
-  claim_self_test(check, "oblong", PlanDispersion(9.81, 0.7, 0.4, 0.15), source);
-  claim_self_test(check, "alpha-1-2", PlanDispersion(1, 1, 1, 0.25, 0.5), source);
+  self_test_holds(check, "square", square(0.5));
+  self_test_holds(check, "oblong", PlanDispersion(9.81, 0.7, 0.4, 0.15));
+  self_test_holds(check, "alpha-1-2", PlanDispersion(1, 1, 1, 0.25, 0.5));
   claim_orders(check);
   draw(check);
   CHECK_THROWS_AS(PlanDispersion(1, 1, 0, 1), std::invalid_argument);

@@ -15,10 +15,8 @@ namespace plan_water_surface_test {
 
 using namespace seiche;
 using dispersive_shallow_water_2d::WaterSurface;
-using evidence::Bound;
-using evidence::Roundoff;
+using namespace seiche::verification;
 using plan_lattice::Shape;
-using verification::Check;
 
 constexpr double pi = std::numbers::pi;
 constexpr double improved = 1.0 / 15;
@@ -92,9 +90,9 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
               .quantity = "largest deviation over the amplitude",
               .source = derived},
              {.value = deviation.value(), .resolution = "12 x 9 rectangles, all waves"},
-             Bound{.limit = 2 * std::sqrt(13.0 * 10.0) * accuracy,
-                   .reason = "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three "
-                             "times as high as the markers"});
+             Bound{2 * std::sqrt(13.0 * 10.0) * accuracy,
+                   "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three "
+                   "times as high as the markers"});
 }
 
 TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion]") {
@@ -136,8 +134,8 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
               .quantity = "largest difference over the largest elevation above the markers",
               .source = derived},
              {.value = difference.value() / moved.value(), .resolution = "20 x 3 cells"},
-             Bound{.limit = std::sqrt(84.0) * 3 * accuracy,
-                   .reason = "the solution's relative accuracy in the mean of 84 nodes whose areas differ 9 times"});
+             Bound{std::sqrt(84.0) * 3 * accuracy,
+                   "the solution's relative accuracy in the mean of 84 nodes whose areas differ 9 times"});
 }
 
 TEST_CASE("the surface holds the markers' water, whichever way the lattice lies", "[dispersion]") {
@@ -167,9 +165,9 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
               .quantity = "water between them over what was moved",
               .source = derived},
              {.value = water / moved, .resolution = "14 x 11 cells"},
-             Bound{.limit = 20 * accuracy,
-                   .reason = "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the "
-                             "surface over what the solution moves"});
+             Bound{20 * accuracy,
+                   "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the "
+                   "surface over what the solution moves"});
   Sheet other = sheet;
   for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) {
     const double angle = 40 * pi / 180;
@@ -185,7 +183,7 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
               .quantity = "largest difference",
               .source = "rotation"},
              {.value = difference.value(), .resolution = "14 x 11 cells"},
-             Roundoff{.operations = 400, .scale = 1, .reason = "some twenty iterations of twenty operations"});
+             Roundoff{400, 1, "some twenty iterations of twenty operations"});
 }
 
 }  // namespace plan_water_surface_test

@@ -10,10 +10,8 @@
 namespace agreement_test {
 
 using namespace seiche::validation;
-using seiche::evidence::Bound;
+using namespace seiche::verification;
 using seiche::evidence::Claim;
-using seiche::evidence::Roundoff;
-using seiche::verification::Check;
 
 constexpr double pi = std::numbers::pi;
 
@@ -47,11 +45,8 @@ TEST_CASE("measures of agreement have their known values", "[evidence]") {
   const Agreement high =
       agreement(sampled(0, 4 * pi, 400, [&](double x) { return 1.1 * sine(x); }).curve(), reference.curve());
   const auto exactly = [&](const std::string& id, double value, double expected) {
-    check.that(named(id, "A curve a tenth too high.", id), {.value = value},
-               Roundoff{.operations = 2 * 401,
-                        .scale = expected,
-                        .reason = "a rounded term and a rounded sum for each of 401 points",
-                        .expected = expected});
+    check.holds(id + ": A curve a tenth too high.", {value},
+                Roundoff{2 * 401, expected, "a rounded term and a rounded sum for each of 401 points", expected});
   };
   exactly("relative-l1", high.relative_l1, 0.1);
   exactly("relative-l2", high.relative_l2, 0.1);
@@ -68,47 +63,42 @@ TEST_CASE("measures of agreement have their known values", "[evidence]") {
   const double spacing = 4 * pi / 400;
   for (const double lag : {0.1, -0.25, 0.7}) {
     const Points late = sampled(0, 4 * pi, 400, [&](double x) { return std::sin(x - lag); });
-    check.that(named("shift", "The shift of a sine is found to within a hundredth of the spacing.", "error of shift"),
-               {.value = agreement(late.curve(), reference.curve()).shift - lag},
-               Bound{.limit = 0.01 * spacing, .reason = "a parabola through the maximum of a smooth correlation"});
+    check.holds("The shift of a sine is found to within a hundredth of the spacing.",
+                {agreement(late.curve(), reference.curve()).shift - lag},
+                Bound{0.01 * spacing, "a parabola through the maximum of a smooth correlation"});
   }
   // Of two waves a period apart the nearer shift is taken.
   const Points same = sampled(0, 4 * pi, 400, sine);
-  check.that(named("no-shift", "A periodic curve is not shifted against itself.", "shift"),
-             {.value = agreement(same.curve(), reference.curve()).shift},
-             Bound{.limit = 1e-12, .reason = "symmetric correlation, round-off of three sums"});
+  check.holds("A periodic curve is not shifted against itself.", {agreement(same.curve(), reference.curve()).shift},
+              Bound{1e-12, "symmetric correlation, round-off of three sums"});
 
   // Seventeen points a period: the next period's lag falls on a multiple of the spacing more closely than the true one.
   const auto wave = [](double t) { return std::cos(2 * pi * t / 16.67); };
   const Points gauge = sampled(0, 100, 100, wave);
   const Points late_gauge = sampled(0, 100, 100, [&](double t) { return wave(t - 0.5); });
-  check.that(named("nearest", "Of several lags at which periodic curves agree the nearest is taken.", "error of shift"),
-             {.value = agreement(late_gauge.curve(), gauge.curve()).shift - 0.5},
-             Bound{.limit = 0.05, .reason = "a parabola through three of seventeen points a period"});
+  check.holds("Of several lags at which periodic curves agree the nearest is taken.",
+              {agreement(late_gauge.curve(), gauge.curve()).shift - 0.5},
+              Bound{0.05, "a parabola through three of seventeen points a period"});
 
   // Half as many points: the straight lines between them are second-order accurate, d^2/8 of the amplitude.
   const Points coarse = sampled(0, 4 * pi, 40, sine);
   const double step = 4 * pi / 40;
-  check.that(named("interpolation", "Between the points a submitted curve is joined by straight lines.",
-                   "largest error of a sine on coarse points"),
-             {.value = agreement(coarse.curve(), reference.curve()).largest_error},
-             Bound{.limit = step * step / 8, .reason = "error of linear interpolation, largest second derivative 1"});
+  check.holds("Between the points a submitted curve is joined by straight lines.",
+              {agreement(coarse.curve(), reference.curve()).largest_error},
+              Bound{step * step / 8, "error of linear interpolation, largest second derivative 1"});
 
   // A curve on half the range covers half of the points, and is compared there alone.
   const Points half = sampled(0, 2 * pi, 200, sine);
   const Agreement part = agreement(half.curve(), reference.curve());
-  check.that(named("part", "The coverage counts the submitted range alone: no curve is extrapolated.",
-                   "coverage by half the range"),
-             {.value = part.coverage}, Bound{.limit = 1.0 / 401, .reason = "one of 401 points", .expected = 0.5});
-  check.that(named("part-error", "What is not covered does not count.", "relative L2"), {.value = part.relative_l2},
-             Roundoff{.operations = 201, .scale = 1, .reason = "sum over 201 points"});
+  check.holds("The coverage counts the submitted range alone: no curve is extrapolated.", {part.coverage},
+              Bound{1.0 / 401, "one of 401 points", 0.5});
+  check.holds("What is not covered does not count.", {part.relative_l2}, Roundoff{201, 1, "sum over 201 points"});
   CHECK_THROWS_AS(agreement(sampled(20, 30, 4, sine).curve(), reference.curve()), std::invalid_argument);
 
   // A ramp 0, 1, 2, ... reaches 2.5 half-way between its points.
   const Points ramp = sampled(0, 10, 10, [](double x) { return x; });
-  check.that(named("arrival", "Arrival is found between the points.", "first crossing of 2.5"),
-             {.value = first_crossing(ramp.curve(), 2.5)},
-             Roundoff{.operations = 4, .scale = 10, .reason = "one interpolation", .expected = 2.5});
+  check.holds("Arrival is found between the points.", {first_crossing(ramp.curve(), 2.5)},
+              Roundoff{4, 10, "one interpolation", 2.5});
   CHECK(std::isnan(first_crossing(ramp.curve(), 11)));
 }
 

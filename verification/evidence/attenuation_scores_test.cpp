@@ -14,9 +14,8 @@ namespace attenuation_scores_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Bound;
+using namespace seiche::verification;
 using evidence::Verdict;
-using verification::Check;
 
 /// The exact wave, changed, at the centres of cells of a wavelength.
 evidence::Record scored(const std::function<double(const exact::StokesWave&, double x, double t)>& eta) {
@@ -79,16 +78,12 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
               "of height or phase.");
   const auto measured = [&](const std::string& id, const std::string& text, const evidence::Record& record,
                             const std::string& quantity, double expected) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = "made so"},
-               {.value = record.measurements().at(quantity)},
-               Bound{.limit = 1e-4,
-                     .reason = "straight lines between 200 points, the same for every period",
-                     .expected = expected});
+    check.holds(id + ": " + text, {record.measurements().at(quantity)},
+                Bound{1e-4, "straight lines between 200 points, the same for every period", expected});
   };
   const auto is = [&](const std::string& id, const std::string& text, Verdict got, Verdict expected) {
-    check.that({.id = id, .text = text, .quantity = "the verdict is as stated", .source = "what scoring means"},
-               {.value = got == expected ? 1.0 : 0.0, .resolution = std::string(evidence::name(got))},
-               evidence::Qualitative{"verdict " + std::string(evidence::name(expected)), "it was made so"});
+    check.holds(id + ": " + text, {got == expected ? 1.0 : 0.0},
+                Qualitative{"verdict " + std::string(evidence::name(expected)), "it was made so"});
   };
   const evidence::Record right = scored([](const auto& wave, double x, double t) { return wave.elevation(x, t); });
   measured("right-decay", "The decay read off the exact wave is zero.", right, "decay_per_wavelength", 0);
@@ -140,9 +135,8 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
     }
     exact["surface"].push_back(group);
   }
-  check.that({.id = "silent", .text = "Of a right wave nothing is said.", .quantity = "findings", .source = "made so"},
-             {.value = static_cast<double>(diagnosis(wanted, exact).size())},
-             Bound{.limit = 0, .reason = "nothing differs"});
+  check.holds("Of a right wave nothing is said.", {static_cast<double>(diagnosis(wanted, exact).size())},
+              Bound{0, "nothing differs"});
 }
 
 }  // namespace attenuation_scores_test

@@ -8,9 +8,8 @@ namespace baseline_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Qualitative;
+using namespace seiche::verification;
 using evidence::Summary;
-using verification::Check;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,8 +43,7 @@ TEST_CASE("a score is worse than its baseline where an error grew beyond both un
       "One claim with a limit of 1, before and after: what counts as worse, as an unexpected pass, as neither.");
   const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
                       const std::string& expected) {
-    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of changes_since()"},
-               {.value = got == expected ? 1.0 : 0.0, .resolution = got}, Qualitative{expected, "it was made so"});
+    check.holds(id + ": " + text, {got == expected ? 1.0 : 0.0}, Qualitative{expected, "it was made so"});
   };
   is("same", "The same numbers are the same.", change(claim(0.5, "pass"), claim(0.5, "pass")), "same");
   is("noise", "Less than a hundredth of the limit is noise.", change(claim(0.5, "pass"), claim(0.509, "pass")), "same");

@@ -13,8 +13,7 @@ namespace conservation_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Qualitative;
-using verification::Check;
+using namespace seiche::verification;
 
 std::vector<WantedTable> wanted_gauge() {
   return {{.name = "gauge",
@@ -59,9 +58,8 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
       "Histories that are kept, lose, gain, or come back, in flows that conserve them and in flows that do not.");
   const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
                       const std::string& expected) {
-    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of judge_history()"},
-               {.value = got.find(expected) != std::string::npos ? 1.0 : 0.0, .resolution = got},
-               Qualitative{"\"" + expected + "\"", "it was made so"});
+    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+                Qualitative{"\"" + expected + "\"", "it was made so"});
   };
   is("kept", "Water that is all there passes.", verdict("dam_break", "volume", {5, 5.004, 4.996}), "pass");
   is("lost", "A thousandth and a half that is lost fails.", verdict("dam_break", "volume", {5, 5, 4.9925}), "fail");

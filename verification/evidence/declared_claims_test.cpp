@@ -8,6 +8,7 @@
 namespace declared_claims_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 
 std::string reason_of(const evidence::Criterion& criterion) {
   return std::visit([](const auto& c) { return c.reason; }, criterion);
@@ -59,7 +60,7 @@ TEST_CASE("declared failures fail within their whole band", "[evidence]") {
   for (const auto& [run, claims] : all_declared()) {
     for (const validation::DeclaredClaim& declared : claims) {
       // What only the run can tell decides where the band of the others ends.
-      const auto* bound = std::get_if<evidence::Bound>(&declared.criterion);
+      const auto* bound = std::get_if<Bound>(&declared.criterion);
       if (!declared.known_failure || bound == nullptr || !bound->limit.stated() || !bound->expected.stated()) continue;
       INFO(run << ", " << declared.claim.id);
       const evidence::KnownFailure& failure = *declared.known_failure;

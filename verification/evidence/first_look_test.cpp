@@ -12,9 +12,7 @@ namespace first_look_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Bound;
-using evidence::Qualitative;
-using verification::Check;
+using namespace seiche::verification;
 
 std::vector<double> places() {
   std::vector<double> x;
@@ -42,7 +40,7 @@ std::vector<WantedTable> wanted(evidence::Role role, const std::string& unit = "
            .quantities = {{.column = {"eta", unit, "elevation"},
                            .reference = [](Place p) { return std::sin(p.abscissa); },
                            .requirements = {{.measure = Measure::relative_l2,
-                                             .criterion = Bound{.limit = 0.05, .reason = "of this test"},
+                                             .criterion = Bound{0.05, "of this test"},
                                              .text = "The wave is right.",
                                              .source = "this test"}}}},
            .points = [](double) { return places(); },
@@ -76,15 +74,12 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   Check check("first_look", "Summary of a score",
               "A sine with errors of known kinds: two wavelengths, joined by straight lines between 201 points.");
   const auto share = [&](const std::string& id, const std::string& text, double value) {
-    check.that(
-        {.id = id, .text = text, .quantity = "share of the squared error", .source = "made so"}, {.value = value},
-        Bound{.limit = 0.01, .reason = "differences of neighbours for the slope, and small shifts", .expected = 1});
+    check.holds(id + ": " + text, {value}, Bound{0.01, "differences of neighbours for the slope, and small shifts", 1});
   };
   const auto says = [&](const std::string& id, const std::string& text, const std::string& got,
                         const std::string& expected) {
-    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of first_look()"},
-               {.value = got.find(expected) != std::string::npos ? 1.0 : 0.0, .resolution = got},
-               Qualitative{"\"" + expected + "\"", "it was made so"});
+    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+                Qualitative{"\"" + expected + "\"", "it was made so"});
   };
   share("phase", "A wave that is late has an error of phase.",
         kind_of([](double x) { return std::sin(x - 0.05); }).phase);
@@ -94,21 +89,16 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
         kind_of([](double x) { return std::sin(x) + 0.1; }).level);
   const auto bump = [](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); };
   share("place", "A bump has its error where it is.", kind_of(bump).near);
-  check.that({.id = "where",
-              .text = "The position of the largest error is named.",
-              .quantity = "its place",
-              .unit = "m",
-              .source = "made so"},
-             {.value = kind_of(bump).where},
-             Bound{.limit = 0.0315, .reason = "half a distance of points", .expected = 4.5});
-  says("shape", "No single number explains a bump.", kind_of(bump).words(), "local shape");
+  check.holds("The position of the largest error is named.", {kind_of(bump).where},
+              Bound{0.0315, "half a distance of points", 4.5});
+  says("local shape", "No single number explains a bump.", kind_of(bump).words(), "local shape");
   says("words", "The kind of the error is named in the summary.",
        kind_of([](double x) { return std::sin(x - 0.05); }).words(), "phase: 100 %");
 
   const auto high = [](double x) { return 1.2 * std::sin(x); };
   says("right", "The next step of a right result is none.",
        answer([](double x) { return std::sin(x); }, "likely cause"), "all errors are within their limits");
-  says("verdict", "The number of claims met is in the summary.", answer(high, "result"),
+  says("result", "The number of claims met is in the summary.", answer(high, "result"),
        "1 of 2 claims are met, 1 not met");
   says("line", "The claim that is missed farthest is named in the summary.", answer(high, "closest limit"),
        "The wave is right. fail (eta-relative_l2: error 0.2");

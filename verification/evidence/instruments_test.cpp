@@ -18,9 +18,7 @@ namespace instruments_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Bound;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 
@@ -30,8 +28,7 @@ class Exactly {
   explicit Exactly(Check& check) : check_(check) {}
   void operator()(const std::string& id, const std::string& text, double value, double expected, double operations,
                   double scale, const std::string& reason) const {
-    check_.that({.id = id, .text = text, .quantity = id, .source = "definition of the instrument"}, {.value = value},
-                Roundoff{.operations = operations, .scale = scale, .reason = reason, .expected = expected});
+    check_.holds(id + ": " + text, {value}, Roundoff{operations, scale, reason, expected});
   }
 
  private:
@@ -67,14 +64,10 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
 
   std::vector<double> wave;
   for (int n = 0; n <= 400; ++n) wave.push_back(std::cos(2 * pi * n * 0.05 / 3.37));
-  check.that({.id = "period",
-              .text = "The period of a wave of 67 points.",
-              .quantity = "error of the period",
-              .source = "definition of the instrument"},
-             {.value = period_of(wave, 0.05).length - 3.37},
-             Bound{.limit = 0.01 * 3.37,
-                   .reason = "the ends of a window of six periods that is no multiple of them shift the top of the "
-                             "correlation by less than a hundredth of one"});
+  check.holds("The period of a wave of 67 points.", {period_of(wave, 0.05).length - 3.37},
+              Bound{0.01 * 3.37,
+                    "the ends of a window of six periods that is no multiple of them shift the top of the "
+                    "correlation by less than a hundredth of one"});
 
   CrestTrack track;
   for (int n = 0; n <= 50; ++n) {

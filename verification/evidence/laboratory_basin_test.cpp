@@ -20,8 +20,7 @@ namespace laboratory_basin_test {
 using namespace seiche;
 using namespace seiche::validation;
 using namespace seiche::validation::laboratory;
-using evidence::Bound;
-using verification::Check;
+using namespace seiche::verification;
 
 constexpr double depth = 0.4572;
 constexpr double channel = 9;  // before the layer
@@ -141,8 +140,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
               .text = "Gauges read a plane surface exactly, on the grid before and after rezoning.",
               .quantity = "largest error",
               .source = "bilinear maps hold planes"},
-             {.value = worst.value()},
-             evidence::Roundoff{.operations = 40, .scale = 10, .reason = "forty roundings of places up to 10"});
+             {.value = worst.value()}, Roundoff{40, 10, "forty roundings of places up to 10"});
   PlanGauges outside(before.shape, {{-2, 4}, {20, 4}, {6, 12}});
   double numbers = 0;
   for (const double z : outside.read({before.x, before.y, before.z})) numbers += std::isnan(z) ? 0 : 1;
@@ -150,7 +148,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
               .text = "Where there is no water they read nothing.",
               .quantity = "gauges outside that read a number",
               .source = "validation/instruments/plan_gauges.hpp"},
-             {.value = numbers}, Bound{.limit = 0, .reason = "none stands in the water"});
+             {.value = numbers}, Bound{0, "none stands in the water"});
 }
 
 }  // namespace laboratory_basin_test

@@ -19,8 +19,7 @@ namespace laboratory_readings_test {
 using namespace seiche;
 using namespace seiche::validation;
 using namespace seiche::validation::laboratory;
-using evidence::Bound;
-using verification::Check;
+using namespace seiche::verification;
 
 Measured sampled(double from, double to, int count, const std::function<double(double)>& y, double u, double u_x = 0) {
   Measured curve{.group = 0, .x = {}, .y = {}, .u = {}, .u_x = u_x};
@@ -35,8 +34,7 @@ Measured sampled(double from, double to, int count, const std::function<double(d
 void is(Check& check, const std::string& id, const std::string& text, double value, double expected, double limit,
         const std::string& reason) {
   check.that({.id = id, .text = text, .quantity = "value", .source = "validation/laboratory/reading.hpp"},
-             {.value = value, .uncertainty = 0, .resolution = "a curve that is known"},
-             Bound{.limit = limit, .reason = reason, .expected = expected});
+             {.value = value, .uncertainty = 0, .resolution = "a curve that is known"}, Bound{limit, reason, expected});
 }
 
 Values values_of(const std::string& name, const std::string& wave = {}) {
@@ -87,8 +85,7 @@ void is_told(Check& check, const std::string& id, const std::string& text, const
              const std::function<void(Submitted&)>& change) {
   const Scored result = scored(name, change);
   check.that({.id = id, .text = text, .quantity = "claims are missed", .source = "what scoring means"},
-             {.value = result.missed > 0 ? 1.0 : 0.0},
-             evidence::Qualitative{.detector = "one claim or more is not met", .reason = "it was planted"});
+             {.value = result.missed > 0 ? 1.0 : 0.0}, Qualitative{"one claim or more is not met", "it was planted"});
 }
 
 TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
@@ -198,8 +195,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
               .quantity = "order of arrivals",
               .source = "the geometry of the tank"},
              {.value = order ? 1.0 : 0.0},
-             evidence::Qualitative{.detector = "arrivals at x = 1.488, 0.992, 0.496 m increase",
-                                   .reason = "water runs from the door to the wall"});
+             Qualitative{"arrivals at x = 1.488, 0.992, 0.496 m increase", "water runs from the door to the wall"});
 }
 
 TEST_CASE("the metric of two readings is that of their covariance", "[evidence]") {
@@ -310,7 +306,7 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
               .text = "A common shift of the clock does not count against the result.",
               .quantity = "claims that are missed",
               .source = "what scoring means"},
-             {.value = static_cast<double>(late.missed)}, Bound{.limit = 0, .reason = "the shift is common"});
+             {.value = static_cast<double>(late.missed)}, Bound{0, "the shift is common"});
   const Scored near = scored("henderson_collision", [&](Submitted& all) {
     each(all, [](SubmittedGroup& one) {
       for (double& y : one.values.at("eta")) y += 0.0002;

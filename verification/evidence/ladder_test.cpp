@@ -11,9 +11,7 @@ namespace ladder_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Bound;
-using evidence::Qualitative;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::vector<double> sizes{0.1, 0.05, 0.025};
 
@@ -77,12 +75,10 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
               "must be what they were made with.");
   const auto close = [&](const std::string& id, const std::string& text, double value, double expected, double limit,
                          const std::string& why) {
-    check.that({.id = id, .text = text, .quantity = "relative difference", .source = "made with it"},
-               {.value = value / expected - 1}, Bound{.limit = limit, .reason = why});
+    check.holds(id + ": " + text, {value / expected - 1}, Bound{limit, why});
   };
   const auto is = [&](const std::string& id, const std::string& text, bool holds, const std::string& shown = {}) {
-    check.that({.id = id, .text = text, .quantity = "it is so", .source = "interface of ladder_of()"},
-               {.value = holds ? 1.0 : 0.0, .resolution = shown}, Qualitative{"comparison", "it was made so"});
+    check.holds(id + ": " + text, {holds ? 1.0 : 0.0}, Qualitative{"comparison", "it was made so"});
   };
   const std::string rounding = "powers of a few digits, a dozen roundings";
   const Ladder first = ladder(1);

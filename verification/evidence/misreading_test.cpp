@@ -11,10 +11,8 @@
 namespace misreading_test {
 
 using namespace seiche::validation;
-using seiche::evidence::Bound;
+using namespace seiche::verification;
 using seiche::evidence::Claim;
-using seiche::evidence::Qualitative;
-using seiche::verification::Check;
 using Kind = Misreading::Kind;
 
 constexpr double spacing = 0.05;
@@ -52,12 +50,10 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
     const std::optional<Misreading> misread = misreading(submitted.curve(), reference.curve());
-    check.that(named(id, "The planted misreading is recognised and named.", "the change that was planted is named"),
-               {.value = misread && misread->kind == kind ? 1.0 : 0.0},
-               Qualitative{"the kind of the change", "it was planted"});
-    check.that(named(id + "-amount", "The amount of the planted misreading is found.", "number of the change"),
-               {.value = misread ? misread->amount : std::nan("")},
-               Bound{.limit = accuracy, .reason = why, .expected = amount});
+    check.holds(id + ": It is recognised.", {misread && misread->kind == kind ? 1.0 : 0.0},
+                Qualitative{"the kind of the change", "it was planted"});
+    check.holds(id + "-amount: Its number is found.", {misread ? misread->amount : std::nan("")},
+                Bound{accuracy, why, amount});
   };
   // Straight lines between points miss a curve of second derivative 0.1 by 0.1 spacing^2/8; over its slopes of 0.07 in
   // the mean that is a time.
@@ -94,9 +90,8 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
   for (std::size_t i = 0; i < noisy.y.size(); ++i)
     noisy.y[i] += 0.03 * std::sin(1e4 * static_cast<double>(i * i % 977));
   const auto nothing = [&](const std::string& id, const std::string& text, const Points& submitted) {
-    check.that(named(id, text, "an explanation is found"),
-               {.value = misreading(submitted.curve(), reference.curve()) ? 1.0 : 0.0},
-               Qualitative{"misreading()", "no single change was planted", false});
+    check.holds(id + ": " + text, {misreading(submitted.curve(), reference.curve()) ? 1.0 : 0.0},
+                Qualitative{"misreading()", "no single change was planted", false});
   };
   nothing("same", "Of the reference itself nothing is said.", reference);
   nothing("small", "A difference of less than a hundredth of the range is none.",
@@ -134,15 +129,12 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
   const auto says = [&](const std::string& id, const Submitted& submitted, std::size_t count, const std::string& words,
                         bool shift_fitted = false) {
     const std::vector<Finding> findings = diagnosis(wanted, submitted, shift_fitted);
-    check.that(named(id, "As many findings as there are.", "findings"), {.value = static_cast<double>(findings.size())},
-               Bound{.limit = 0, .reason = "by hand", .expected = static_cast<double>(count)});
+    check.holds(id + ": As many findings as there are.", {static_cast<double>(findings.size())},
+                Bound{0, "by hand", static_cast<double>(count)});
     bool said = count == 0;
     for (const Finding& one : findings) said = said || (one.where + " " + one.words).find(words) != std::string::npos;
-    check.that(
-        named(id + "-words",
-              words.empty() ? "The right result is called right." : "The diagnosis says \"" + words + "\" in words.",
-              "as stated"),
-        {.value = said ? 1.0 : 0.0}, Qualitative{"the sentence holds the words", "they name what was planted"});
+    check.holds(id + "-words: \"" + words + "\" is said.", {said ? 1.0 : 0.0},
+                Qualitative{"the sentence holds the words", "they name what was planted"});
   };
   const auto at = [&](double x) { return [&, x](double t) { return reference({x, t}); }; };
   const auto late = [&](double x) { return [&, x](double t) { return reference({x, t - 0.5}); }; };

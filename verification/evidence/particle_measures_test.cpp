@@ -17,11 +17,9 @@ namespace particle_measures_test {
 
 using namespace seiche::validation;
 using seiche::Worst;
-using seiche::evidence::Bound;
+using namespace seiche::verification;
 using seiche::evidence::Claim;
-using seiche::evidence::Roundoff;
 using seiche::exact::OverturningWave;
-using seiche::verification::Check;
 
 constexpr double pi = std::numbers::pi;
 
@@ -61,26 +59,22 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
     slopes += steepness;
     squares += steepness * steepness;
   }
-  check.that(named("shift", "The shift that fits equals the shift of the points.", "shift"), {.value = fit.shift},
-             Bound{.limit = of_lines * slopes / squares + of_halving,
-                   .reason = "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
-                             "the last of 20 halved steps is 2^-19 of 0.0035",
-                   .expected = 0.17});
-  check.that(
-      named("rms", "The rms distance after the shift is zero.", "rms"), {.value = fit.rms},
-      Bound{.limit = of_lines + of_halving * std::sqrt(squares / 4),
-            .reason = "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
-                      "of halving times the slopes"});
-  check.that(named("points", "Points beyond the tank are left out.", "points that count"),
-             {.value = static_cast<double>(fit.points)}, Bound{.limit = 0, .reason = "by hand", .expected = 4});
+  check.holds("The shift that fits equals the shift of the points.", {fit.shift},
+              Bound{of_lines * slopes / squares + of_halving,
+                    "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
+                    "the last of 20 halved steps is 2^-19 of 0.0035",
+                    0.17});
+  check.holds("The rms distance after the shift is zero.", {fit.rms},
+              Bound{of_lines + of_halving * std::sqrt(squares / 4),
+                    "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
+                    "of halving times the slopes"});
+  check.holds("Points beyond the tank are left out.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
-  check.that(named("raw", "The difference before the shift agrees with the formulas.", "rms without a shift"),
-             {.value = fit.raw_rms},
-             Bound{.limit = 1e-6, .reason = "lines between the points", .expected = std::sqrt(sum / 4)});
-  check.that(named("slope", "The slope of a straight part is the slope.", "slope"),
-             {.value = slope_between({T, T}, 1, 2)},
-             Roundoff{.operations = 4000, .scale = 1, .reason = "sums over 1000 points", .expected = 1});
+  check.holds("The difference before the shift agrees with the formulas.", {fit.raw_rms},
+              Bound{1e-6, "lines between the points", std::sqrt(sum / 4)});
+  check.holds("The slope of a straight part is the slope.", {slope_between({T, T}, 1, 2)},
+              Roundoff{4000, 1, "sums over 1000 points", 1});
   CHECK_THROWS_AS(shifted_front({T, X}, {late, measured}, 1.0), std::invalid_argument);
 }
 
@@ -90,28 +84,19 @@ TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
   const Polyline low{{0, 1}, {0, 0}};
   const Polyline high{{0, 0.3, 1}, {0.25, 0.25, 0.25}};
   const PolylineDistance lines = polyline_distance({low}, {high});
-  check.that(named("lines", "The rms distance of parallel lines is their distance.", "rms distance"),
-             {.value = lines.rms},
-             Roundoff{.operations = 20, .scale = 1, .reason = "three segments", .expected = 0.25});
+  check.holds("The rms distance of parallel lines is their distance.", {lines.rms},
+              Roundoff{20, 1, "three segments", 0.25});
   const PolylineDistance circles = polyline_distance({circle(1, 1000)}, {circle(1.5, 1000)});
-  check.that(
-      named("circles", "The rms distance of concentric circles is the difference of their radii.", "rms distance"),
-      {.value = circles.rms},
-      Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
-  check.that(
-      named("largest", "The largest distance of concentric circles is the difference of their radii.",
-            "largest distance"),
-      {.value = circles.largest},
-      Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
+  check.holds("The rms distance of concentric circles is the difference of their radii.", {circles.rms},
+              Bound{1.5 * pi * pi / 2 / 1e6, "the height of a chord of the larger one", 0.5});
+  check.holds("The largest distance of concentric circles is the difference of their radii.", {circles.largest},
+              Bound{1.5 * pi * pi / 2 / 1e6, "the height of a chord of the larger one", 0.5});
   const PolylineDistance images = polyline_distance({low}, {Polyline{{2, 3}, {0, 0}}}, 2);
-  check.that(named("images", "A curve a period away is the same curve.", "rms distance"), {.value = images.rms},
-             Roundoff{.operations = 20, .scale = 1, .reason = "one segment"});
+  check.holds("A curve a period away is the same curve.", {images.rms}, Roundoff{20, 1, "one segment"});
   // From the part nothing is missing; from the whole, its two further pieces are half and one and a half away.
   const PolylineDistance part = polyline_distance({low}, {Polyline{{0, 1, 2, 3}, {0, 0, 0, 0}}});
-  check.that(
-      named("part", "A curve and a part of it.", "rms distance"), {.value = part.rms},
-      Roundoff{
-          .operations = 20, .scale = 2, .reason = "four segments", .expected = std::sqrt(0.5 * (0.25 + 2.25) / 3)});
+  check.holds("A curve and a part of it.", {part.rms},
+              Roundoff{20, 2, "four segments", std::sqrt(0.5 * (0.25 + 2.25) / 3)});
   CHECK_THROWS_AS(polyline_distance({}, {low}), std::invalid_argument);
 }
 
@@ -144,22 +129,14 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
     const double a_y = (-3 * at_rest.v[i] + 4 * soon.v[i] - later.v[i]) / (2 * tau);
     acceleration.add(std::hypot(a_x + p_x, a_y + p_y + gravity));
   }
-  check.that(named("velocity", "Velocities at the surface agree with the boundary integral.", "largest difference"),
-             {.value = velocity.value() / fastest.value()},
-             Bound{.limit = 1e-10, .reason = "128 markers resolve the first surface to round-off of the kernels"});
-  check.that(
-      named("acceleration", "Accelerations at the surface agree with the boundary integral.",
-            "largest difference over g"),
-      {.value = acceleration.value() / gravity},
-      Bound{.limit = 1e-5,
-            .reason = "a second-order difference over 1e-4 s of velocities that change within 0.05 s leaves 4e-6"});
-  check.that(named("surface", "The pressure at the surface is zero between the points too.",
-                   "largest defect over g times the amplitude"),
-             {.value = start.surface_defect()},
-             Bound{.limit = 1e-9, .reason = "24 terms of a series whose terms fall by a factor of 2.2"});
-  check.that(named("bottom", "The velocity through the bottom is zero to round-off.", "largest vertical velocity"),
-             {.value = std::abs(start.velocity(0.3, -depth)[1])},
-             Roundoff{.operations = 4, .scale = fastest.value(), .reason = "sinh of zero"});
+  check.holds("Velocities at the surface agree with the boundary integral.", {velocity.value() / fastest.value()},
+              Bound{1e-10, "128 markers resolve the first surface to round-off of the kernels"});
+  check.holds("Accelerations at the surface agree with the boundary integral.", {acceleration.value() / gravity},
+              Bound{1e-5, "a second-order difference over 1e-4 s of velocities that change within 0.05 s leaves 4e-6"});
+  check.holds("The pressure at the surface is zero between the points too.", {start.surface_defect()},
+              Bound{1e-9, "24 terms of a series whose terms fall by a factor of 2.2"});
+  check.holds("The velocity through the bottom is zero to round-off.", {std::abs(start.velocity(0.3, -depth)[1])},
+              Roundoff{4, fastest.value(), "sinh of zero"});
   CHECK_THROWS_AS(SteepWaveStart(0.08, 1, 0.13, gravity), std::invalid_argument);
   CHECK_THROWS_AS(SteepWaveStart(0.05, 1, 0.04, gravity), std::invalid_argument);
 }

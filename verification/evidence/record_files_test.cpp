@@ -23,9 +23,9 @@ Record sample() {
   record.title = "A sample <with> \"marks\"";
   record.parameters["depth"] = {.value = 0.1, .standard = 1.0, .unit = "m", .meaning = "still-water depth"};
   record.check({.id = "a", .text = "a holds", .quantity = "a", .unit = "m", .source = "s"}, {.value = 0.1},
-               Bound{.limit = 1, .reason = "r"});
+               Bound{1, "r"});
   record.check({.id = "b", .text = "b holds", .quantity = "b", .unit = "m", .source = "s"},
-               {.value = std::numeric_limits<double>::quiet_NaN()}, Bound{.limit = 1, .reason = "r"});
+               {.value = std::numeric_limits<double>::quiet_NaN()}, Bound{1, "r"});
   record.measure("infinite", std::numeric_limits<double>::infinity());
   const std::vector<double> x{0, 1, 2};
   record.figure("profile", "Profile", "A line.").panel({.x = "x [m]", .y = "h [m]"}).line("exact", x, x, Role::exact);
@@ -102,7 +102,7 @@ TEST_CASE("ids with other characters and figures named twice are refused", "[rec
   Record record = sample();
   CHECK_THROWS_AS(record.figure("../x", "", ""), std::invalid_argument);
   CHECK_THROWS_AS(record.figure("profile", "", ""), std::invalid_argument);
-  CHECK_THROWS_AS(record.check({.id = ""}, {.value = 1}, Bound{.limit = 1, .reason = "r"}), std::invalid_argument);
+  CHECK_THROWS_AS(record.check({.id = ""}, {.value = 1}, Bound{1, "r"}), std::invalid_argument);
 }
 
 TEST_CASE("SHA-256 of known texts", "[record]") {

@@ -12,6 +12,7 @@
 namespace reference_data_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using validation::ReferenceSource;
 
 const std::set<std::string> known_units = {"1", "m", "cm", "s", "1/s", "m/s", "m^2", "m^2/s", "deg", "rad", "Pa"};
@@ -133,7 +134,7 @@ class Faults {
 };
 
 TEST_CASE("every reference table says where it comes from and how well it is known", "[evidence]") {
-  verification::Check check(
+  Check check(
       "reference_data", "The reference tables",
       "One folder per source under `reference_data`: `table.csv`, numbers only, and `source.toml`. Every folder is "
       "checked: citation, what the numbers are, how they were obtained, checksum, units, the order of the abscissae "
@@ -157,13 +158,8 @@ TEST_CASE("every reference table says where it comes from and how well it is kno
   }
   check.table(table);
   for (const std::string& fault : faults) UNSCOPED_INFO(fault);
-  check.measure("numbers in reference tables", static_cast<double>(numbers));
-  check.that(
-      {.id = "complete",
-       .text = "All " + std::to_string(names.size()) + " tables are complete, ordered, and what their checksums say.",
-       .quantity = "number of faults",
-       .source = "reference_data"},
-      {.value = static_cast<double>(faults.size())}, evidence::Bound{.limit = 0, .reason = "a fault is a fault"});
+  check.holds("All " + std::to_string(names.size()) + " tables are complete, ordered, and what their checksums say.",
+              {static_cast<double>(faults.size())}, Bound{0, "a fault is a fault"});
   for (const auto& entry : std::filesystem::directory_iterator(validation::reference_folder())) {
     INFO(entry.path());
     CHECK((!entry.is_directory() || std::filesystem::exists(entry.path() / "source.toml")));

@@ -18,11 +18,7 @@ namespace reflection_pattern_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using verification::ExactReflection;
-using verification::Role;
-using verification::SampledReflection;
-
-const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
+using namespace seiche::verification;
 
 constexpr double a = 0.3;
 constexpr double spacing = 0.5;
@@ -62,7 +58,7 @@ double highest_on_wall(const ExactReflection& waves, double t) {
               .second;
 }
 
-void claim_pattern(verification::Check& check, const Configuration& configuration) {
+void claim_pattern(Check& check, const Configuration& configuration) {
   const ExactReflection waves(a, configuration.kappa);
   const double t = time_of(waves);
   const SampledReflection sampled(waves, t, height_of(waves), spacing, configuration.disorder);
@@ -71,8 +67,7 @@ void claim_pattern(verification::Check& check, const Configuration& configuratio
                                        configuration.disorder > 0 ? "disordered" : "uniform");
   const auto bounded = [&](const std::string& id, const std::string& text, double value, double expected, double limit,
                            const std::string& reason) {
-    check.that({.id = id + "-" + configuration.id, .text = what + text, .quantity = id, .source = source},
-               {.value = value}, evidence::Bound{.limit = limit, .reason = reason, .expected = expected});
+    check.holds(id + "-" + configuration.id + ": " + what + text, {value}, Bound{limit, reason, expected});
   };
   const ParabolaError error = parabola_limit(configuration.disorder, waves.incident().lean);
   // The crest on the wall is higher and, for a stem, narrower: S becomes S (1 + kappa).
@@ -98,26 +93,18 @@ void claim_pattern(verification::Check& check, const Configuration& configuratio
   // rows.
   REQUIRE(pattern.reflected);
   const double widest = 0.02;
-  check.that({.id = "reflected-amplitude-" + configuration.id,
-              .text = what + "the reflected amplitude is Miles's within the uncertainty stated.",
-              .quantity = "a_r/a_i",
-              .source = source},
-             pattern.reflected_ratio(),
-             evidence::Uncertainty{.expected = waves.reflected().amplitude / a,
-                                   .useful = widest,
-                                   .reason = "spread of the rows, which see the front crest's tail"});
-  check.that({.id = "reflected-angle-" + configuration.id,
-              .text = what + "the reflected angle is Miles's within the uncertainty stated.",
-              .quantity = "psi_r [rad]",
-              .source = source},
-             pattern.reflected->angle,
-             evidence::Uncertainty{.expected = waves.reflected().angle(),
-                                   .useful = widest,
-                                   .reason = "standard error of the line and its curvature near the front crest"});
+  check.holds(what + "the reflected amplitude is Miles's within the uncertainty stated.", pattern.reflected_ratio(),
+              evidence::Uncertainty{.expected = waves.reflected().amplitude / a,
+                                    .useful = widest,
+                                    .reason = "spread of the rows, which see the front crest's tail"});
+  check.holds(what + "the reflected angle is Miles's within the uncertainty stated.", pattern.reflected->angle,
+              evidence::Uncertainty{.expected = waves.reflected().angle(),
+                                    .useful = widest,
+                                    .reason = "standard error of the line and its curvature near the front crest"});
 }
 
 /// Rows of the surface above one another, and the crests found on them.
-void draw(verification::Check& check) {
+void draw(Check& check) {
   const ExactReflection waves(a, 0.5);
   const double t = time_of(waves);
   const double height = height_of(waves);
@@ -167,7 +154,7 @@ void draw(verification::Check& check) {
 }
 
 TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its surface", "[evidence]") {
-  verification::Check check(
+  Check check(
       "reflection_measures", "Measuring Mach reflection",
       "What is measured of the reflection of a solitary wave (amplitudes at the wall and of the incident and reflected "
       "wave, their angles, the stem's length and angle), on exact surfaces of the Kadomtsev-Petviashvili equation with "
@@ -193,21 +180,13 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   }
   const double path = wall_x.back() - wall_x.front();
   const ParabolaError error = parabola_limit(0, waves.incident().lean);
-  check.that({.id = "stem-angle",
-              .text = "The stem's angle, from two surfaces 60 h/c0 apart.",
-              .quantity = "tan chi",
-              .source = source},
-             {.value = std::tan(stem_angle(wall_x, stem).value)},
-             evidence::Bound{.limit = 2 * (2 + 3 * 55 / (0.14 * 80)) * error.place / waves.incident().lean / path,
-                             .reason = "errors of two lengths of the stem over the path",
-                             .expected = waves.stem_growth() / waves.wall().speed});
+  check.holds("The stem's angle, from two surfaces 60 h/c0 apart.", {std::tan(stem_angle(wall_x, stem).value)},
+              Bound{2 * (2 + 3 * 55 / (0.14 * 80)) * error.place / waves.incident().lean / path,
+                    "errors of two lengths of the stem over the path", waves.stem_growth() / waves.wall().speed});
   std::reverse(stem.begin(), stem.end());
-  check.that({.id = "stem-shrinks",
-              .text = "A stem that shrinks has a negative angle.",
-              .quantity = "sum of the angles of a stem and of its mirror image",
-              .source = source},
-             {.value = stem_angle(wall_x, stem).value + std::atan((stem.front() - stem.back()) / path)},
-             evidence::Roundoff{.operations = 10, .scale = 1, .reason = "a line through two points and its angle"});
+  check.holds("A stem that shrinks has a negative angle.",
+              {stem_angle(wall_x, stem).value + std::atan((stem.front() - stem.back()) / path)},
+              Roundoff{10, 1, "a line through two points and its angle"});
 
   const double exact_height = highest_on_wall(waves, time_of(waves));
   std::vector<double> spacings;
@@ -229,12 +208,9 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   }
   const auto claim_order = [&](const std::string& id, const std::string& nodes, const std::vector<double>& errors,
                                double order) {
-    check.that({.id = id,
-                .text = "The wall amplitude from " + nodes + " nodes converges with this order.",
-                .quantity = "order of the largest error as the crest passes the nodes",
-                .source = "definition of the measure"},
-               evidence::observed_order(spacings, errors),
-               evidence::Order{order, 0.4, "interpolation of an even maximum by polynomials of degree 2 and 4"});
+    check.holds(id + ": The wall amplitude from " + nodes + " nodes converges with this order.",
+                observed_order(spacings, errors),
+                Order{order, 0.4, "interpolation of an even maximum by polynomials of degree 2 and 4"});
   };
   claim_order("three-nodes", "three", three_nodes, 4);
   claim_order("five-nodes", "five", five_nodes, 6);

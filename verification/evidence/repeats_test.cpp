@@ -8,8 +8,7 @@ namespace repeats_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 /// A table of one group: a straight line, higher by `above`, on points `step` apart.
 Submitted line(double above, double step) {
@@ -26,10 +25,7 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
               "Three straight lines, 0.01 below, on and above one another, the second on other points.");
   const Repeats repeats = repeats_of({line(-0.01, 0.5), line(0, 0.25), line(0.01, 0.5)});
   const auto is = [&](const std::string& id, const std::string& text, double got, double expected) {
-    check.that(
-        {.id = id, .text = text, .quantity = "as made", .source = "mean and standard deviation of -1, 0 and 1"},
-        {.value = got},
-        Roundoff{.operations = 30, .scale = 3, .reason = "three numbers up to 3 at 9 points", .expected = expected});
+    check.holds(id + ": " + text, {got}, Roundoff{30, 3, "three numbers up to 3 at 9 points", expected});
   };
   const SubmittedGroup& mean = repeats.mean.at("wave").front();
   is("points", "The mean is given at the points of the first run.", static_cast<double>(mean.abscissa.size()), 9);

@@ -15,10 +15,7 @@ namespace score_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using evidence::Bound;
-using evidence::Qualitative;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 /// A wave sin(x - t) at two times, and one measured height 2.0 +- 0.1 m.
 std::vector<WantedTable> wanted_tables() {
@@ -31,7 +28,7 @@ std::vector<WantedTable> wanted_tables() {
            .quantities = {{.column = {"eta", "m", "elevation"},
                            .reference = [](Place p) { return std::sin(p.abscissa - p.group); },
                            .requirements = {{.measure = Measure::relative_l2,
-                                             .criterion = Bound{.limit = 0.05, .reason = "of this test"},
+                                             .criterion = Bound{0.05, "of this test"},
                                              .text = "The wave is the exact one.",
                                              .source = "this test"}}}},
            .groups = {1, 2},
@@ -44,7 +41,7 @@ std::vector<WantedTable> wanted_tables() {
                                                                                 .data = 0.1,
                                                                                 .useful = 0.5,
                                                                                 .reason = "gauge's stated uncertainty"},
-                                             .text = "The run-up is the measured one.",
+                                             .text = "The maximum run-up agrees with the measurements.",
                                              .source = "this test"}}}}}};
 }
 
@@ -106,9 +103,8 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
                       const std::string& expected) {
     INFO(got << " / " << expected);
-    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of score()"},
-               {.value = got.find(expected) != std::string::npos ? 1.0 : 0.0},
-               Qualitative{"\"" + expected + "\"", "stated in the interface"});
+    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+                Qualitative{"\"" + expected + "\"", "stated in the interface"});
   };
   const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
   is("good", "Exact profiles with a stated uncertainty pass.", verdict(good, "eta-relative_l2"), "pass");
@@ -119,15 +115,8 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
      "t = 2");
   is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
   is("absent", "Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
-  check.that({.id = "second",
-              .text = "Each time is measured by itself.",
-              .quantity = "relative L2 at t = 2 s",
-              .source = "interface of score()"},
-             {.value = bad.measurements().at("eta_relative_l2_t_2")},
-             Roundoff{.operations = 2 * 51,
-                      .scale = 0.1,
-                      .reason = "a rounded term and a rounded sum for each of 51 points",
-                      .expected = 0.1});
+  check.holds("Each time is measured by itself.", {bad.measurements().at("eta_relative_l2_t_2")},
+              Roundoff{2 * 51, 0.1, "a rounded term and a rounded sum for each of 51 points", 0.1});
 
   // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
   // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.
@@ -182,19 +171,11 @@ TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
     return record.measurements();
   };
   const double pi = std::acos(-1.0);
-  check.that({.id = "rises",
-              .text = "What rises 0.2 s late arrives as late.",
-              .quantity = "error of arrival",
-              .unit = "s",
-              .source = "interface of score()"},
-             {.value = measured(-0.5 * pi).at("eta_arrival_error")},
-             Bound{.limit = 0.002, .reason = "lines between points 0.1 apart miss a sine by 0.1^2/8", .expected = 0.2});
-  check.that({.id = "falls",
-              .text = "What falls from the start does not arrive.",
-              .quantity = "an arrival is measured",
-              .source = "interface of score()"},
-             {.value = static_cast<double>(measured(0.5 * pi).count("eta_arrival_error"))},
-             Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
+  check.holds("What rises 0.2 s late arrives as late.", {measured(-0.5 * pi).at("eta_arrival_error")},
+              Bound{0.002, "lines between points 0.1 apart miss a sine by 0.1^2/8", 0.2});
+  check.holds("What falls from the start does not arrive.",
+              {static_cast<double>(measured(0.5 * pi).count("eta_arrival_error"))},
+              Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
 }
 
 }  // namespace score_test

@@ -17,7 +17,7 @@ namespace sealed_records_test {
 
 using namespace seiche;
 using namespace seiche::evidence;
-using seiche::verification::ScratchFolder;
+using namespace seiche::verification;
 
 Record sample(double depth) {
   Record record;
@@ -26,7 +26,7 @@ Record sample(double depth) {
   record.title = "A sample";
   record.article = "An article.";
   record.check({.id = "a", .text = "a \x1b[31mholds", .quantity = "a", .unit = "m", .source = "s"}, {.value = depth},
-               Bound{.limit = 1, .reason = "r"});
+               Bound{1, "r"});
   const std::vector<double> x{0, 1, 2};
   const std::vector<double> h{depth, depth, depth};
   record.figure("profile", "Profile", "A line.").panel({.x = "x [m]", .y = "h [m]"}).line("exact", x, h, Role::exact);

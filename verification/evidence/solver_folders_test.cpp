@@ -17,7 +17,7 @@ namespace solver_folders_test {
 using namespace seiche;
 using validation::Reading;
 using validation::ResultFile;
-using verification::Check;
+using namespace seiche::verification;
 using Columns = std::vector<std::vector<double>>;
 
 /// Names and rows as text: "t,x,h|0,1,2|0.5,1,3".
@@ -55,9 +55,8 @@ class Folder {
       got = refusal.what();
     }
     INFO(got << " / " << expected);
-    check_.that({.id = id, .text = text, .quantity = "the table is as written", .source = "solver_files.hpp"},
-                {.value = got == expected ? 1.0 : 0.0},
-                evidence::Qualitative{"every name and number of the table", "the file was written so"});
+    check_.holds(id + ": " + text, {got == expected ? 1.0 : 0.0},
+                 Qualitative{"every name and number of the table", "the file was written so"});
   }
 
   void refused(const std::string& id, const std::string& text, const std::string& name, const std::string& word,
@@ -69,13 +68,12 @@ class Folder {
       said = refusal.what();
     }
     INFO(said);
-    check_.that({.id = id, .text = text, .quantity = "refused", .source = "solver_files.hpp"},
-                {.value = said.find(word) != std::string::npos ? 1.0 : 0.0},
-                evidence::Qualitative{"an error that says \"" + word + "\"", "nothing is made up"});
+    check_.holds(id + ": " + text, {said.find(word) != std::string::npos ? 1.0 : 0.0},
+                 Qualitative{"an error that says \"" + word + "\"", "nothing is made up"});
   }
 
  private:
-  verification::ScratchFolder scratch_{"seiche_solver_folders"};
+  ScratchFolder scratch_{"seiche_solver_folders"};
   Check& check_;
 };
 
@@ -108,12 +106,9 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
             "x,y,z,t,h,p|1,0,0,0,10,1|1,0.5,0,0,11,2|1,0,0,1,12,3|1,0.5,0,1,13,4|1,0,0,2,14,5|1,0.5,0,2,15,6|"
             "1,0,0,1,22,7|1,0.5,0,1,23,8");
   const validation::RowOrder order = validation::in_order({0, 1, 2, 3, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5, 6, 7});
-  check.that({.id = "replaced",
-              .text = "What a restart repeats replaces what was before.",
-              .quantity = "rows",
-              .source = "submitted.hpp"},
-             {.value = order.rows == std::vector<std::size_t>{0, 4, 5, 6, 7} ? 1.0 : 0.0},
-             evidence::Qualitative{"rows 0, 4, 5, 6, 7", "the later rows count"});
+  check.holds("What a restart repeats replaces what was before.",
+              {order.rows == std::vector<std::size_t>{0, 4, 5, 6, 7} ? 1.0 : 0.0},
+              Qualitative{"rows 0, 4, 5, 6, 7", "the later rows count"});
 
   const std::string coarse = "1 grid_number\n1 AMR_level\n3 mx\n0 xlow\n1 dx\n\n1 0 1\n9 9 9\n3 0 3\n\n";
   const std::string fine = "2 grid_number\n2 AMR_level\n2 mx\n1 xlow\n0.5 dx\n\n4 0 4\n5 0 5\n";

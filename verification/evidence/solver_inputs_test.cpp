@@ -13,9 +13,7 @@
 namespace solver_inputs_test {
 
 using namespace seiche;
-using evidence::Bound;
-using evidence::Qualitative;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string header = "FoamFile\n{\n    version 2.0;\n    format %;\n    class volVectorField;\n}\n";
 
@@ -57,13 +55,11 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
       "number.");
   const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
                       const std::string& expected) {
-    check.that({.id = id, .text = text, .quantity = "as stated", .source = "the solver's documentation"},
-               {.value = got.find(expected) != std::string::npos ? 1.0 : 0.0, .resolution = got},
-               Qualitative{"\"" + expected + "\"", "the format"});
+    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+                Qualitative{"\"" + expected + "\"", "the format"});
   };
   const auto exactly = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.that({.id = id, .text = text, .quantity = "the number", .source = "written with 17 digits"}, {.value = value},
-               Bound{.limit = 0, .reason = "17 digits hold a number", .expected = expected});
+    check.holds(id + ": " + text, {value}, Bound{0, "17 digits hold a number", expected});
   };
   const std::string three = "List<vector>\n3\n(\n(0.1 0 0.5)\n(0.1 0 1.5)\n(0.1 0 3.5)\n)\n;\n";
   const std::vector<validation::Vector3> centres = read(centres_file(three));

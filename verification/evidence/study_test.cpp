@@ -48,7 +48,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
         if (r.what == "not told") return {.value = 1};
         return {.value = 1, .told = {.limit = r.what == "beyond the cap" ? 0.3 : 0.1}};
       },
-      Bound{.limit = Amount::told_by_run(0.2), .reason = "test", .expected = 1});
+      Bound{Amount::told_by_run(0.2), "test", 1});
   all.known_failure(claim("overshoot"), &Results::overshoot, bound, {.value = 3, .width = 0.1, .reason = "test"});
 }
 

@@ -13,6 +13,7 @@ namespace submissions_test {
 
 using namespace seiche;
 using namespace seiche::validation;
+using namespace seiche::verification;
 
 /// What a solver would submit whose every value is `factor` times the reference.
 Submitted submission(const std::vector<WantedTable>& wanted, double factor) {
@@ -54,7 +55,7 @@ long passed(const Case& one, const Values& values, const std::vector<WantedTable
 }
 
 TEST_CASE("every case that scores others passes its own reference and fails one that is half too large", "[evidence]") {
-  verification::Check check(
+  Check check(
       "submissions", "The references score perfectly, wrong results do not",
       "For every case that takes others' results, its own reference is submitted, which must meet every claim, and the "
       "reference times 1.5, which must fail at least one.");
@@ -64,20 +65,11 @@ TEST_CASE("every case that scores others passes its own reference and fails one 
     const std::vector<WantedTable> wanted = one.submission.tables(values);  // keeps what its references cost
     long claims = 0;
     const long exact = passed(one, values, wanted, 1, claims);
-    check.that({.id = one.name + "-exact",
-                .text = fmt::format("{}: the reference meets all {} claims.", one.name, claims),
-                .quantity = "claims not met",
-                .source = "what scoring means"},
-               {.value = static_cast<double>(claims - exact)},
-               evidence::Bound{.limit = 0, .reason = "the reference is what is asked for"});
+    check.holds(fmt::format("{}: the reference meets all {} claims.", one.name, claims),
+                {static_cast<double>(claims - exact)}, Bound{0, "the reference is what is asked for"});
     const long wrong = passed(one, values, wanted, 1.5, claims);
-    check.that({.id = one.name + "-wrong",
-                .text = fmt::format("{}: a result half too large fails.", one.name),
-                .quantity = "a claim is not met",
-                .source = "what scoring means"},
-               {.value = wrong < claims ? 1.0 : 0.0},
-               evidence::Qualitative{.detector = "fewer claims pass than there are",
-                                     .reason = "half too large is outside every tolerance asked for"});
+    check.holds(fmt::format("{}: a result half too large fails.", one.name), {wrong < claims ? 1.0 : 0.0},
+                Qualitative{"fewer claims pass than there are", "half too large is outside every tolerance asked for"});
   }
 }
 

@@ -17,7 +17,7 @@
 namespace table_readers_test {
 
 using namespace seiche;
-using verification::Check;
+using namespace seiche::verification;
 
 /// Entries that differ from those expected; what is missing or too much counts as well.
 double wrong_entries(const std::vector<std::vector<double>>& found, const std::vector<std::vector<double>>& expected) {
@@ -55,12 +55,11 @@ class ReaderClaims {
  public:
   explicit ReaderClaims(Check& check) : check_(check) {}
   void none_wrong(const std::string& id, const std::string& text, double wrong) const {
-    check_.that({.id = id, .text = text, .quantity = "entries that are not what the file says", .source = source},
-                {.value = wrong}, evidence::Bound{.limit = 0, .reason = "numbers are read to their last bit"});
+    check_.holds(id + ": " + text, {wrong}, Bound{0, "numbers are read to their last bit"});
   }
   void is_refused(const std::string& id, const std::string& text, double value) const {
-    check_.that({.id = id, .text = text, .quantity = "refused", .source = source}, {.value = value},
-                evidence::Qualitative{"std::invalid_argument", "nothing is made up for what cannot be read"});
+    check_.holds(id + ": " + text, {value},
+                 Qualitative{"std::invalid_argument", "nothing is made up for what cannot be read"});
   }
 
  private:
@@ -95,7 +94,7 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
   claims.is_refused("nan", "An entry that is not a finite number is rejected.", refused("t,h\n0,nan\n"));
   claims.is_refused("twice", "A column that is there twice is rejected.", refused("t,t\n0,1\n"));
 
-  const verification::ScratchFolder scratch("seiche_table_readers");
+  const ScratchFolder scratch("seiche_table_readers");
   const auto file = scratch.path() / "table";
   {
     io::Hdf5File hdf5(file);

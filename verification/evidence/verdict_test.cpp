@@ -35,8 +35,8 @@ TEST_CASE("what is not a finite number is an error, whatever the criterion", "[v
     for (const Criterion& criterion : std::vector<Criterion>{bound, roundoff, uncertainty, qualitative}) {
       CHECK(judge({.value = broken, .uncertainty = 0}, criterion).verdict == Verdict::error);
     }
-    CHECK(judge({.value = 2}, Bound{.limit = broken, .reason = "test", .expected = 2.0}).verdict == Verdict::error);
-    CHECK(judge({.value = 2}, Bound{.limit = 0.1, .reason = "test", .expected = broken}).verdict == Verdict::error);
+    CHECK(judge({.value = 2}, Bound{broken, "test", 2.0}).verdict == Verdict::error);
+    CHECK(judge({.value = 2}, Bound{0.1, "test", broken}).verdict == Verdict::error);
     CHECK(judge({.value = 0}, Roundoff{.operations = broken, .reason = "test"}).verdict == Verdict::error);
     CHECK(judge({.value = 0}, Roundoff{.scale = broken, .reason = "test"}).verdict != Verdict::pass);
     CHECK(judge({.value = 2, .uncertainty = 0}, Uncertainty{.expected = 2, .data = broken, .useful = 1, .reason = "t"})
@@ -104,7 +104,7 @@ TEST_CASE("what no uncertainty that decides explains fails, estimated or not", "
 }
 
 TEST_CASE("what the run tells of a criterion decides up to its cap and no further", "[verdict]") {
-  const Criterion rounding = Roundoff{.operations = Amount::told_by_run(100), .scale = 10, .reason = "test"};
+  const Criterion rounding = Roundoff{Amount::told_by_run(100), 10, "test"};
   const double eps = std::numeric_limits<double>::epsilon();
   const auto verdict = [&](double value, double operations) {
     const Measurement measured{.value = value, .told = {.operations = operations}};
@@ -118,7 +118,7 @@ TEST_CASE("what the run tells of a criterion decides up to its cap and no furthe
   CHECK(verdict(0, infinite) == Verdict::error);
   CHECK(verdict(not_a_number, 101) == Verdict::error);
 
-  const Criterion extrapolated = Bound{.limit = Amount::told_by_run(0.01), .reason = "test", .expected = 1};
+  const Criterion extrapolated = Bound{Amount::told_by_run(0.01), "test", 1};
   CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = 0.008})).verdict == Verdict::pass);
   CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = 0.02})).verdict == Verdict::inconclusive);
   CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = -0.02})).verdict != Verdict::pass);
@@ -126,10 +126,10 @@ TEST_CASE("what the run tells of a criterion decides up to its cap and no furthe
 
 TEST_CASE("what the run had to tell and did not is refused, and so is what it told although it was stated",
           "[verdict]") {
-  const Criterion open = Roundoff{.operations = Amount::told_by_run(100), .scale = 10, .reason = "test"};
+  const Criterion open = Roundoff{Amount::told_by_run(100), 10, "test"};
   CHECK_THROWS_AS(settled(open, {}), std::invalid_argument);
   CHECK_THROWS_AS(settled(open, {.scale = 1}), std::invalid_argument);
-  const Criterion stated = Bound{.limit = 0.1, .reason = "test", .expected = 1};
+  const Criterion stated = Bound{0.1, "test", 1};
   CHECK_THROWS_AS(settled(stated, {.limit = 0.2}), std::invalid_argument);
   CHECK_THROWS_AS(settled(stated, {.expected = 1}), std::invalid_argument);
   CHECK(std::get<Bound>(settled(stated, {})).limit.value() == 0.1);
@@ -221,7 +221,7 @@ TEST_CASE("an order that is declared to be missed is missed by as much as was de
 TEST_CASE("a run that broke down is never as declared", "[record]") {
   Record record;
   record.name = "test";
-  record.check(claim, {.value = 0}, Bound{.limit = 1, .reason = "test"});
+  record.check(claim, {.value = 0}, Bound{1, "test"});
   CHECK(record.as_declared());
   record.error = "depth became negative";
   CHECK_FALSE(record.as_declared());

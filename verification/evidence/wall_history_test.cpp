@@ -17,10 +17,7 @@ namespace wall_history_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using verification::ExactReflection;
-using verification::Role;
-
-const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
+using namespace seiche::verification;
 
 constexpr double incident = 0.3;  // amplitude, depth 1
 
@@ -58,7 +55,7 @@ evidence::Uncertainty stated(double limit, const std::string& why) {
 
 /// Next to resonance an exact stem halts on its way, once, where it is about to leave the state it had at t < 0: at
 /// kappa = 0.98 near t = 1/r, a sixth below its limit.
-void claim_coverage(verification::Check& check) {
+void claim_coverage(Check& check) {
   Count outside;
   Largest widest;
   for (const double kappa : {0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995}) {
@@ -71,28 +68,23 @@ void claim_coverage(verification::Check& check) {
       if (settling_times == 8) widest.add(found.half_width() / limit, kappa);
     }
   }
-  check.that({.id = "coverage",
-              .text = "The limit of every exact stem lies within the stated interval, however short it was watched: "
-                      "kappa from 0.3 to 0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, "
-                      "t = 1/r).",
-              .quantity = "stems of 56 whose limit lies outside",
-              .source = source},
-             {.value = outside.value()},
-             evidence::Bound{.limit = 0,
-                             .reason = "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = "
-                                       "S^3 kappa (1 - kappa)/3 of the theory, and the interval reaches as far"});
-  check.that({.id = "sharpness",
-              .text = "The interval is not merely wide: at t = 8/r it has closed.",
-              .quantity = "largest half-width over the limit",
-              .source = source},
-             {.value = widest.value(), .where = fmt::format("kappa = {:g}", widest.where())},
-             evidence::Bound{.limit = 3 * std::exp(-8.0),
-                             .reason = "exp(-8) by the law of the rate, and the fits may differ from each other by "
-                                       "twice that: the slowest exponential is all that is left"});
+  check.holds(
+      "The limit of every exact stem lies within the stated interval, however short it was watched: "
+      "kappa from 0.3 to 0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, "
+      "t = 1/r).",
+      {outside.value()},
+      Bound{0,
+            "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = "
+            "S^3 kappa (1 - kappa)/3 of the theory, and the interval reaches as far"});
+  check.holds("The interval is not merely wide: at t = 8/r it has closed.",
+              {.value = widest.value(), .where = fmt::format("kappa = {:g}", widest.where())},
+              Bound{3 * std::exp(-8.0),
+                    "exp(-8) by the law of the rate, and the fits may differ from each other by "
+                    "twice that: the slowest exponential is all that is left"});
 }
 
 TEST_CASE("the limit of a growing wall amplitude is known within its stated uncertainty", "[evidence]") {
-  verification::Check check(
+  Check check(
       "wall_history", "The limit of the wall amplitude",
       "A Mach stem next to resonance grows for thousands of $h/c_0$. The limit from an exponential through the last "
       "half of its history, and the uncertainty from the fits to other parts and by a power of time, and from the rate "
@@ -100,7 +92,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   const auto claim = [&](const std::string& id, const std::string& text, const History& history, double limit,
                          const std::string& why, std::optional<double> rate = {}) {
     const WallLimit found = wall_limit(history.time, history.amplitude, rate);
-    check.that({.id = id, .text = text, .quantity = "limit", .source = source}, found.amplitude, stated(limit, why));
+    check.holds(id + ": " + text, found.amplitude, stated(limit, why));
     return found;
   };
   for (const double kappa : {0.6, 0.9, 0.95}) {
@@ -113,19 +105,12 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
       CHECK(found.steady() == (settling_times > 4));
     }
   }
-  check.that({.id = "rate",
-              .text = "The rate of an exact stem is found where it has nearly settled.",
-              .quantity = "r over S^3 kappa (1 - kappa)/3",
-              .source = source},
-             {.value =
-                  [] {
-                    const History history = stem(0.6, 8);
-                    return wall_limit(history.time, history.amplitude).exponential.rate /
-                           ExactReflection(0.3, 0.6).settling_rate();
-                  }()},
-             evidence::Bound{.limit = 2 * std::exp(-4.0),
-                             .reason = "the next exponential is exp(-4) of this one where the fit begins",
-                             .expected = 1});
+  check.holds("The rate of an exact stem is found where it has nearly settled.", {[] {
+                const History history = stem(0.6, 8);
+                return wall_limit(history.time, history.amplitude).exponential.rate /
+                       ExactReflection(0.3, 0.6).settling_rate();
+              }()},
+              Bound{2 * std::exp(-4.0), "the next exponential is exp(-4) of this one where the fit begins", 1});
 
   const auto growing = [](double t) { return 1 - 0.3 * std::exp(-t / 100); };
   claim("exponential", "An exponential with noise of 1e-3, until four times its time.", sampled(400, growing, 1e-3), 1,
@@ -148,30 +133,19 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
 
   const History line = sampled(600, [](double t) { return t / 600; });
   const WallLimit none = wall_limit(line.time, line.amplitude);
-  check.that({.id = "no-limit",
-              .text = "A series that grows like a straight line has no limit that could be stated.",
-              .quantity = "uncertainty over last value",
-              .source = "definition of the measure"},
-             {.value = none.amplitude.uncertainty > 0.5 ? 1.0 : 0.0},
-             evidence::Qualitative{"uncertainty larger than half of the last value", "no curvature to extrapolate"});
-  check.that({.id = "unbent",
-              .text = "A series that does not bend is reported as straight.",
-              .quantity = "whether an exponential is told from a straight line",
-              .source = "definition of the measure"},
-             {.value = exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
-             evidence::Qualitative{.detector = "the best rate is not the slowest of those tried",
-                                   .reason = "the misfit falls towards the straight line",
-                                   .expected = false});
-  check.that({.id = "growth",
-              .text = "The growth of the series over its last fifth is found.",
-              .quantity = "relative growth",
-              .source = "definition of the measure"},
-             {.value = growth_of_last_fifth(line.time, line.amplitude)},
-             evidence::Roundoff{.operations = 10,
-                                .scale = 1,
-                                .reason = "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings "
-                                          "of values up to 1",
-                                .expected = 0.2 * 598 / 600});
+  check.holds("A series that grows like a straight line has no limit that could be stated.",
+              {none.amplitude.uncertainty > 0.5 ? 1.0 : 0.0},
+              Qualitative{"uncertainty larger than half of the last value", "no curvature to extrapolate"});
+  check.holds("A series that does not bend is reported as straight.",
+              {exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
+              Qualitative{"the best rate is not the slowest of those tried",
+                          "the misfit falls towards the straight line", false});
+  check.holds("The growth of the series over its last fifth is found.",
+              {growth_of_last_fifth(line.time, line.amplitude)},
+              Roundoff{10, 1,
+                       "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings "
+                       "of values up to 1",
+                       0.2 * 598 / 600});
   CHECK_FALSE(none.steady());
 
   CHECK_FALSE(wall_limit(line.time, line.amplitude, 0).amplitude.uncertainty.has_value());

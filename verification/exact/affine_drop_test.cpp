@@ -16,8 +16,7 @@ using exact::AffineDrop;
 using exact::DropInstant;
 using exact::OutsideFluid;
 using exact::StretchingDrop;
-using verification::check_table;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source = "Dirichlet (1860); Longuet-Higgins, J. Fluid Mech. 55 (1972) 529";
 
@@ -64,12 +63,13 @@ void draw_outline(evidence::Panel& panel, const std::string& label, const DropIn
 }
 
 TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_affine_drop", "Free liquid ellipse",
       "A drop without gravity whose velocity is linear in the coordinates. Its axes against tables (circle of radius "
       "1, "
       "rate 1), the invariants, the way back, the momentum equation along particle paths, the pressure on the surface. "
       "The quadrature of the symmetric case and the integration of the general one check each other.");
+  check.source(source);
   const StretchingDrop circle(1, 1, 1);
   check_table(check, "axes", "times of the semi-axes 2 and 3, semi-axes at times 1 and 2",
               {{circle.time_of(2), "0.80050879402276008"},
@@ -83,24 +83,20 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
                {circle.semi_axis(1.5), "2.974855"},
                {circle.semi_axis(2), "3.678985"}},
               "Monaghan, J. Comput. Phys. 110 (1994) 399");
-  claim_self_test(check, "circle", circle, source);
-  claim_self_test(check, "long", StretchingDrop(3, 0.2, -2.5, 1000), source);
+  self_test_holds(check, "circle", circle);
+  self_test_holds(check, "long", StretchingDrop(3, 0.2, -2.5, 1000));
   const AffineDrop turning = turning_drop();
-  claim_self_test(check, "turning", turning, source);
+  self_test_holds(check, "turning", turning);
 
-  std::vector<double> spans;
-  std::vector<double> residuals;
+  Convergence residuals;
   for (double span = 0.16; span > 0.015; span /= 2) {
-    spans.push_back(span);
-    residuals.push_back(momentum_residual(turning, 1000, 1, span));
+    residuals.add(span, momentum_residual(turning, 1000, 1, span));
   }
   check.that(
       {.id = "momentum",
        .text = "Particles accelerate by the pressure gradient: the residual is the error of the time differences.",
-       .quantity = "order of the residual in the time difference",
-       .source = source},
-      evidence::observed_order(spans, residuals, 1e-11),
-      evidence::Order{4, 0.3, "fourth-order differences of a smooth path"});
+       .quantity = "order of the residual in the time difference"},
+      residuals.order(1e-11), Order{4, 0.3, "fourth-order differences of a smooth path"});
 
   Worst surface;
   for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
@@ -112,12 +108,9 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
   }
   check.that({.id = "surface",
               .text = "The pressure vanishes on the surface.",
-              .quantity = "pressure there over the pressure in the centre",
-              .source = source},
+              .quantity = "pressure there over the pressure in the centre"},
              {.value = surface.value()},
-             evidence::Roundoff{.operations = 16,
-                                .scale = 16,
-                                .reason = "two products with A and its inverse; condition number of A up to 16"});
+             Roundoff{16, 16, "two products with A and its inverse; condition number of A up to 16"});
 
   Worst outline;
   for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
@@ -131,13 +124,11 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
   }
   check.that({.id = "outline",
               .text = "The ellipse of the stated axes and tilt is the surface.",
-              .quantity = "|X|^2 - 1 of its points",
-              .source = source},
+              .quantity = "|X|^2 - 1 of its points"},
              {.value = outline.value()},
-             evidence::Roundoff{.operations = 40,
-                                .scale = 16,
-                                .reason = "singular values and vectors, a rotation and the inverse map, 40 roundings; "
-                                          "condition number of A up to 16"});
+             Roundoff{40, 16,
+                      "singular values and vectors, a rotation and the inverse map, 40 roundings; "
+                      "condition number of A up to 16"});
   const StretchingDrop strained(3, 0.2, -2.5, 1000);
   const AffineDrop same(Eigen::Vector2d(3, 0.2).asDiagonal(), Eigen::Vector2d(-2.5, 2.5).asDiagonal(), 1000);
   Worst pressure;
@@ -146,12 +137,11 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
   }
   check.that({.id = "pressure",
               .text = "The pressure of the symmetric drop agrees with the integrated equation of motion.",
-              .quantity = "largest relative difference of the pressure in the centre",
-              .source = source},
+              .quantity = "largest relative difference of the pressure in the centre"},
              {.value = pressure.value()},
-             evidence::Bound{.limit = 6e-11,
-                             .reason = "four factors A^-1 or A' in the pressure, each good to the stated uncertainty "
-                                       "1e-12 times the condition number of A, 15"});
+             Bound{6e-11,
+                   "four factors A^-1 or A' in the pressure, each good to the stated uncertainty "
+                   "1e-12 times the condition number of A, 15"});
 
   auto& figure = check.figure("outline", "Outline of the drop", "A circle stretched, and a drop that also turns.");
   auto& stretched = figure.panel({.x = "x [m]", .y = "y [m]", .title = "Stretched circle", .equal_aspect = true});

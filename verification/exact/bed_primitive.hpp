@@ -16,7 +16,7 @@ namespace seiche::verification {
 ///
 /// @param height  of the bed at its highest or lowest
 inline void claim_bed_primitive(Check& check, const std::string& id, const Bed& bed, double start, double end,
-                                double height, const std::string& source) {
+                                double height) {
   constexpr int panels = 100;
   const double width = (end - start) / panels;
   Worst defect;
@@ -25,16 +25,10 @@ inline void claim_bed_primitive(Check& check, const std::string& id, const Bed& 
     const double area = boost::math::quadrature::gauss<double, 15>::integrate(bed.elevation, a, a + width);
     defect.add(bed.primitive(a + width) - bed.primitive(a) - area);
   }
-  check.that({.id = id,
-              .text = "The primitive of the bed grows by the integral of its elevation.",
-              .quantity = "largest difference over a hundredth of the bed",
-              .unit = "m^2",
-              .source = source},
-             {.value = defect.value()},
-             evidence::Roundoff{.operations = 1000,
-                                .scale = height * (end - start),
-                                .reason = "primitives up to the height of the bed times its length, summed from up to "
-                                          "64 panels of 15 points"});
+  check.holds(id + ": The primitive of the bed grows by the integral of its elevation.", {defect.value()},
+              evidence::Roundoff{1000, height * (end - start),
+                                 "primitives up to the height of the bed times its length, summed from up to "
+                                 "64 panels of 15 points"});
 }
 
 }  // namespace seiche::verification

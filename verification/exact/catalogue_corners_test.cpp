@@ -22,7 +22,7 @@ namespace catalogue_corners_test {
 using namespace seiche;
 using exact::ExactSolution;
 using exact::Parameter;
-using verification::Xorshift;
+using namespace seiche::verification;
 
 /// How many members of a family are drawn. Solutions that integrate a motion or solve for a surface take up to seconds
 /// each: few of them, and some only in longer runs.
@@ -127,7 +127,7 @@ void try_members(bool longest) {
   static const std::set<std::string> takes_long{"slope_runup",          "wall_runup",      "wall_load",
                                                 "pressure_forced_wave", "released_column", "wavemaker_start",
                                                 "solitary_runup"};
-  verification::Check check(
+  Check check(
       "exact_corners", "Exact solutions at the corners of their ranges",
       "A declared range is a promise. The parameters of every solution of the catalogue are drawn: an end of the "
       "range, the default, or a number between, evenly or by magnitude; the same in every run, more of them where "
@@ -136,10 +136,8 @@ void try_members(bool longest) {
       "be refused in a sentence that names a parameter.");
   Count refused, nameless, broken;
   const auto is = [](double found) { return found > 0; };
-  std::size_t families = 0;
   for (const ExactSolution& solution : exact::catalogue()) {
     if (takes_long.contains(solution.name) != longest) continue;
-    ++families;
     Xorshift random(verification::fuzz_seed(0x9E3779B97F4A7C15U));
     Count accepted;
     for (long k = 0; k < members_of(solution); ++k) {
@@ -157,27 +155,13 @@ void try_members(bool longest) {
     CHECK((accepted.value() > 0 || members_of(solution) < 10));
   }
   const auto members = static_cast<double>(refused.samples());
-  const std::string resolution = fmt::format("{} members of {} families", members, families);
-  check.measure("refused", refused.value());
-  check.that({.id = "identities",
-              .text = "Every member that is accepted keeps its own identities.",
-              .quantity = "members that do not",
-              .source = "self-tests of the catalogue"},
-             {.value = broken.value(), .resolution = resolution},
-             evidence::Bound{.limit = 0, .reason = "a declared range is a promise"});
-  check.that({.id = "refusals",
-              .text = "Every rejection names a parameter of the solution.",
-              .quantity = "refusals that do not",
-              .source = "interface of the catalogue"},
-             {.value = nameless.value(), .resolution = resolution},
-             evidence::Bound{.limit = 0, .reason = "the user must know what to change"});
+  check.holds("Every member that is accepted keeps its own identities.", {broken.value()},
+              Bound{0, "a declared range is a promise"});
+  check.holds("Every rejection names a parameter of the solution.", {nameless.value()},
+              Bound{0, "the user must know what to change"});
   if (longest) return;
-  check.that({.id = "both",
-              .text = "The share of rejected parameter sets lies between 5 % and 95 %, so that both ways are tried.",
-              .quantity = "share refused",
-              .source = "this test"},
-             {.value = refused.value() / members, .resolution = resolution},
-             evidence::Bound{.limit = 0.45, .reason = "between 5 % and 95 %", .expected = 0.5});
+  check.holds("The share of rejected parameter sets lies between 5 % and 95 %, so that both ways are tried.",
+              {refused.value() / members}, Bound{0.45, "between 5 % and 95 %", 0.5});
 }
 
 TEST_CASE("exact solutions keep their identities all over their ranges, or say which parameter to change", "[exact]") {

@@ -11,6 +11,7 @@
 namespace catalogue_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 
 namespace {
 
@@ -18,7 +19,7 @@ namespace {
 /// too.
 const std::set<std::string> costliest{"overturning_wave", "slope_runup", "wall_load"};
 
-verification::Check self_tests() {
+Check self_tests() {
   return {"exact_self_tests", "What every exact solution says of itself",
           "Each solution of the catalogue, at its default parameters, is checked against identities that hold for it "
           "exactly: conservation across jumps, integral identities, invariants of the motion. No outside data take "
@@ -26,7 +27,7 @@ verification::Check self_tests() {
 }
 
 /// It evaluates at its defaults, and keeps its own identities.
-void evaluates(verification::Check& check, const exact::ExactSolution& solution) {
+void evaluates(Check& check, const exact::ExactSolution& solution) {
   INFO(solution.name);
   const exact::Evaluator evaluator = solution.evaluator();
   CHECK(evaluator.scalars().size() == solution.scalars.size());
@@ -39,12 +40,8 @@ void evaluates(verification::Check& check, const exact::ExactSolution& solution)
   const exact::SelfTest identities = evaluator.self_test();
   CHECK(!identities.empty());
   for (std::size_t k = 0; k < identities.size(); ++k) {
-    check.that({.id = solution.name + "-" + std::to_string(k + 1),
-                .text = "The solution " + solution.name + " satisfies its identity: " + identities[k].name + ".",
-                .quantity = "relative defect",
-                .source = solution.citation},
-               {.value = identities[k].defect},
-               evidence::Bound{.limit = identities[k].accuracy, .reason = identities[k].reason});
+    check.holds(solution.name + ": " + identities[k].name + ".", {identities[k].defect},
+                Bound{identities[k].accuracy, identities[k].reason});
   }
 }
 
@@ -76,14 +73,14 @@ TEST_CASE("every entry of the catalogue is complete", "[exact]") {
 }
 
 TEST_CASE("every exact solution evaluates at its defaults and keeps its own identities", "[exact]") {
-  verification::Check check = self_tests();
+  Check check = self_tests();
   for (const exact::ExactSolution& solution : exact::catalogue()) {
     if (!costliest.contains(solution.name)) evaluates(check, solution);
   }
 }
 
 TEST_CASE("the costliest exact solutions do so too", "[exact][full]") {
-  verification::Check check = self_tests();
+  Check check = self_tests();
   for (const std::string& name : costliest) evaluates(check, exact::find_solution(name));
 }
 

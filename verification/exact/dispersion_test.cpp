@@ -16,8 +16,7 @@ using exact::AiryDispersion;
 using exact::FrankDispersion;
 using exact::RationalDispersion;
 using exact::TimeScheme;
-using verification::check_table;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const std::string laws_source = "Airy (1845); Green and Naghdi (1976); Madsen and Sorensen (1992); Nwogu (1993)";
@@ -43,7 +42,7 @@ std::vector<double> map(const std::vector<double>& x, const F& f) {
   return values;
 }
 
-void draw_laws(verification::Check& check) {
+void draw_laws(Check& check) {
   auto& figure = check.figure("phase-speed", "Phase speed of the models",
                               "Long waves agree; the error against Airy grows as $(kH)^4$ for Green-Naghdi and as "
                               "$(kH)^6$ for the equations tuned to him.");
@@ -66,7 +65,7 @@ void draw_laws(verification::Check& check) {
   add("tuned markers, h = 0.25", FrankDispersion::tuned(1, 1, 0.25, 0), Role::computed);
 }
 
-void draw_formula_13(verification::Check& check) {
+void draw_formula_13(Check& check) {
   auto& figure = check.figure("formula-13", "Formula (13) for several spacings",
                               "The discrete model follows Green-Naghdi to second order in the spacing $s$ and slows "
                               "the waves that the markers barely resolve; the curves end at $k s = \\pi$.",
@@ -95,10 +94,9 @@ void draw_formula_13(verification::Check& check) {
 }
 
 TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[exact]") {
-  verification::Check check(
-      "exact_dispersion", "Dispersion of small waves",
-      "Frequencies of Airy's wave and of the Boussinesq-type models at $kH = 0.1, 1, 3$; the order "
-      "in $kH$ at which each leaves Airy's; the identities of each law.");
+  Check check("exact_dispersion", "Dispersion of small waves",
+              "Frequencies of Airy's wave and of the Boussinesq-type models at $kH = 0.1, 1, 3$; the order "
+              "in $kH$ at which each leaves Airy's; the identities of each law.");
   const auto gn = RationalDispersion::green_naghdi(1, 1);
   const auto ms = RationalDispersion::madsen_sorensen(1, 1);
   const auto nwogu = RationalDispersion::nwogu(1, 1);
@@ -123,22 +121,21 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
       k.push_back(q);
       errors.push_back(std::abs(law.frequency(q) / airy.frequency(q) - 1));
     }
-    check.that(
-        {.id = id,
-         .text = name + " leaves Airy's law with the power of kH that it was built for.",
-         .quantity = "order in k H of the relative error of omega",
-         .source = laws_source},
-        evidence::observed_order(k, errors, 1e-14),
-        evidence::Order{order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"});
+    check.that({.id = id,
+                .text = name + " leaves Airy's law with the power of kH that it was built for.",
+                .quantity = "order in k H of the relative error of omega",
+                .source = laws_source},
+               observed_order(k, errors, 1e-14),
+               Order{order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"});
   };
   leaves_airy("order-green-naghdi", "Green-Naghdi", gn, 4);
   leaves_airy("order-nwogu", "Nwogu's law", nwogu, 4);
   leaves_airy("order-madsen-sorensen", "Madsen and Sorensen's law", ms, 6);
-  claim_self_test(check, "airy", AiryDispersion(9.81, 3), laws_source);
-  claim_self_test(check, "airy-deep", AiryDispersion(9.81, infinite), laws_source);
-  claim_self_test(check, "rational", RationalDispersion::nwogu(9.81, 3), laws_source);
-  claim_self_test(check, "wave", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, 3}), laws_source);
-  claim_self_test(check, "wave-deep", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, infinite}), laws_source);
+  self_test_holds(check, "airy", AiryDispersion(9.81, 3));
+  self_test_holds(check, "airy-deep", AiryDispersion(9.81, infinite));
+  self_test_holds(check, "rational", RationalDispersion::nwogu(9.81, 3));
+  self_test_holds(check, "wave", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, 3}));
+  self_test_holds(check, "wave-deep", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, infinite}));
   draw_laws(check);
   CHECK(std::abs(AiryDispersion(9.81, 1e3).wavenumber(2) - 4 / 9.81) < 1e-15);
   CHECK_THROWS_AS(airy.frequency(0), std::invalid_argument);
@@ -153,11 +150,10 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
 }
 
 TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tuned to Airy", "[exact]") {
-  verification::Check check(
-      "exact_frank_dispersion", "Dispersion of a chain of markers",
-      "Formula (13) to the digits known; second order in the spacing against Green-Naghdi, with its leading "
-      "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows "
-      "Airy's law through $(kH)^4$ at a given spacing and time step.");
+  Check check("exact_frank_dispersion", "Dispersion of a chain of markers",
+              "Formula (13) to the digits known; second order in the spacing against Green-Naghdi, with its leading "
+              "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows "
+              "Airy's law through $(kH)^4$ at a given spacing and time step.");
   const FrankDispersion fine(1, 1, 0.1);
   const FrankDispersion coarse(1, 1, 1);
   check_table(check, "digits", "formula (13) at k H = 0.1, 1, 3 for s/H = 0.1 and 1",
@@ -212,58 +208,46 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
                {gn.frequency(3) / airy.frequency(3) - 1, "-0.13"}},
               frank_source);
 
-  std::vector<double> spacings;
-  std::vector<double> distances;
+  Convergence distances;
   double leading = 0;
   for (double s = 0.25; s > 0.005; s /= 2) {
     const FrankDispersion law(1, 1, s);
-    spacings.push_back(s);
-    distances.push_back(std::abs(law.frequency(1) / gn.frequency(1) - 1));
+    distances.add(s, std::abs(law.frequency(1) / gn.frequency(1) - 1));
     leading = (law.frequency(1) / gn.frequency(1) - 1) / (s * s);
   }
   check.that({.id = "order-spacing",
               .text = "Formula (13) tends to Green-Naghdi with the square of the spacing.",
               .quantity = "order in s/H at k H = 1",
               .source = frank_source},
-             evidence::observed_order(spacings, distances),
-             evidence::Order{2, 0.02, "expansion of (13): omega = omega_GN (1 + O(s^2)), next term s^4"});
+             distances.order(), Order{2, 0.02, "expansion of (13): omega = omega_GN (1 + O(s^2)), next term s^4"});
   check.that({.id = "leading-term",
               .text = "The distance is -alpha (kH)^4 (s/H)^2/(12 (1 + alpha (kH)^2)) to leading order.",
               .quantity = "(omega/omega_GN - 1)/h^2 at k H = 1, s/H = 1/128",
               .source = frank_source},
              {.value = leading},
-             evidence::Bound{.limit = 1.0 / 16384,
-                             .reason = "the next term of the expansion is of relative size h^2 = 1/16384",
-                             .expected = -1.0 / 48,
-                             .relative = true});
+             Bound{1.0 / 16384, "the next term of the expansion is of relative size h^2 = 1/16384", -1.0 / 48, true});
   std::vector<double> k;
   std::vector<double> tuned;
   for (double q = 0.6; q > 0.1; q /= std::numbers::sqrt2) {
     k.push_back(q);
     tuned.push_back(std::abs(error_in_time(quarter, q, 0.125)));
   }
-  check.that(
-      {.id = "order-tuned",
-       .text = "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
-       .quantity = "order in k H of the relative error of Omega, s/H = 0.25, tau = 0.125 sqrt(H/g)",
-       .source = frank_source + "; pair derived from its expansion"},
-      evidence::observed_order(k, tuned, 1e-14),
-      evidence::Order{6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"});
+  check.that({.id = "order-tuned",
+              .text = "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
+              .quantity = "order in k H of the relative error of Omega, s/H = 0.25, tau = 0.125 sqrt(H/g)",
+              .source = frank_source + "; pair derived from its expansion"},
+             observed_order(k, tuned, 1e-14),
+             Order{6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"});
   for (const auto scheme : {TimeScheme::one_step, TimeScheme::conservative}) {
     const bool one_step = scheme == TimeScheme::one_step;
-    check.that({.id = one_step ? "time-one-step" : "time-conservative",
-                .text = one_step ? "The one-step scheme raises the frequency by omega^2 tau^2/24."
-                                 : "The conservative scheme lowers the frequency by omega^2 tau^2/12.",
-                .quantity = "(Omega/omega - 1)/(omega tau)^2 at omega tau = 0.02",
-                .source = "Hairer, Lubich and Wanner, Geometric numerical integration (2006), I.5"},
-               {.value = (exact::discrete_frequency(2, 0.01, scheme) / 2 - 1) / 4e-4},
-               evidence::Bound{.limit = 4e-4,
-                               .reason = "the next term of the series is (omega tau)^2 = 4e-4 of it",
-                               .expected = one_step ? 1.0 / 24 : -1.0 / 12,
-                               .relative = true});
+    check.holds(one_step ? "The one-step scheme raises the frequency by omega^2 tau^2/24."
+                         : "The conservative scheme lowers the frequency by omega^2 tau^2/12.",
+                {(exact::discrete_frequency(2, 0.01, scheme) / 2 - 1) / 4e-4},
+                Bound{4e-4, "the next term of the series is (omega tau)^2 = 4e-4 of it",
+                      one_step ? 1.0 / 24 : -1.0 / 12, true});
   }
-  claim_self_test(check, "plain", FrankDispersion(9.81, 3, 0.8), frank_source);
-  claim_self_test(check, "tuned", quarter, frank_source);
+  self_test_holds(check, "plain", FrankDispersion(9.81, 3, 0.8));
+  self_test_holds(check, "tuned", quarter);
   draw_formula_13(check);
   CHECK_THROWS_AS(fine.frequency(0), std::invalid_argument);
   CHECK_THROWS_AS(fine.frequency(10 * std::numbers::pi), std::invalid_argument);
@@ -276,9 +260,9 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
 }
 
 TEST_CASE("a wave is the same by wavelength, period, wavenumber and frequency", "[exact]") {
-  verification::Check check("exact_wave_scale", "One wave, known by four numbers",
-                            "A wave of 12 m in water 3 m deep is given by its wavelength, period, wavenumber and "
-                            "angular frequency, as a progressive wave and to a piston and a flap.");
+  Check check("exact_wave_scale", "One wave, known by four numbers",
+              "A wave of 12 m in water 3 m deep is given by its wavelength, period, wavenumber and "
+              "angular frequency, as a progressive wave and to a piston and a flap.");
   const exact::Water water{.gravity = 9.81, .depth = 3};
   const exact::AiryWave wave(0.1, exact::Wavelength{12}, water);
   Worst apart;
@@ -297,7 +281,7 @@ TEST_CASE("a wave is the same by wavelength, period, wavenumber and frequency", 
               .quantity = "largest relative difference",
               .source = laws_source},
              {.value = apart.value()},
-             evidence::Roundoff{.operations = 60, .reason = "30 roundings there and back, twice in a quotient"});
+             Roundoff{.operations = 60, .reason = "30 roundings there and back, twice in a quotient"});
 }
 
 }  // namespace dispersion_test

@@ -15,7 +15,7 @@ namespace dispersive_standing_wave_test {
 using namespace seiche;
 using exact::DispersiveStandingWave;
 using exact::StandingWave;
-using verification::Role;
+using namespace seiche::verification;
 using Parameters = DispersiveStandingWave::Parameters;
 
 constexpr double pi = std::numbers::pi;
@@ -102,7 +102,7 @@ Parameters weighted(double exponent) {
   return {improved.alpha, improved.gamma, exponent};
 }
 
-void draw(verification::Check& check, double exponent) {
+void draw(Check& check, double exponent) {
   auto& figure = check.figure(
       "frequency", "Change of a standing wave's frequency with amplitude",
       "The model has the change of sign that water has, at a longer wave ($kH = 0.942$ instead of 1.058). An added "
@@ -128,7 +128,7 @@ void draw(verification::Check& check, double exponent) {
 }
 
 TEST_CASE("the frequency of a standing wave of the dispersive model follows from harmonic balance", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_dispersive_standing_wave", "Standing wave of the dispersive shallow-water model",
       "Third-order frequency against frequencies of the unexpanded Lagrangian, made stationary over 21 harmonics: the "
       "formula leaves them with the fourth power of the amplitude. The numbers printed for the model without and with "
@@ -138,17 +138,17 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
   const auto correction = [](double kh, const Parameters& parameters) {
     return DispersiveStandingWave::frequency_correction(kh, parameters);
   };
-  verification::check_table(check, "corrections", "C against k H without and with gamma, critical k H and wavelength",
-                            {{correction(0.6, {}), "0.29783"},
-                             {correction(1.0581, {}), "-0.0601"},
-                             {correction(1.4, {}), "-0.2014"},
-                             {std::pow(*DispersiveStandingWave::critical_depth({}), 2) / 3, "0.29573"},
-                             {*DispersiveStandingWave::critical_depth({}), "0.941904"},
-                             {*DispersiveStandingWave::critical_wavelength({}), "6.6707"},
-                             {correction(1.3, weighted(2)), "0.034"},
-                             {correction(1.058, weighted(0)), "-0.035"},
-                             {correction(1.058, weighted(1)), "0.016"}},
-                            source + "; regression: computed once by another derivation of ours, in label coordinates");
+  check_table(check, "corrections", "C against k H without and with gamma, critical k H and wavelength",
+              {{correction(0.6, {}), "0.29783"},
+               {correction(1.0581, {}), "-0.0601"},
+               {correction(1.4, {}), "-0.2014"},
+               {std::pow(*DispersiveStandingWave::critical_depth({}), 2) / 3, "0.29573"},
+               {*DispersiveStandingWave::critical_depth({}), "0.941904"},
+               {*DispersiveStandingWave::critical_wavelength({}), "6.6707"},
+               {correction(1.3, weighted(2)), "0.034"},
+               {correction(1.058, weighted(0)), "-0.035"},
+               {correction(1.058, weighted(1)), "0.016"}},
+              source + "; regression: computed once by another derivation of ours, in label coordinates");
   struct Case {
     std::string id;
     double kh;
@@ -157,44 +157,39 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
   for (const Case& c : {Case{"plain-0-6", 0.6, {}}, Case{"plain-1-4", 1.4, {}}, Case{"s2-1-3", 1.3, weighted(2)},
                         Case{"s0-1-058", 1.058, weighted(0)}, Case{"s-fraction", 0.8, {0.45, 0.11, 0.7}}}) {
     const HarmonicBalance balance(c.kh, c.parameters);
-    std::vector<double> amplitudes;
-    std::vector<double> errors;
+    Convergence errors;
     for (double e = 0.08; e > 0.008; e /= 2) {
       const DispersiveStandingWave wave(e, 2 * pi / c.kh, 1, 1, c.parameters);
-      amplitudes.push_back(e);
-      errors.push_back(std::abs(balance.frequency(e) - wave.frequency()));
+      errors.add(e, std::abs(balance.frequency(e) - wave.frequency()));
     }
     check.that({.id = "order-" + c.id,
                 .text = "The frequency differs from the unexpanded Lagrangian's by the fourth power of the amplitude.",
                 .quantity = "order in e of the frequency error",
                 .source = source},
-               evidence::observed_order(amplitudes, errors, 1e-13),
-               evidence::Order{4, 0.1,
-                               "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
-                               "coefficients of order 1 to 10"});
+               errors.order(1e-13),
+               Order{4, 0.1,
+                     "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
+                     "coefficients of order 1 to 10"});
   }
   const double water = StandingWave::critical_depth();
   const auto exponent = DispersiveStandingWave::exponent_for_critical_depth(water, improved.alpha, improved.gamma);
   REQUIRE(exponent.has_value());
-  check.measure("exponent s with the critical depth of water, gamma = 1/15", *exponent);
   check.that(
       {.id = "critical-depth-of-water",
        .text = "With that exponent the frequency is independent of amplitude at the same wavelength as in water.",
        .quantity = "critical k H",
        .source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442"},
       {.value = DispersiveStandingWave::critical_depth(weighted(*exponent)).value_or(0)},
-      evidence::Bound{.limit = 4 * std::numeric_limits<double>::epsilon() * std::sqrt(60) / 0.5,
-                      .reason = "terms up to 1 rounded 60 times, over a slope of 0.5 in k H",
-                      .expected = water});
+      Bound{4 * std::numeric_limits<double>::epsilon() * std::sqrt(60) / 0.5,
+            "terms up to 1 rounded 60 times, over a slope of 0.5 in k H", water});
   check.that({.id = "long-waves",
               .text = "The change of frequency with amplitude agrees with water's in long waves.",
               .quantity = "C over that of Tadjbakhsh and Keller at k H = 0.01",
               .source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442"},
-             {.value = correction(0.01, {}) / in_water(0.01)},
-             evidence::Bound{.limit = 1e-3, .reason = "relative rest of order (k H)^2 = 1e-4", .expected = 1});
+             {.value = correction(0.01, {}) / in_water(0.01)}, Bound{1e-3, "relative rest of order (k H)^2 = 1e-4", 1});
   for (const Parameters& parameters : {Parameters{}, weighted(0), weighted(2)}) {
     const std::string id = parameters.gamma == 0 ? "plain" : parameters.weight_exponent == 0 ? "s0" : "s2";
-    claim_self_test(check, id, DispersiveStandingWave(0.1, 2, 0.4, 9.81, parameters), source);
+    self_test_holds(check, id, DispersiveStandingWave(0.1, 2, 0.4, 9.81, parameters));
   }
   draw(check, *exponent);
   CHECK_FALSE(DispersiveStandingWave::critical_depth(weighted(2)).has_value());

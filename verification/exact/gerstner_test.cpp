@@ -11,7 +11,7 @@ namespace gerstner_test {
 
 using namespace seiche;
 using exact::GerstnerWave;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Gerstner, Theorie der Wellen (1804); Lamb, Hydrodynamics (1932), section 251";
@@ -42,7 +42,7 @@ double euler_residual(const GerstnerWave& wave, double gravity, double x, double
                           v_t + u * v_x + v * v_y + p_y + gravity});
 }
 
-void draw(verification::Check& check) {
+void draw(Check& check) {
   auto& figure =
       check.figure("surface", "Gerstner's wave",
                    "Surface for several labels of the top particles: trochoids up to the cusped cycloid. The orbit "
@@ -71,10 +71,11 @@ void draw(verification::Check& check) {
 }
 
 TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_gerstner", "Gerstner's wave",
       "Residual of continuity, momentum and vorticity in space-fixed coordinates, through the inversion from place to "
       "particle; area of patches of particles; zero pressure at the surface; inversion.");
+  check.source(source);
   constexpr double gravity = 9.81;
   const GerstnerWave wave(3, gravity, -0.1);
   std::vector<double> spans;
@@ -92,10 +93,8 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   }
   check.that({.id = "euler",
               .text = "Continuity, Euler's equations and the vorticity hold at fixed places.",
-              .quantity = "order of the residual in the width of the differences",
-              .source = source},
-             evidence::observed_order(spans, residuals, 1e-11),
-             evidence::Order{4, 0.3, "fourth-order differences of a smooth solution"});
+              .quantity = "order of the residual in the width of the differences"},
+             observed_order(spans, residuals, 1e-11), Order{4, 0.3, "fourth-order differences of a smooth solution"});
   // J is the determinant of the derivatives of the place by the label.
   std::vector<double> jacobian_errors;
   for (const double span : spans) {
@@ -114,10 +113,9 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   }
   check.that({.id = "jacobian",
               .text = "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.",
-              .quantity = "order of the difference in the width of the differences",
-              .source = source},
-             evidence::observed_order(spans, jacobian_errors, 1e-13),
-             evidence::Order{4, 0.2, "fourth-order differences of an analytic function"});
+              .quantity = "order of the difference in the width of the differences"},
+             observed_order(spans, jacobian_errors, 1e-13),
+             Order{4, 0.2, "fourth-order differences of an analytic function"});
   std::vector<double> accelerations;
   for (const double span : spans) {
     Largest largest;
@@ -133,10 +131,9 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   }
   check.that({.id = "acceleration",
               .text = "The acceleration of a particle is the rate of its velocity.",
-              .quantity = "order of the difference in the width of the differences",
-              .source = source},
-             evidence::observed_order(spans, accelerations, 1e-13),
-             evidence::Order{4, 0.2, "fourth-order differences of an analytic function"});
+              .quantity = "order of the difference in the width of the differences"},
+             observed_order(spans, accelerations, 1e-13),
+             Order{4, 0.2, "fourth-order differences of an analytic function"});
   Worst inversion;
   Worst surface;
   for (const double top : {-0.02, -0.1, -1.0}) {
@@ -156,26 +153,20 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   check.that({.id = "inversion",
               .text = "The particle found at a place is the one that is there.",
               .quantity = "error of the label times its conditioning 1 - e^{k b0}",
-              .unit = "m",
-              .source = source},
-             {.value = inversion.value()},
-             evidence::Roundoff{.operations = 30, .scale = 5, .reason = "30 roundings of labels and places up to 5 m"});
-  check.that(
-      {.id = "elevation",
-       .text = "The elevation passes through the particles of the surface.",
-       .quantity = "error of the elevation",
-       .unit = "m",
-       .source = source},
-      {.value = surface.value()},
-      evidence::Roundoff{.operations = 30,
-                         .scale = 5 * 3.4,
-                         .reason = "30 roundings of x up to 5 m, times the steepest slope, 3.4 for b0 = -0.02 m"});
+              .unit = "m"},
+             {.value = inversion.value()}, Roundoff{30, 5, "30 roundings of labels and places up to 5 m"});
+  check.that({.id = "elevation",
+              .text = "The elevation passes through the particles of the surface.",
+              .quantity = "error of the elevation",
+              .unit = "m"},
+             {.value = surface.value()},
+             Roundoff{30, 5 * 3.4, "30 roundings of x up to 5 m, times the steepest slope, 3.4 for b0 = -0.02 m"});
   // The particle that starts at the crest.
   const auto crest = wave.position({0, -0.1}, 0);
   CHECK(std::abs(crest.y - wave.elevation(0, 0)) < 1e-15);
   CHECK(std::abs(wave.height() - 2 * std::exp(-0.1 * wave.wavenumber()) / wave.wavenumber()) < 1e-15);
-  claim_self_test(check, "cusped", GerstnerWave(3, gravity), source);
-  claim_self_test(check, "trochoid", wave, source);
+  self_test_holds(check, "cusped", GerstnerWave(3, gravity));
+  self_test_holds(check, "trochoid", wave);
   CHECK_THROWS_AS(wave.position({0, -0.09}, 0), exact::OutsideFluid);
   CHECK_THROWS_AS(wave.label(0, wave.elevation(0, 0) + 1e-9, 0), exact::OutsideFluid);
   CHECK_THROWS_AS(GerstnerWave(3, gravity, 0.1), std::invalid_argument);

@@ -10,7 +10,7 @@ namespace mach_reflection_test {
 
 using namespace seiche;
 using exact::MachReflection;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string miles_source = "Miles, J. Fluid Mech. 79 (1977) 171";
 const std::string kodama_yeh_source = "Li, Yeh and Kodama, J. Fluid Mech. 672 (2011) 326";
@@ -32,7 +32,7 @@ double degrees(double angle) {
 }
 
 TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_mach_reflection", "Mach reflection of a solitary wave",
       "Interaction parameter, amplitudes and angles of Miles and of Kodama and Yeh to the digits known; the resonance "
       "condition of the three crests; the regular case against the peak of the two-soliton solution of the "
@@ -43,56 +43,51 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
   const MachReflection regular_kp(0.05, degrees(30), MachReflection::Theory::kodama_yeh);
   const MachReflection high(0.1, degrees(25));
   const MachReflection high_kp(0.1, degrees(25), MachReflection::Theory::kodama_yeh);
-  verification::check_table(check, "miles", "kappa, amplitude ratios and stem angle of Miles",
-                            {{steep.kappa(), "0.901284150216358"},
-                             {steep.reflected_ratio(), "0.812313119431223"},
-                             {steep.wall_ratio(), "3.61488141986394"},
-                             {steep.stem_angle(), "0.0127441614072919"},
-                             {regular.kappa(), "1.35192622532454"},
-                             {regular.wall_ratio(), "2.39098183528087"},
-                             {high.kappa(), "0.796630167992427"},
-                             {high.reflected_ratio(), "0.634619624555643"},
-                             {high.wall_ratio(), "3.2278799605405"},
-                             {high.stem_angle(), "0.0371300815021946"}},
-                            miles_source);
+  check_table(check, "miles", "kappa, amplitude ratios and stem angle of Miles",
+              {{steep.kappa(), "0.901284150216358"},
+               {steep.reflected_ratio(), "0.812313119431223"},
+               {steep.wall_ratio(), "3.61488141986394"},
+               {steep.stem_angle(), "0.0127441614072919"},
+               {regular.kappa(), "1.35192622532454"},
+               {regular.wall_ratio(), "2.39098183528087"},
+               {high.kappa(), "0.796630167992427"},
+               {high.reflected_ratio(), "0.634619624555643"},
+               {high.wall_ratio(), "3.2278799605405"},
+               {high.stem_angle(), "0.0371300815021946"}},
+              miles_source);
   // At kappa = 1.00008 the wall amplitude has slope 160 in kappa.
-  verification::check_table(check, "kodama-yeh", "kappa and wall amplitude of Kodama and Yeh",
-                            {{steep_kp.kappa(), "1.00007926325898"},
-                             {regular_kp.kappa(), "1.72132593164774"},
-                             {regular_kp.wall_ratio(), "2.20514335045943"},
-                             {high_kp.kappa(), "0.939368967739625"},
-                             {high_kp.wall_ratio(), "3.76115199303146"}},
-                            kodama_yeh_source);
+  check_table(check, "kodama-yeh", "kappa and wall amplitude of Kodama and Yeh",
+              {{steep_kp.kappa(), "1.00007926325898"},
+               {regular_kp.kappa(), "1.72132593164774"},
+               {regular_kp.wall_ratio(), "2.20514335045943"},
+               {high_kp.kappa(), "0.939368967739625"},
+               {high_kp.wall_ratio(), "3.76115199303146"}},
+              kodama_yeh_source);
   const double sensitivity = std::abs(
       (MachReflection::wall_ratio(steep_kp.kappa() + 1e-9) - MachReflection::wall_ratio(steep_kp.kappa() - 1e-9)) /
       2e-9);
-  check.that({.id = "near-one",
-              .text = "The wall amplitude is right next to kappa = 1, where its slope is largest.",
-              .quantity = "a_w/a_i at kappa = 1.00008",
-              .source = kodama_yeh_source},
-             {.value = steep_kp.wall_ratio()},
-             evidence::Roundoff{.operations = 8,
-                                .scale = sensitivity,
-                                .reason = "8 roundings of kappa = 1, times the slope of the amplitude there",
-                                .expected = 3.95026621549695});
-  std::vector<double> spans;
-  std::vector<double> errors;
+  check.that(
+      {.id = "near-one",
+       .text = "The wall amplitude is right next to kappa = 1, where its slope is largest.",
+       .quantity = "a_w/a_i at kappa = 1.00008",
+       .source = kodama_yeh_source},
+      {.value = steep_kp.wall_ratio()},
+      Roundoff{8, sensitivity, "8 roundings of kappa = 1, times the slope of the amplitude there", 3.95026621549695});
+  Convergence errors;
   for (double span = 0.2; span > 0.01; span /= 2) {
     Worst worst;
     for (const double kappa : {1.01, 1.2, 2.0, 10.0}) {
       worst.add(two_soliton_peak(kappa, span) - MachReflection::wall_ratio(kappa));
     }
-    spans.push_back(span);
-    errors.push_back(worst.value());
+    errors.add(span, worst.value());
   }
   check.that({.id = "two-solitons",
               .text = "4/(1 + sqrt(1 - kappa^-2)) is the peak of the two-soliton solution.",
               .quantity = "order of the difference in the width of the differences",
               .source = kodama_yeh_source},
-             evidence::observed_order(spans, errors, 1e-11),
-             evidence::Order{4, 0.2, "fourth-order differences of an analytic function, nothing else"});
-  claim_self_test(check, "mach", high, miles_source);
-  claim_self_test(check, "regular", regular, miles_source);
+             errors.order(1e-11), Order{4, 0.2, "fourth-order differences of an analytic function, nothing else"});
+  self_test_holds(check, "mach", high);
+  self_test_holds(check, "regular", regular);
   CHECK(MachReflection::wall_ratio(1) == 4);
   CHECK(std::abs(MachReflection::wall_ratio(std::nextafter(1.0, 0.0)) - 4) < 1e-15);
   CHECK(regular.reflected_angle() == degrees(30));

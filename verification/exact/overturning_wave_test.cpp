@@ -19,7 +19,7 @@ namespace overturning_wave_test {
 using namespace seiche;
 using exact::OverturningWave;
 using exact::overturning::PeriodicCurve;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source =
     "Baker, Meiron & Orszag, J. Fluid Mech. 123 (1982) 477; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
@@ -66,7 +66,7 @@ struct Row {
   double known;  ///< distance between the tabulated computations
 };
 
-void claim_table(verification::Check& check, const OverturningWave& wave, const std::vector<Row>& rows,
+void claim_table(Check& check, const OverturningWave& wave, const std::vector<Row>& rows,
                  const std::map<double, Points>& reference, double unit, const std::string& unit_name) {
   Worst extremes;
   evidence::Table table{.id = "profiles",
@@ -83,32 +83,24 @@ void claim_table(verification::Check& check, const OverturningWave& wave, const 
     extremes.add(highest - row.highest);
     extremes.add(lowest - row.lowest);
     table.rows.push_back({row.t, measured, highest, lowest});
-    check.that(
-        {.id = fmt::format("profile-{:.0f}", 100 * row.t),
-         .text = fmt::format("The surface at t = {:.2f} {} is the reference's.", row.t, unit_name),
-         .quantity = "largest distance of a reference point",
-         .unit = "1/k",
-         .source = source},
-        {.value = measured, .resolution = "512 markers, tolerance 2e-11"},
-        evidence::Bound{.limit = std::max(1e-7, row.known),
-                        .reason = "interpolation of the reference, 1e-7, or the distance between its computations "
-                                  "with 512 and 1024 markers where that is larger"});
+    check.holds(fmt::format("The surface at t = {:.2f} {} is the reference's.", row.t, unit_name), {measured},
+                Bound{std::max(1e-7, row.known),
+                      "interpolation of the reference, 1e-7, or the distance between its computations "
+                      "with 512 and 1024 markers where that is larger"});
   }
   check.table(table);
-  check.that(
-      {.id = "extremes",
-       .text = "Highest and lowest elevation have every digit of the reference at all its times.",
-       .quantity = "largest difference",
-       .unit = "1/k",
-       .source = source},
-      {.value = extremes.value()},
-      evidence::Bound{.limit = 3.5e-8,
-                      .reason = "3e-8: extremes of the reference are sampled at 64 points per marker; half a unit of "
-                                "the eighth decimal"});
+  check.that({.id = "extremes",
+              .text = "Highest and lowest elevation have every digit of the reference at all its times.",
+              .quantity = "largest difference",
+              .unit = "1/k",
+              .source = source},
+             {.value = extremes.value()},
+             Bound{3.5e-8,
+                   "3e-8: extremes of the reference are sampled at 64 points per marker; half a unit of "
+                   "the eighth decimal"});
 }
 
-void claim_conservation(verification::Check& check, const OverturningWave& wave, double until,
-                        const std::string& when) {
+void claim_conservation(Check& check, const OverturningWave& wave, double until, const std::string& when) {
   const auto start = wave.integrals(0);
   Worst volume;
   Worst energy;
@@ -124,31 +116,31 @@ void claim_conservation(verification::Check& check, const OverturningWave& wave,
       "earlier program";
   check.that(
       {.id = "volume", .text = "Volume is conserved " + when + ".", .quantity = "change of volume", .source = source},
-      {.value = volume.value()}, evidence::Bound{.limit = 1e-11, .reason = reason});
+      {.value = volume.value()}, Bound{1e-11, reason});
   check.that(
       {.id = "energy", .text = "Energy is conserved " + when + ".", .quantity = "relative change", .source = source},
       {.value = energy.value()},
-      evidence::Bound{.limit = 2 * 400 * std::pow(2e-11 / wave.extremes(0).highest, 1.2),
-                      .reason = "some 400 steps whose errors of fourth order are kept at 2e-11, over the amplitude, "
-                                "twice as much of a square; the solution of fifth order that is carried on errs less "
-                                "by a step, the fifth root of that"});
+      Bound{2 * 400 * std::pow(2e-11 / wave.extremes(0).highest, 1.2),
+            "some 400 steps whose errors of fourth order are kept at 2e-11, over the amplitude, "
+            "twice as much of a square; the solution of fifth order that is carried on errs less "
+            "by a step, the fifth root of that"});
   check.that(
       {.id = "impulse", .text = "Impulse is conserved " + when + ".", .quantity = "relative change", .source = source},
-      {.value = impulse.value()}, evidence::Bound{.limit = 1e-10, .reason = reason});
+      {.value = impulse.value()}, Bound{1e-10, reason});
 }
 
-void claim_vertical_tangent(verification::Check& check, const OverturningWave& wave, double printed) {
+void claim_vertical_tangent(Check& check, const OverturningWave& wave, double printed) {
   check.that({.id = "vertical-tangent",
               .text = "The front is first vertical when the reference's is.",
               .quantity = "time of the first vertical tangent",
               .unit = "1/sqrt(g k)",
               .source = source},
              {.value = wave.vertical_tangent_time().value()},
-             evidence::Bound{.limit = 5e-5, .reason = "half a unit of the last printed digit", .expected = printed});
+             Bound{5e-5, "half a unit of the last printed digit", printed});
 }
 
-void draw(verification::Check& check, const OverturningWave& wave, const std::map<double, Points>& reference,
-          double until, const std::string& id, const std::string& title, double unit, const std::string& unit_name) {
+void draw(Check& check, const OverturningWave& wave, const std::map<double, Points>& reference, double until,
+          const std::string& id, const std::string& title, double unit, const std::string& unit_name) {
   auto& figure =
       check.figure(id, title,
                    "Lines: 512 markers; dots: every tenth point of the earlier computation with 1024 markers. "
@@ -171,15 +163,15 @@ void draw(verification::Check& check, const OverturningWave& wave, const std::ma
 }
 
 TEST_CASE("a steep wave over a bottom overturns and touches down as the reference does", "[exact][full]") {
-  verification::Check check(
-      "exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
-      "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "
-      "linear wave. The surface "
-      "is compared with an earlier computation of ours at seven times, up to 0.49 linear periods; "
-      "touch-down follows at 0.495. "
-      "Volume, energy and impulse are conserved by the motion. A second number of markers and a "
-      "second tolerance tell the "
-      "numerical error.");
+  Check check("exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
+              "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "
+              "linear wave. The surface "
+              "is compared with an earlier computation of ours at seven times, up to 0.49 linear periods; "
+              "touch-down follows at 0.495. "
+              "Volume, energy and impulse are conserved by the motion. A second number of markers and a "
+              "second tolerance tell the "
+              "numerical error.");
+  check.source(source);
   const OverturningWave wave(over_bottom);
   const auto reference = profiles("overturning_wave_finite_depth", check.record());
   claim_table(check, wave,
@@ -195,21 +187,15 @@ TEST_CASE("a steep wave over a bottom overturns and touches down as the referenc
   check.that({.id = "collapse",
               .text = "The computation ends, for the jet is too close to the water ahead, when the reference does.",
               .quantity = "last time computed",
-              .unit = "1/sqrt(g k)",
-              .source = source},
+              .unit = "1/sqrt(g k)"},
              {.value = wave.end_time(), .resolution = "512 markers"},
-             evidence::Bound{.limit = 0.0017,
-                             .reason = "difference of that time between 512 and 1024 markers in the reference",
-                             .expected = 3.7911});
+             Bound{0.0017, "difference of that time between 512 and 1024 markers in the reference", 3.7911});
   check.that({.id = "touch-down",
               .text = "The gap closes when the reference's finer computation ends.",
               .quantity = "touch-down, extrapolated from the gap",
-              .unit = "1/sqrt(g k)",
-              .source = source},
+              .unit = "1/sqrt(g k)"},
              {.value = wave.touch_down_time().value(), .resolution = "512 markers"},
-             evidence::Bound{.limit = 0.0017,
-                             .reason = "difference of that time between 512 and 1024 markers in the reference",
-                             .expected = 3.7928});
+             Bound{0.0017, "difference of that time between 512 and 1024 markers in the reference", 3.7928});
   claim_conservation(check, wave, 0.48 * finite_period, "up to 0.48 periods");
   auto second = over_bottom;
   second.markers = 448;
@@ -218,18 +204,17 @@ TEST_CASE("a steep wave over a bottom overturns and touches down as the referenc
   check.that({.id = "self-convergence",
               .text = "At 0.46 periods the surface does not depend on the markers and the tolerance.",
               .quantity = "Hausdorff distance of 512 markers, tolerance 2e-11, and 448 markers, 1e-11",
-              .unit = "1/k",
-              .source = source},
+              .unit = "1/k"},
              {.value = exact::overturning::hausdorff_distance(
                   curve(wave.profile(*second.last_time)), curve(OverturningWave(second).profile(*second.last_time)))},
-             evidence::Bound{.limit = 1e-8, .reason = "five times the reference's own distance at this time"});
-  verification::claim_self_test(check, "finite-depth", wave, source);
+             Bound{1e-8, "five times the reference's own distance at this time"});
+  self_test_holds(check, "finite-depth", wave);
   draw(check, wave, reference, 3.7, "profiles", "Overturning over a bottom", finite_period, "periods");
   CHECK_THROWS_AS(wave.profile(0.6 * finite_period), Divergence);
 }
 
 TEST_CASE("a steep wave in deep water overturns as the reference does", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_overturning_deep", "Overturning wave in deep water",
       "At $t = 0$ $\\eta = 0.5 \\cos x$ with surface potential $0.5 e^{\\eta} \\sin x$, whose kinetic energy is "
       "$\\frac{\\pi}{2} A^2 I_0(2A)$. Profiles, extremes, vertical tangent and nose of the jet against an earlier "
@@ -243,10 +228,7 @@ TEST_CASE("a steep wave in deep water overturns as the reference does", "[exact]
               .unit = "g/k^3",
               .source = "(pi/2) A^2 I_0(2A): integral of the squared velocity of exp(y) sin x"},
              {.value = wave.integrals(0).kinetic_energy},
-             evidence::Roundoff{.operations = 512,
-                                .scale = 0.5,
-                                .reason = "sum over 512 markers; the equation is solved to 1e-15",
-                                .expected = 0.497182907563303});
+             Roundoff{512, 0.5, "sum over 512 markers; the equation is solved to 1e-15", 0.497182907563303});
   const auto reference = profiles("overturning_wave_deep", check.record());
   claim_table(check, wave,
               {{2.0, 0.60030152, -0.45545802, 1e-13},
@@ -270,20 +252,18 @@ TEST_CASE("a steep wave in deep water overturns as the reference does", "[exact]
               .quantity = "largest difference",
               .unit = "1/k",
               .source = source},
-             {.value = nose_x.value()},
-             evidence::Bound{.limit = 5e-6, .reason = "half a unit of the last printed digit"});
-  check.that(
-      {.id = "nose-ordinate",
-       .text = "The height of the jet's nose agrees with the reference at t = 4 and 4.4.",
-       .quantity = "largest difference",
-       .unit = "1/k",
-       .source = source},
-      {.value = nose_y.value()},
-      evidence::Bound{.limit = 3.7e-4,
-                      .reason = "the reference gives the marker that is farthest ahead; its neighbours among 1024 "
-                                "are 7.4e-4 above and below it at t = 4, and the surface is vertical there"});
+             {.value = nose_x.value()}, Bound{5e-6, "half a unit of the last printed digit"});
+  check.that({.id = "nose-ordinate",
+              .text = "The height of the jet's nose agrees with the reference at t = 4 and 4.4.",
+              .quantity = "largest difference",
+              .unit = "1/k",
+              .source = source},
+             {.value = nose_y.value()},
+             Bound{3.7e-4,
+                   "the reference gives the marker that is farthest ahead; its neighbours among 1024 "
+                   "are 7.4e-4 above and below it at t = 4, and the surface is vertical there"});
   claim_conservation(check, wave, 4.2, "up to t = 4.2");
-  verification::claim_self_test(check, "deep", wave, source);
+  self_test_holds(check, "deep", wave);
   draw(check, wave, reference, 4.4, "profiles", "Overturning in deep water", 1, "");
 }
 

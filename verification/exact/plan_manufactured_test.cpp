@@ -15,7 +15,7 @@ namespace plan_manufactured_test {
 
 using namespace seiche;
 using exact::PlanManufactured;
-using verification::Role;
+using namespace seiche::verification;
 using Field = Eigen::ArrayXXd;  // labels: X along rows, Y along columns
 
 constexpr double pi = std::numbers::pi;
@@ -102,7 +102,7 @@ class Snapshot {
   Field ax_, ay_, x_x_, x_y_, y_x_, y_y_, jacobian_, force_x_, force_y_;
 };
 
-void claim_labels(verification::Check& check, const PlanManufactured& flow) {
+void claim_labels(Check& check, const PlanManufactured& flow) {
   const double length = flow.parameters().length;
   Worst worst;
   constexpr int points = 24;
@@ -124,12 +124,10 @@ void claim_labels(verification::Check& check, const PlanManufactured& flow) {
               .unit = "m",
               .source = source},
              {.value = worst.value(), .resolution = "25 by 25 columns, 8 times"},
-             evidence::Roundoff{.operations = 20,
-                                .scale = length / 0.6,
-                                .reason = "places rounded ten times there and back, divided by J above 0.6"});
+             Roundoff{20, length / 0.6, "places rounded ten times there and back, divided by J above 0.6"});
 }
 
-void draw(verification::Check& check, const PlanManufactured& flow) {
+void draw(Check& check, const PlanManufactured& flow) {
   auto& figure = check.figure("motion", "Manufactured motion in a square basin",
                               "Columns of water on a lattice of labels at two times, and the depth along a line of "
                               "labels.");
@@ -163,7 +161,7 @@ void draw(verification::Check& check, const PlanManufactured& flow) {
 }
 
 TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equations", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_plan_manufactured", "Manufactured solution of the Green-Naghdi equations in plan",
       "The body force in label coordinates against the equations in Eulerian form, $D^2 H = H ((\\nabla\\cdot u)^2 + "
       "\\mathrm{tr}(\\nabla u)^2 - \\nabla\\cdot Du)$, with spectral derivatives; mass, velocities and both equations "
@@ -182,12 +180,11 @@ TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equ
               .unit = "m/s^2",
               .source = source},
              {.value = deviation.value(), .resolution = "48 by 48 labels over [0, 2 pi)^2, 9 times"},
-             evidence::Roundoff{.operations = 60 * 60,
-                                .scale = highest * highest / 3,
-                                .reason = "twice differentiated: highest wavenumber squared, times alpha H^2; "
-                                          "accelerations below 1 rounded 60 times, 60 sums in effect per derivative"});
-  claim_self_test(check, "default", flow, source);
-  claim_self_test(check, "dimensional", PlanManufactured(steep), source);
+             Roundoff{60 * 60, highest * highest / 3,
+                      "twice differentiated: highest wavenumber squared, times alpha H^2; "
+                      "accelerations below 1 rounded 60 times, 60 sums in effect per derivative"});
+  self_test_holds(check, "default", flow);
+  self_test_holds(check, "dimensional", PlanManufactured(steep));
   claim_labels(check, flow);
   draw(check, flow);
   steep.amplitude = 0.3;

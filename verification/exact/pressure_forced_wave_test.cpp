@@ -19,7 +19,7 @@ namespace pressure_forced_wave_test {
 
 using namespace seiche;
 using exact::PressureForcedWave;
-using verification::Role;
+using namespace seiche::verification;
 
 using Complex = std::complex<double>;
 
@@ -39,7 +39,7 @@ double error_of_steps(double steps, double time) {
   return steps * std::pow(tolerance, 1.2) * (1 + time);
 }
 
-void claim_stokes_wave_stays(verification::Check& check) {
+void claim_stokes_wave_stays(Check& check) {
   const PressureForcedWave wave({.pressure = 0, .markers = 128});
   const exact::StokesWave stokes(0.3, period, std::numbers::pi, 1);
   Worst difference;
@@ -55,9 +55,9 @@ void claim_stokes_wave_stays(verification::Check& check) {
               .unit = "1/k",
               .source = source},
              {.value = difference.value(), .resolution = "128 markers, tolerance 2e-11"},
-             evidence::Bound{.limit = error_of_steps(500, last_frame),
-                             .reason = "no more than 500 steps whose errors of fourth order are kept at the "
-                                       "tolerance, of fifth order at its power 1.2, and act for the whole time"});
+             Bound{error_of_steps(500, last_frame),
+                   "no more than 500 steps whose errors of fourth order are kept at the "
+                   "tolerance, of fifth order at its power 1.2, and act for the whole time"});
 }
 
 struct LinearErrors {
@@ -82,24 +82,24 @@ LinearErrors linear_errors(const std::vector<double>& pressures) {
   return errors;
 }
 
-void claim_linear_theory(verification::Check& check) {
+void claim_linear_theory(Check& check) {
   const std::vector<double> pressures{0.04, 0.02, 0.01, 0.005};
   const LinearErrors errors = linear_errors(pressures);
-  const evidence::Order second{.theory = 2,
-                               .tolerance = 0.1,
-                               .reason =
-                                   "what linear theory leaves out is of second order in the amplitude; the third "
-                                   "order is at most 3 per cent of it, 0.04 of the order at its largest"};
+  const Order second{.theory = 2,
+                     .tolerance = 0.1,
+                     .reason =
+                         "what linear theory leaves out is of second order in the amplitude; the third "
+                         "order is at most 3 per cent of it, 0.04 of the order at its largest"};
   check.that({.id = "linear-forced",
               .text = "Water at rest answers the pressure as linear theory says, while it acts.",
               .quantity = "order in p0 of the largest difference at t = 2",
               .source = linear_theory},
-             evidence::observed_order(pressures, errors.forced), second);
+             observed_order(pressures, errors.forced), second);
   check.that({.id = "linear-free",
               .text = "The wave that the pressure leaves agrees with linear theory.",
               .quantity = "order in p0 of the largest difference at t = 5",
               .source = linear_theory},
-             evidence::observed_order(pressures, errors.free), second);
+             observed_order(pressures, errors.free), second);
 }
 
 /// The state at t = 2 after equal steps of the wave that the pressure pushes.
@@ -112,27 +112,25 @@ exact::overturning::State after_steps(int steps) {
   return moments.back().state;
 }
 
-void claim_order_in_time(verification::Check& check) {
+void claim_order_in_time(Check& check) {
   const auto finest = after_steps(320);
-  std::vector<double> sizes;
-  std::vector<double> errors;
+  Convergence errors;
   for (const int steps : {10, 14, 20, 28, 40}) {
     const auto state = after_steps(steps);
     Worst worst;
     for (std::size_t k = 0; k < state.size(); ++k) worst.add(state[k] - finest[k]);
-    sizes.push_back(2.0 / steps);
-    errors.push_back(worst.value());
+    errors.add(2.0 / steps, worst.value());
   }
   check.that(
       {.id = "order-in-time",
        .text = "Surface, work and thrust converge with the order of the step, also under a pressure that changes.",
        .quantity = "order in the time step at t = 2, against 320 steps",
        .source = "Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19: order five"},
-      evidence::observed_order(sizes, errors, 1e-12),
-      evidence::Order{.theory = 5,
-                      .tolerance = 0.3,
-                      .reason = "steps of 0.2 to 0.05 of a wave whose period is 6.3: the next order is a fifth "
-                                "of this one at the longest"});
+      errors.order(1e-12),
+      Order{.theory = 5,
+            .tolerance = 0.3,
+            .reason = "steps of 0.2 to 0.05 of a wave whose period is 6.3: the next order is a fifth "
+                      "of this one at the longest"});
 }
 
 /// -int p u.n ds, n the outward normal, from a profile alone.
@@ -152,23 +150,22 @@ double power(const PressureForcedWave& wave, double t) {
   return sum * period / static_cast<double>(n);
 }
 
-void claim_work(verification::Check& check, const PressureForcedWave& wave) {
+void claim_work(Check& check, const PressureForcedWave& wave) {
   const double work = boost::math::quadrature::gauss<double, 20>::integrate([&](double t) { return power(wave, t); },
                                                                             0.0, std::numbers::pi);
-  check.that(
-      {.id = "work",
-       .text = "The work of the pressure is the integral of pressure times inward normal velocity along the "
-               "surface, over time.",
-       .quantity = "difference from the work by quadrature of 20 profiles",
-       .unit = "rho g/k^3",
-       .source = source},
-      {.value = wave.action(last_frame).work - work, .resolution = "256 markers, 20 Gauss points"},
-      evidence::Bound{.limit = 200 * std::pow(tolerance, 1.2),
-                      .reason = "the work is stepped with the surface: some 200 steps to t = pi whose errors of fourth "
-                                "order are kept at the tolerance, of fifth order at its power 1.2"});
+  check.that({.id = "work",
+              .text = "The work of the pressure is the integral of pressure times inward normal velocity along the "
+                      "surface, over time.",
+              .quantity = "difference from the work by quadrature of 20 profiles",
+              .unit = "rho g/k^3",
+              .source = source},
+             {.value = wave.action(last_frame).work - work, .resolution = "256 markers, 20 Gauss points"},
+             Bound{200 * std::pow(tolerance, 1.2),
+                   "the work is stepped with the surface: some 200 steps to t = pi whose errors of fourth "
+                   "order are kept at the tolerance, of fifth order at its power 1.2"});
 }
 
-void claim_balance(verification::Check& check, const PressureForcedWave& wave) {
+void claim_balance(Check& check, const PressureForcedWave& wave) {
   const auto start = wave.integrals(0);
   Worst energy;
   Worst impulse;
@@ -194,21 +191,19 @@ void claim_balance(verification::Check& check, const PressureForcedWave& wave) {
               .quantity = "largest |E(t) - E(0) - W(t)| at 37 times",
               .unit = "rho g/k^3",
               .source = source},
-             {.value = energy.value()},
-             evidence::Bound{.limit = 2 * limit, .reason = reason + "; twice as much of a square"});
+             {.value = energy.value()}, Bound{2 * limit, reason + "; twice as much of a square"});
   check.that({.id = "impulse",
               .text = "The horizontal impulse changes by the thrust of the pressure, up to the jet.",
               .quantity = "largest |I(t) - I(0) - thrust(t)| at 37 times",
               .unit = "rho g^(1/2) k^(-5/2)",
               .source = source},
-             {.value = impulse.value()},
-             evidence::Bound{.limit = 2 * limit, .reason = reason + "; twice as much of a square"});
+             {.value = impulse.value()}, Bound{2 * limit, reason + "; twice as much of a square"});
   check.that({.id = "volume",
               .text = "Volume is conserved up to the jet.",
               .quantity = "largest change at 37 times",
               .unit = "1/k^2",
               .source = source},
-             {.value = volume.value()}, evidence::Bound{.limit = limit, .reason = reason});
+             {.value = volume.value()}, Bound{limit, reason});
   auto& panel = check.figure("energy", "Energy against work", "The pressure acts up to t = pi.")
                     .panel({.x = "t sqrt(g k)", .y = "k^3/(rho g)"});
   panel.line("energy gained", times, energies, Role::computed);
@@ -219,7 +214,7 @@ double tangent_of(const PressureForcedWave& wave) {
   return wave.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-void claim_convergence(verification::Check& check, const PressureForcedWave& wave) {
+void claim_convergence(Check& check, const PressureForcedWave& wave) {
   struct Resolution {
     std::size_t markers;
     double tolerance;
@@ -254,27 +249,25 @@ void claim_convergence(verification::Check& check, const PressureForcedWave& wav
               .quantity = "Hausdorff distance of 256 markers, tolerance 2e-11, and 192, 1e-9",
               .unit = "1/k",
               .source = source},
-             {.value = distances[1]}, evidence::Bound{.limit = 4e-6, .reason = use});
+             {.value = distances[1]}, Bound{4e-6, use});
   check.that({.id = "convergence",
               .text = "The surface converges at least with the tolerance.",
               .quantity = "distance from the third resolution at 7.4, second over first resolution",
               .source = source},
              {.value = distances[1] / distances[0]},
-             evidence::Bound{.limit = 0.2,
-                             .reason = "a tolerance ten times smaller lets errors of fifth order be ten times smaller; "
-                                       "steps are at most cut in five, which shifts them by less than two"});
+             Bound{0.2,
+                   "a tolerance ten times smaller lets errors of fifth order be ten times smaller; "
+                   "steps are at most cut in five, which shifts them by less than two"});
   check.that({.id = "vertical-tangent",
               .text = "The time at which the front is first vertical does not depend on markers and tolerance.",
               .quantity = "time by 192 markers, tolerance 1e-9, less that by 256, 2e-11",
               .unit = "1/sqrt(g k)",
               .source = source},
-             {.value = tangents[1] - tangent},
-             evidence::Bound{.limit = 4e-6, .reason = use + ", which the crest travels in that time"});
-  check.measure("vertical_tangent_time", tangent);
+             {.value = tangents[1] - tangent}, Bound{4e-6, use + ", which the crest travels in that time"});
 }
 
 TEST_CASE("a pressure moves water as linear theory says and without one the Stokes wave stays itself", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_pressure_response", "Water at rest and a Stokes wave under a small pressure, or none",
       "Water at rest under $p_s = -p_0 \\sin t \\sin(x - t)$, $0 \\le t \\le \\pi$, must answer as linear theory says, "
       "up to "
@@ -285,13 +278,13 @@ TEST_CASE("a pressure moves water as linear theory says and without one the Stok
 }
 
 TEST_CASE("the surface under a pressure converges with the order of the step", "[exact]") {
-  verification::Check check("exact_pressure_steps", "Equal steps of a surface under a changing pressure",
-                            "Water at rest under the pressure of 0.1, by equal steps of a pair of order five.");
+  Check check("exact_pressure_steps", "Equal steps of a surface under a changing pressure",
+              "Water at rest under the pressure of 0.1, by equal steps of a pair of order five.");
   claim_order_in_time(check);
 }
 
 TEST_CASE("a Stokes wave pushed by a pressure keeps its balances and converges up to the jet", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_pressure_forced_wave", "Stokes wave pushed by a surface pressure until it overturns",
       "A Stokes wave of height 0.6, $L = 2\\pi$, depth $\\pi$ is pushed by $p_s = -p_0 \\sin t \\sin(x - t)$, $0 \\le "
       "t "
@@ -303,7 +296,7 @@ TEST_CASE("a Stokes wave pushed by a pressure keeps its balances and converges u
   claim_work(check, wave);
   claim_balance(check, wave);
   claim_convergence(check, wave);
-  verification::claim_self_test(check, "figure-10", wave, source);
+  self_test_holds(check, "figure-10", wave);
   auto& figure = check.figure("frames", "The wave that is pushed", "Times of Frank's figure 10; p0 = 0.1.");
   for (const double t : {0.0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4}) {
     const auto profile = wave.profile(t, 401);

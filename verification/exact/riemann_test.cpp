@@ -9,6 +9,7 @@
 namespace riemann_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using exact::Riemann;
 
 constexpr double g = 9.81;
@@ -19,12 +20,13 @@ double flux(shallow_water::State s) {
 }
 
 TEST_CASE("Riemann solutions obey the integral laws for random states, dry beds included", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_riemann_integrals", "Riemann problem: integral laws for random states",
       "2000 random pairs of states (depth ratios to 1e4, velocity differences that dry the middle, dry sides). Over an "
       "interval that holds all waves the integrals of $h$ and $h u$ change by the difference of the end fluxes. Across "
       "each "
       "jump the two Rankine-Hugoniot conditions hold, and depth rises in the direction that loses energy.");
+  check.source(source);
   std::mt19937_64 random(20240607);
   std::uniform_real_distribution<double> exponent(-2, 2);
   std::uniform_real_distribution<double> speed(-15, 15);
@@ -69,25 +71,20 @@ TEST_CASE("Riemann solutions obey the integral laws for random states, dry beds 
     across(problem.right_wave(), right);
   }
   CHECK(dry_middles > 10);
-  const evidence::Roundoff limit{.operations = 300,
-                                 .scale = 1,
-                                 .reason =
-                                     "four pieces of ten points with six roundings each, relative to depth x speed; "
-                                     "the largest of 2000 draws"};
-  check.that({.id = "mass",
-              .text = "Mass changes by the fluxes at the ends.",
-              .quantity = "relative mass defect",
-              .source = source},
+  const Roundoff limit{.operations = 300,
+                       .scale = 1,
+                       .reason =
+                           "four pieces of ten points with six roundings each, relative to depth x speed; "
+                           "the largest of 2000 draws"};
+  check.that({.id = "mass", .text = "Mass changes by the fluxes at the ends.", .quantity = "relative mass defect"},
              {.value = mass.value()}, limit);
   check.that({.id = "momentum",
               .text = "Momentum changes by the thrusts and fluxes at the ends.",
-              .quantity = "relative momentum defect",
-              .source = source},
+              .quantity = "relative momentum defect"},
              {.value = momentum.value()}, limit);
   check.that({.id = "rankine-hugoniot",
               .text = "Every jump satisfies both jump conditions.",
-              .quantity = "relative defect of the jump conditions",
-              .source = source},
+              .quantity = "relative defect of the jump conditions"},
              {.value = rankine_hugoniot.value()}, limit);
 }
 
@@ -106,18 +103,14 @@ TEST_CASE("Riemann solutions are symmetric and Galilean invariant", "[exact]") {
 }
 
 TEST_CASE("colliding bores meet and pass", "[exact]") {
-  verification::Check check(
-      "exact_colliding_bores", "Two bores collide",
-      "Bores 2 | 1 | 1.5 from x = 30 and 70: when and where they meet, the state between them "
-      "afterwards (regression: digits of an earlier computation of ours), mass through the collision.");
+  Check check("exact_colliding_bores", "Two bores collide",
+              "Bores 2 | 1 | 1.5 from x = 30 and 70: when and where they meet, the state between them "
+              "afterwards (regression: digits of an earlier computation of ours), mass through the collision.");
   const exact::CollidingBores bores(g, 2, 1, 1.5, 30, 70);
-  verification::check_digits(check, "time", "time of collision", "s", bores.collision_time(), 4.11788011, 8, source);
-  verification::check_digits(check, "place", "place of collision", "m", bores.collision_place(), 52.33926240, 8,
-                             source);
-  verification::check_digits(check, "depth", "depth after the collision", "m", bores.star().depth, 2.6973431028, 10,
-                             source);
-  verification::check_digits(check, "velocity", "velocity after the collision", "m/s", bores.star().velocity,
-                             1.2713216058, 10, source);
+  check_digits(check, "time", "time of collision", bores.collision_time(), 4.11788011, 8);
+  check_digits(check, "place", "place of collision", bores.collision_place(), 52.33926240, 8);
+  check_digits(check, "depth", "depth after the collision", bores.star().depth, 2.6973431028, 10);
+  check_digits(check, "velocity", "velocity after the collision", bores.star().velocity, 1.2713216058, 10);
   Worst defect;
   for (const double t : {0.0, 2.0, 4.1, 4.2, 6.1}) {
     const auto mean = validation::cell_average(bores, 0, 100, t);
@@ -129,8 +122,7 @@ TEST_CASE("colliding bores meet and pass", "[exact]") {
               .quantity = "mass defect",
               .unit = "m^2",
               .source = source},
-             {.value = defect.value()},
-             evidence::Roundoff{.operations = 100, .scale = 200, .reason = "sums of 50 points up to 200 m^2"});
+             {.value = defect.value()}, Roundoff{100, 200, "sums of 50 points up to 200 m^2"});
 }
 
 }  // namespace riemann_test

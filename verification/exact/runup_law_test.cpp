@@ -10,6 +10,7 @@
 namespace runup_law_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using exact::HallWatts;
 using exact::SolitaryRunup;
 
@@ -37,7 +38,7 @@ double factor() {
 }
 
 TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_runup_law", "Coefficients of the run-up and breaking laws",
       "On a flat beach, $z = 2 k X_0$ large, $1/(J_0 - i J_1) \\to \\sqrt{\\pi z/2}\\, e^{i(z - \\pi/4)}$, and with "
       "$\\mathrm{csch}\\, \\alpha k = 2 \\sum e^{-(2m+1) \\alpha k}$, $\\alpha = \\pi/\\sqrt{3a}$, Synolakis' integral "
@@ -57,23 +58,21 @@ TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exac
               .quantity = "law over sqrt(cot beta) (a/d)^(5/4)",
               .source = source},
              {.value = wave.law() / (std::sqrt(20.0) * std::pow(0.01, 1.25))},
-             evidence::Bound{.limit = 0.001,
-                             .reason = "a unit of the last of the three printed decimals, which were cut: the series "
-                                       "has 2.83151",
-                             .expected = highest});
+             Bound{0.001,
+                   "a unit of the last of the three printed decimals, which were cut: the series "
+                   "has 2.83151",
+                   highest});
   check.that({.id = "breaking",
               .text = "The coefficient of the breaking law is that at which the series' curvature reaches gravity.",
               .quantity = "breaking amplitude over d (cot beta)^(-10/9)",
               .source = source},
              {.value = wave.breaking_amplitude() * std::pow(20.0, 10.0 / 9)},
-             evidence::Bound{.limit = 5e-5,
-                             .reason = "half a unit of the last of four printed decimals",
-                             .expected = std::pow(curvature, -4.0 / 9)});
-  verification::check_table(check, "gentle", "run-up of Hall and Watts' correlation for slopes tan 10 deg and 1:10",
-                            {{HallWatts(1, std::tan(pi / 18)).runup(0.1), "0.31722478171009206"},
-                             {HallWatts(1, std::tan(pi / 18)).runup(0.3), "0.98904449435373994"},
-                             {HallWatts(1, 0.1).runup(0.2), "0.60003649246490262"}},
-                            "Hall and Watts (1953)");
+             Bound{5e-5, "half a unit of the last of four printed decimals", std::pow(curvature, -4.0 / 9)});
+  check_table(check, "gentle", "run-up of Hall and Watts' correlation for slopes tan 10 deg and 1:10",
+              {{HallWatts(1, std::tan(pi / 18)).runup(0.1), "0.31722478171009206"},
+               {HallWatts(1, std::tan(pi / 18)).runup(0.3), "0.98904449435373994"},
+               {HallWatts(1, 0.1).runup(0.2), "0.60003649246490262"}},
+              "Hall and Watts (1953)");
 }
 
 }  // namespace runup_law_test

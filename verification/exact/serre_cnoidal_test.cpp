@@ -12,7 +12,7 @@ namespace serre_cnoidal_test {
 
 using namespace seiche;
 using exact::SerreCnoidal;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Serre, Houille Blanche 8 (1953) 374; El, Grimshaw and Smyth, Phys. Fluids 18 (2006) 027104";
@@ -57,7 +57,7 @@ double mean_along_surface(const SerreCnoidal& wave, double span) {
   return mean.value();
 }
 
-void draw(verification::Check& check) {
+void draw(Check& check) {
   auto& panel = check
                     .figure("waves", "Cnoidal waves of Serre's equations",
                             "Of one length, 10 depths: the higher, the "
@@ -76,9 +76,10 @@ void draw(verification::Check& check) {
 }
 
 TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary ones", "[exact]") {
-  verification::Check check("exact_serre_cnoidal", "Periodic waves of Serre's equations",
-                            "Residual of the equations in space and time; the speed of low waves, the shape of long "
-                            "ones; the integral of the elevation.");
+  Check check("exact_serre_cnoidal", "Periodic waves of Serre's equations",
+              "Residual of the equations in space and time; the speed of low waves, the shape of long "
+              "ones; the integral of the elevation.");
+  check.source(source);
   const SerreCnoidal wave(0.8, 14, 2, 9.81);
   std::vector<double> spans;
   std::vector<double> residuals;
@@ -90,32 +91,25 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   }
   check.that({.id = "serre",
               .text = "Mass and momentum of Serre's equations balance at fixed places.",
-              .quantity = "order of the residual in the width of the differences",
-              .source = source},
-             evidence::observed_order(spans, residuals, 1e-10),
-             evidence::Order{4, 0.2, "fourth-order differences of an analytic solution"});
+              .quantity = "order of the residual in the width of the differences"},
+             observed_order(spans, residuals, 1e-10),
+             Order{4, 0.2, "fourth-order differences of an analytic solution"});
   std::vector<double> frames;
   for (const double span : spans) frames.push_back(std::abs(mean_along_surface(wave, span)));
   check.that({.id = "frame",
               .text = "The speed agrees with the frame without mean velocity along the surface.",
-              .quantity = "order of the mean in the width of the differences",
-              .source = source},
-             evidence::observed_order(spans, frames, 1e-10),
-             evidence::Order{4, 0.2, "fourth-order differences of an analytic solution"});
+              .quantity = "order of the mean in the width of the differences"},
+             observed_order(spans, frames, 1e-10), Order{4, 0.2, "fourth-order differences of an analytic solution"});
   const exact::RationalDispersion linear = exact::RationalDispersion::green_naghdi(1, 1);
-  std::vector<double> heights;
-  std::vector<double> excess;
+  Convergence excess;
   for (double height = 0.2; height > 0.02; height /= std::numbers::sqrt2) {
-    heights.push_back(height);
-    excess.push_back(SerreCnoidal(height, 2 * pi, 1, 1).phase_speed() - linear.phase_speed(1));
+    excess.add(height, SerreCnoidal(height, 2 * pi, 1, 1).phase_speed() - linear.phase_speed(1));
   }
-  check.that(
-      {.id = "low",
-       .text = "The speed of low waves agrees with linear theory.",
-       .quantity = "order of the difference in the height",
-       .source = source},
-      evidence::observed_order(heights, excess),
-      evidence::Order{2, 0.1, "the speed is even in the amplitude; the next term is a few (H/d)^2 of the first"});
+  check.that({.id = "low",
+              .text = "The speed of low waves agrees with linear theory.",
+              .quantity = "order of the difference in the height"},
+             excess.order(),
+             Order{2, 0.1, "the speed is even in the amplitude; the next term is a few (H/d)^2 of the first"});
   // Its trough is the still water of solitary waves.
   const SerreCnoidal train(0.3, 30, 1, 1);
   const double trough = train.elevation(15);
@@ -123,15 +117,13 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   Worst apart;
   for (double x = 0; x <= 15; x += 0.1) apart.add(train.elevation(x) - trough - solitary.elevation(x));
   const double decay = std::sqrt(0.75 * 0.3 / (1.3 + trough)) / (1 + trough);
-  check.that(
-      {.id = "long",
-       .text = "Long waves are trains of Serre's solitary waves.",
-       .quantity = "largest difference of the elevations over the height",
-       .source = source},
-      {.value = apart.value() / 0.3, .resolution = "wavelength 30 depths"},
-      evidence::Bound{.limit = 16 * std::exp(-decay * 30),
-                      .reason = "halfway to the next crest sech^2 is 4 exp(-kappa L) of each neighbour, by which "
-                                "the trough is not still water: twice, for shape and depth"});
+  check.that({.id = "long",
+              .text = "Long waves are trains of Serre's solitary waves.",
+              .quantity = "largest difference of the elevations over the height"},
+             {.value = apart.value() / 0.3, .resolution = "wavelength 30 depths"},
+             Bound{16 * std::exp(-decay * 30),
+                   "halfway to the next crest sech^2 is 4 exp(-kappa L) of each neighbour, by which "
+                   "the trough is not still water: twice, for shape and depth"});
   std::vector<double> differences;
   for (const double span : spans) {
     Worst largest;
@@ -143,12 +135,11 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   }
   check.that({.id = "derivatives",
               .text = "Excess, elevation and slope are derivatives of each other.",
-              .quantity = "order of the difference in the width of the differences",
-              .source = source},
-             evidence::observed_order(spans, differences, 1e-12),
-             evidence::Order{4, 0.2, "fourth-order differences of analytic functions"});
-  claim_self_test(check, "steep", wave, source);
-  claim_self_test(check, "train", train, source);
+              .quantity = "order of the difference in the width of the differences"},
+             observed_order(spans, differences, 1e-12),
+             Order{4, 0.2, "fourth-order differences of analytic functions"});
+  self_test_holds(check, "steep", wave);
+  self_test_holds(check, "train", train);
   CHECK_THROWS_AS(SerreCnoidal(0.2, 2 * pi, 1, 0), std::invalid_argument);
   CHECK_THROWS_AS(SerreCnoidal(0.2, 80, 1, 1), std::invalid_argument);
   CHECK_THROWS_AS(SerreCnoidal(1.1, 2 * pi, 1, 1), std::invalid_argument);

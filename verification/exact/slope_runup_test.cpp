@@ -17,7 +17,7 @@ namespace slope_runup_test {
 using namespace seiche;
 using exact::SlopeRunup;
 using exact::slope_climb::WedgeFlow;
-using verification::Role;
+using namespace seiche::verification;
 using Complex = std::complex<double>;
 
 /// Poles of sixth order above the surface and, mirrored, below the bottom, in the plane where bottom and slope are one
@@ -76,28 +76,21 @@ double error_of_velocity(std::size_t intervals, double cotangent) {
 }
 
 TEST_CASE("velocities of water over a slope are those of a potential with poles outside of it", "[exact]") {
-  const std::string source = "Cauchy's integral formula";
-  verification::Check check("exact_slope_velocity", "Velocities of water that ends on a slope",
-                            "Cauchy's integral in a plane where bottom and slope are one straight line. The velocities "
-                            "at a curved surface are "
-                            "compared with those of a potential with poles above the water, mirrored in the line.");
+  Check check("exact_slope_velocity", "Velocities of water that ends on a slope",
+              "Cauchy's integral in a plane where bottom and slope are one straight line. The velocities "
+              "at a curved surface are "
+              "compared with those of a potential with poles above the water, mirrored in the line.");
   for (const double cotangent : {0.0, 1.0, 3.0}) {
     const double coarse = error_of_velocity(140, cotangent);
     const double fine = error_of_velocity(280, cotangent);
-    check.that({.id = fmt::format("velocity-{:g}", cotangent),
-                .text = "The velocities at the surface agree with the potential.",
-                .quantity = fmt::format("largest error over the largest velocity, cotangent {:g}", cotangent),
-                .source = source},
-               {.value = fine, .resolution = "280 intervals"},
-               evidence::Bound{.limit = 1e-6,
-                               .reason = "two nodes to the distance of the poles, whose sixth order multiplies what "
-                                         "the nodes miss"});
-    check.that({.id = fmt::format("faster-{:g}", cotangent),
-                .text = "Twice the nodes leave far less than any power of the spacing that other methods have.",
-                .quantity = fmt::format("error with 280 intervals over that with 140, cotangent {:g}", cotangent),
-                .source = source},
-               {.value = fine / coarse},
-               evidence::Bound{.limit = 1.0 / 256, .reason = "order eight; Chebyshev nodes have no order"});
+    check.holds(fmt::format("velocity-{:g}", cotangent) + ": The velocities at the surface are those of the potential.",
+                {fine},
+                Bound{1e-6,
+                      "two nodes to the distance of the poles, whose sixth order multiplies what "
+                      "the nodes miss"});
+    check.holds(fmt::format("faster-{:g}", cotangent) +
+                    ": Twice the nodes leave far less than any power of the spacing that other methods have.",
+                {fine / coarse}, Bound{1.0 / 256, "order eight; Chebyshev nodes have no order"});
   }
 }
 
@@ -107,7 +100,7 @@ const std::string source =
     "Grilli, Svendsen & Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; regression: table "
     "reference_data/slope_runup_exact";
 
-verification::Check runup_check() {
+Check runup_check() {
   return {"exact_slope_runup", "Run-up of solitary waves on slopes",
           "A solitary wave of the Euler equations is moved by Cauchy's integral in a plane where bottom and slope are "
           "one straight line. The run-up on a vertical wall is compared with that of the head-on collision of two "
@@ -115,30 +108,25 @@ verification::Check runup_check() {
 }
 
 /// The run-up with the fewest markers beside that of the table.
-SlopeRunup judged(verification::Check& check, const io::Table& table, std::size_t row) {
+SlopeRunup judged(Check& check, const io::Table& table, std::size_t row) {
   const double a = table.column("A")[row];
   const double cotangent = table.column("cot_slope")[row];
   SlopeRunup slope(a, cotangent, 1, 160);
-  check.that(
-      {.id = fmt::format("runup-{:.0f}-{:g}", 100 * a, cotangent),
-       .text = fmt::format("The run-up of a wave of H/h = {} on a slope of cotangent {:g} agrees with the reference.",
-                           a, cotangent),
-       .quantity = "run-up",
-       .unit = "depth",
-       .source = source},
-      {.value = slope.runup(), .resolution = "160 markers, tolerance 1e-8"},
-      evidence::Bound{.limit = 5e-5 * a,
-                      .reason = "half a unit of the fourth decimal of the amplitude: the fewest markers that "
-                                "are accepted",
-                      .expected = table.column("R")[row]});
-  if (a == 0.29) verification::claim_self_test(check, fmt::format("slope-{:g}", cotangent), slope, source);
+  check.holds(fmt::format("The run-up of a wave of H/h = {} on a slope of cotangent {:g} agrees with the reference.", a,
+                          cotangent),
+              {slope.runup()},
+              Bound{5e-5 * a,
+                    "half a unit of the fourth decimal of the amplitude: the fewest markers that "
+                    "are accepted",
+                    table.column("R")[row]});
+  if (a == 0.29) self_test_holds(check, fmt::format("slope-{:g}", cotangent), slope);
   return slope;
 }
 
 }  // namespace
 
 TEST_CASE("a solitary wave runs up a slope as high as the reference says", "[exact]") {
-  verification::Check check = runup_check();
+  Check check = runup_check();
   const auto table = validation::reference_table("slope_runup_exact", check.record().reference_data);
   const SlopeRunup slope = judged(check, table, 2);
   CHECK(std::abs(slope.level(slope.runup_time()) - slope.runup()) < 1e-14);
@@ -153,7 +141,7 @@ TEST_CASE("a solitary wave runs up a slope as high as the reference says", "[exa
 }
 
 TEST_CASE("solitary waves run up walls and slopes as high as the references say", "[exact][full]") {
-  verification::Check check = runup_check();
+  Check check = runup_check();
   const SlopeRunup wall(0.3, 0);
   check.that({.id = "wall",
               .text = "A slope that is a wall is climbed as by two waves that collide.",
@@ -166,7 +154,7 @@ TEST_CASE("solitary waves run up walls and slopes as high as the references say"
                                    .useful = 1e-5,
                                    .reason = "of the collision, 256 markers; our own from fewer markers and longer "
                                              "steps, of use up to a unit of the fifth decimal"});
-  verification::claim_self_test(check, "wall", wall, source);
+  self_test_holds(check, "wall", wall);
   const auto table = validation::reference_table("slope_runup_exact", check.record().reference_data);
   std::vector<double> amplitudes;
   std::vector<double> computed;

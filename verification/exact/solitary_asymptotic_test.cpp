@@ -16,7 +16,7 @@ using exact::GrimshawSolitary;
 using exact::LaitoneSolitary;
 using exact::SerreSolitary;
 using exact::SolitaryWave;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string series_source =
     "Boussinesq (1872); Rayleigh (1876); Laitone, J. Fluid Mech. 9 (1960) 430; Grimshaw, J. Fluid Mech. 46 (1971) 611";
@@ -65,7 +65,7 @@ Errors errors_against(const std::vector<SolitaryWave>& waves) {
   return errors;
 }
 
-void draw(verification::Check& check, const std::vector<std::pair<std::string, Errors>>& series) {
+void draw(Check& check, const std::vector<std::pair<std::string, Errors>>& series) {
   auto& profiles =
       check.figure("profiles", "Solitary waves: series against the exact one",
                    "At a third of the depth the third-order profile is within the line width of the exact one; "
@@ -108,34 +108,31 @@ void draw(verification::Check& check, const std::vector<std::pair<std::string, E
 }
 
 TEST_CASE("the series for the solitary wave have the speeds and identities known", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_solitary_series", "Solitary waves as series in amplitude",
       "Speeds of Grimshaw's wave to the digits known; excess mass in closed form against the profiles; "
       "$3V = (F^2-1)M$ where it holds exactly; the wave of Serre satisfies the equations of Serre at any amplitude, "
       "for "
       "any factor $\\alpha$ of the vertical kinetic energy.");
-  verification::check_table(check, "grimshaw-speed", "speeds of Grimshaw's wave, a = 0.1, 0.3, 0.5",
-                            {{GrimshawSolitary(0.1).speed(), "1.0485500192442623"},
-                             {GrimshawSolitary(0.3).speed(), "1.13769189904071"},
-                             {GrimshawSolitary(0.5).speed(), "1.2174328963613794"}},
-                            series_source);
+  check_table(check, "grimshaw-speed", "speeds of Grimshaw's wave, a = 0.1, 0.3, 0.5",
+              {{GrimshawSolitary(0.1).speed(), "1.0485500192442623"},
+               {GrimshawSolitary(0.3).speed(), "1.13769189904071"},
+               {GrimshawSolitary(0.5).speed(), "1.2174328963613794"}},
+              series_source);
   for (const double alpha : {1.0 / 3, 0.4}) {
     const SerreSolitary wave(1, 2, 9.81, alpha);
-    std::vector<double> spans;
-    std::vector<double> residuals;
+    Convergence residuals;
     for (double span = 0.8; span > 0.13; span /= std::numbers::sqrt2) {
       Worst largest;
       for (double x = 0.2; x < 8; x += 0.3) largest.add(serre_residual(wave, alpha, x, span));
-      spans.push_back(span);
-      residuals.push_back(largest.value());
+      residuals.add(span, largest.value());
     }
     check.that({.id = alpha < 0.35 ? "serre" : "serre-alpha",
                 .text = alpha < 0.35 ? "Rayleigh's wave satisfies the Serre equations."
                                      : "The wave with alpha = 0.4 satisfies the equations with alpha = 0.4.",
                 .quantity = "order of the residual in the width of the differences, a = depth/2",
                 .source = serre_source},
-               evidence::observed_order(spans, residuals, 1e-10),
-               evidence::Order{4, 0.2, "fourth-order differences of an analytic solution"});
+               residuals.order(1e-10), Order{4, 0.2, "fourth-order differences of an analytic solution"});
   }
   const SerreSolitary wave(0.6, 2, 9.81);
   Worst inverse;
@@ -145,12 +142,11 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
               .quantity = "error of the place",
               .unit = "m",
               .source = serre_source},
-             {.value = inverse.value()},
-             evidence::Roundoff{.operations = 15, .scale = 17, .reason = "15 roundings of lengths up to 17 m"});
-  claim_self_test(check, "boussinesq", BoussinesqSolitary(0.3, 2, 9.81), series_source);
-  claim_self_test(check, "serre", wave, series_source);
-  claim_self_test(check, "laitone", LaitoneSolitary(0.3, 2, 9.81), series_source);
-  claim_self_test(check, "grimshaw", GrimshawSolitary(0.3, 2, 9.81), series_source);
+             {.value = inverse.value()}, Roundoff{15, 17, "15 roundings of lengths up to 17 m"});
+  self_test_holds(check, "boussinesq", BoussinesqSolitary(0.3, 2, 9.81));
+  self_test_holds(check, "serre", wave);
+  self_test_holds(check, "laitone", LaitoneSolitary(0.3, 2, 9.81));
+  self_test_holds(check, "grimshaw", GrimshawSolitary(0.3, 2, 9.81));
   CHECK(std::abs(wave.elevation(3, 2) - wave.elevation(3 - 2 * wave.speed())) == 0);
   CHECK_THROWS_AS(BoussinesqSolitary(0), std::invalid_argument);
   CHECK_THROWS_AS(LaitoneSolitary(0.84), std::invalid_argument);
@@ -161,7 +157,7 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
 }
 
 TEST_CASE("the series leave the exact solitary wave with their orders in amplitude", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_solitary_orders", "Order of the series for the solitary wave",
       "Profile and speed against the wave of the full Euler equations at amplitudes from 0.05 to 0.2 of the depth: the "
       "first "
@@ -175,8 +171,8 @@ TEST_CASE("the series leave the exact solitary wave with their orders in amplitu
   const auto order = [&](const std::string& id, const std::string& text, const std::string& quantity,
                          const std::vector<double>& errors, double theory) {
     check.that({.id = id, .text = text, .quantity = quantity, .source = series_source},
-               evidence::observed_order(amplitudes, errors, 1e-13),
-               evidence::Order{theory, 0.25, "first neglected power of the amplitude; the next is 0.05 to 0.2 of it"});
+               observed_order(amplitudes, errors, 1e-13),
+               Order{theory, 0.25, "first neglected power of the amplitude; the next is 0.05 to 0.2 of it"});
   };
   const std::string profile = "order in amplitude/depth of the largest error of the elevation";
   order("boussinesq", "Boussinesq's profile is right to first order.", profile, boussinesq.profile, 2);
@@ -188,7 +184,7 @@ TEST_CASE("the series leave the exact solitary wave with their orders in amplitu
   order("speed-laitone", "Laitone's speed is right to second order.", speed, laitone.speed, 3);
   order("speed-grimshaw", "Grimshaw's speed is right to third order.", speed, grimshaw.speed, 4);
   const std::string known = "regression: an earlier program for the exact wave and the series";
-  verification::check_table(
+  check_table(
       check, "profile-errors", "largest errors of the profiles at a = 0.2 and 0.1",
       {{boussinesq.profile[0], "0.007117"},
        {boussinesq.profile[2], "0.002006"},
@@ -200,11 +196,11 @@ TEST_CASE("the series leave the exact solitary wave with their orders in amplitu
        {grimshaw.profile[2], "0.00001825"}},
       series_source,
       {.relative = 1e-3, .reason = "1e-3, to which the places of the largest error were sampled by an " + known});
-  verification::check_table(check, "speed-errors", "errors of Grimshaw's speed at a = 0.1, 0.3, 0.5",
-                            {{GrimshawSolitary(0.1).speed() - SolitaryWave(0.1).speed(), "0.0000018"},
-                             {GrimshawSolitary(0.3).speed() - SolitaryWave(0.3).speed(), "0.00017"},
-                             {GrimshawSolitary(0.5).speed() - SolitaryWave(0.5).speed(), "0.0017"}},
-                            series_source, {.relative = 1e-14, .reason = "1e-14 of it; computed once by an " + known});
+  check_table(check, "speed-errors", "errors of Grimshaw's speed at a = 0.1, 0.3, 0.5",
+              {{GrimshawSolitary(0.1).speed() - SolitaryWave(0.1).speed(), "0.0000018"},
+               {GrimshawSolitary(0.3).speed() - SolitaryWave(0.3).speed(), "0.00017"},
+               {GrimshawSolitary(0.5).speed() - SolitaryWave(0.5).speed(), "0.0017"}},
+              series_source, {.relative = 1e-14, .reason = "1e-14 of it; computed once by an " + known});
   draw(check, {{"Boussinesq", boussinesq}, {"Rayleigh, Serre", serre}, {"Laitone", laitone}, {"Grimshaw", grimshaw}});
 }
 

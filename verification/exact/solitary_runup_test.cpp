@@ -17,9 +17,7 @@ namespace solitary_runup_test {
 using namespace seiche;
 using exact::HallWatts;
 using exact::SolitaryRunup;
-using verification::check_table;
-using verification::Printed;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source = "Synolakis, J. Fluid Mech. 185 (1987) 523";
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), table of ch. 3";
@@ -64,7 +62,7 @@ double breaking_amplitude(double cotangent) {
   return 0.5 * (low + high);
 }
 
-void draw_history(verification::Check& check) {
+void draw_history(Check& check) {
   auto& panel = check
                     .figure("shoreline", "Shoreline against time",
                             "Nonlinear shoreline and linear elevation at the initial shoreline for a/d = 0.0185 on a "
@@ -83,7 +81,7 @@ void draw_history(verification::Check& check) {
   panel.line("linear", t, linear, Role::guide);
 }
 
-void draw_runup(verification::Check& check) {
+void draw_runup(Check& check) {
   auto& figure =
       check.figure("run-up", "Run-up of solitary waves",
                    "Solid: maximum of the integral where the shoreline does not break; dashed: the law. "
@@ -129,7 +127,7 @@ void draw_runup(verification::Check& check) {
 }
 
 TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_solitary_runup", "Run-up of solitary waves on a plane beach",
       "Maximum run-up and its time from the integral, and the run-up law, against tables; the integral by an adaptive "
       "rule; the nonlinear shoreline's kinematics; the exact limit of breaking at the shoreline against Synolakis' "
@@ -145,7 +143,7 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
     highest.push_back({wave.highest().elevation, row.highest});
     times.push_back({wave.highest().time, row.time});
     laws.push_back({wave.law(), row.law});
-    claim_self_test(check, row.highest.substr(2, 4), wave, source);
+    self_test_holds(check, row.highest.substr(2, 4), wave);
     for (const double t : {1.2 * row.cotangent, 2.1 * row.cotangent, 3.5 * row.cotangent}) {
       adaptive.add(std::abs(by_quadrature(row.amplitude, row.cotangent, t) - wave.linear_elevation(t)) /
                    wave.highest().elevation);
@@ -161,13 +159,11 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
               .text = "Adaptive quadrature of the same integral gives the same elevation.",
               .quantity = "largest difference over the run-up",
               .source = source},
-             {.value = adaptive.value()},
-             evidence::Bound{.limit = 2e-12, .reason = "tolerance 1e-13 on each of up to 20 panels"});
+             {.value = adaptive.value()}, Bound{2e-12, "tolerance 1e-13 on each of up to 20 panels"});
 
   // The shoreline moves along the beach: elevation' = velocity tan beta.
   const SolitaryRunup wave(1, 1, 0.0185, 19.85);
-  std::vector<double> spans;
-  std::vector<double> residuals;
+  Convergence residuals;
   for (double span = 0.4; span > 0.02; span /= 2) {
     Worst largest;
     for (const double t : {28.0, 33.0, 36.0, 40.0, 44.0}) {
@@ -175,51 +171,47 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
       const double rise = (8 * (z(1) - z(-1)) - (z(2) - z(-2))) / (12 * span);
       largest.add(rise - wave.shoreline(t).velocity / 19.85);
     }
-    spans.push_back(span);
-    residuals.push_back(largest.value());
+    residuals.add(span, largest.value());
   }
   check.that(
       {.id = "kinematics",
        .text = "The nonlinear shoreline moves along the beach: the residual is the error of the time differences.",
        .quantity = "order of the residual in the time difference",
        .source = source},
-      evidence::observed_order(spans, residuals, 1e-12),
-      evidence::Order{4, 0.3, "fourth-order differences of a smooth function"});
-  check.that(
-      {.id = "same-maximum",
-       .text = "Linear and nonlinear theory have the same maximum.",
-       .quantity = "shoreline at the time of the linear maximum",
-       .unit = "d",
-       .source = "Carrier and Greenspan, J. Fluid Mech. 4 (1958) 97"},
-      {.value = wave.shoreline(wave.highest().time).elevation},
-      evidence::Bound{.limit = 1e-14, .reason = "uncertainty of R, 1e-13 R", .expected = wave.highest().elevation});
+      residuals.order(1e-12), Order{4, 0.3, "fourth-order differences of a smooth function"});
+  check.that({.id = "same-maximum",
+              .text = "Linear and nonlinear theory have the same maximum.",
+              .quantity = "shoreline at the time of the linear maximum",
+              .unit = "d",
+              .source = "Carrier and Greenspan, J. Fluid Mech. 4 (1958) 97"},
+             {.value = wave.shoreline(wave.highest().time).elevation},
+             Bound{1e-14, "uncertainty of R, 1e-13 R", wave.highest().elevation});
   draw_history(check);
   draw_runup(check);
 }
 
 TEST_CASE("Synolakis' breaking criterion is the limit of flat beaches", "[exact][full]") {
-  verification::Check check("exact_solitary_breaking", "Breaking of solitary waves on a plane beach",
-                            "The shoreline breaks during run-up when $X_0^2 R''$ reaches $g$. The amplitude at which "
-                            "it does is compared with $a = 0.8183 (\\cot\\beta)^{-10/9} d$, derived for long beaches.");
+  Check check("exact_solitary_breaking", "Breaking of solitary waves on a plane beach",
+              "The shoreline breaks during run-up when $X_0^2 R''$ reaches $g$. The amplitude at which "
+              "it does is compared with $a = 0.8183 (\\cot\\beta)^{-10/9} d$, derived for long beaches.");
   std::vector<double> cotangents = {5, 10, 20, 40};
   std::vector<double> ratios;
   for (const double cotangent : cotangents) {
     ratios.push_back(breaking_amplitude(cotangent) / SolitaryRunup(1, 1, 0.01, cotangent).breaking_amplitude());
-    check.measure("breaking amplitude over criterion, cot = " + std::to_string(std::lround(cotangent)), ratios.back());
   }
   check.that({.id = "criterion",
               .text = "The exact amplitude of breaking approaches the criterion as the beach becomes flatter.",
               .quantity = "amplitude of breaking over the criterion rises towards 1 from cot beta = 5 to 40",
               .source = source},
              {.value = std::is_sorted(ratios.begin(), ratios.end()) && ratios.back() < 1 ? 1.0 : 0.0},
-             evidence::Qualitative{.detector = "each of the four ratios is above the one before and below 1",
-                                   .reason = "the criterion is the leading term for large cot beta"});
+             Qualitative{"each of the four ratios is above the one before and below 1",
+                         "the criterion is the leading term for large cot beta"});
 }
 
 TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]") {
-  verification::Check check("exact_solitary_profiles", "Analytic profiles of Synolakis' solution",
-                            "a/d = 0.019 on 1:19.85. The first wet point of each published profile brackets the "
-                            "shoreline within their spacing of 0.1 d along the beach, 0.005 d in elevation.");
+  Check check("exact_solitary_profiles", "Analytic profiles of Synolakis' solution",
+              "a/d = 0.019 on 1:19.85. The first wet point of each published profile brackets the "
+              "shoreline within their spacing of 0.1 d along the beach, 0.005 d in elevation.");
   const io::Table profiles =
       validation::reference_table("synolakis_1987_analytic_profiles", check.record().reference_data);
   const SolitaryRunup wave(1, 1, 0.019, 19.85);
@@ -234,7 +226,6 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
     const double first = -profiles.column("x_over_d")[row] / 19.85;
     const double middle = first + 0.05 / 19.85;
     worst.add(wave.shoreline(t - shift).elevation - middle);
-    check.measure("shoreline over d at t = " + std::to_string(std::lround(t)), wave.shoreline(t - shift).elevation);
   }
   check.that({.id = "bracket",
               .text = "Up to breaking in run-down every profile ends at the shoreline.",
@@ -242,20 +233,20 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
               .unit = "d",
               .source = source},
              {.value = worst.value()},
-             evidence::Bound{.limit = 0.05 / 19.85 + 5e-6,
-                             .reason = "half the spacing of the profiles, and half a unit of their last digit"});
+             Bound{0.05 / 19.85 + 5e-6, "half the spacing of the profiles, and half a unit of their last digit"});
 }
 
 TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
-  verification::Check check("exact_hall_watts", "Hall and Watts' correlation, and Frank's table",
-                            "Digits of the correlation; the columns of Frank's table that can be recomputed.");
+  Check check("exact_hall_watts", "Hall and Watts' correlation, and Frank's table",
+              "Digits of the correlation; the columns of Frank's table that can be recomputed.");
+  check.source(frank);
   check_table(check, "values", "run-up of the correlation",
               {{HallWatts(1, 1).runup(0.1), "0.21592346423716206"},
                {HallWatts(1, 0.5).runup(0.2), "0.53787901313119491"},
                {HallWatts(1, 0.3640).runup(0.1), "0.25963734775948769"},
                {HallWatts(2, 0.5).runup(0.4), "1.07575802626238982"}},
               "Hall and Watts (1953)");
-  claim_self_test(check, "hall-watts", HallWatts(0.3, 0.4), "Hall and Watts (1953)");
+  self_test_holds(check, "hall-watts", HallWatts(0.3, 0.4));
 
   const io::Table runup = validation::reference_table("frank_1994_runup", check.record().reference_data);
   Worst law;
@@ -266,10 +257,8 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
   check.that({.id = "frank-law",
               .text = "All entries of the law printed in Frank's table agree with it.",
               .quantity = "largest difference",
-              .unit = "d",
-              .source = frank},
-             {.value = law.value()},
-             evidence::Bound{.limit = 0.0015, .reason = "three decimals, amplitudes rounded to two or three digits"});
+              .unit = "d"},
+             {.value = law.value()}, Bound{0.0015, "three decimals, amplitudes rounded to two or three digits"});
 
   const io::Table measured = validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
   Largest others;
@@ -279,24 +268,19 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
     const double amplitude = measured.column("A")[row];
     const double printed = measured.column("R_HW")[row];
     const double deviation = std::abs(HallWatts(1, 1 / cotangent).runup(amplitude) / printed - 1);
-    check.measure("correlation over Frank's number, less 1: cot " + std::to_string(cotangent).substr(0, 5) + ", a " +
-                      std::to_string(amplitude).substr(0, 5),
-                  HallWatts(1, 1 / cotangent).runup(amplitude) / printed - 1);
     (printed == 0.173 ? suspicious : others).add(deviation);
   }
   check.that(
       {.id = "frank-hall-watts",
        .text = "Frank's interpolations of the measurements follow the correlation, but for one entry.",
-       .quantity = "largest relative difference",
-       .source = frank},
+       .quantity = "largest relative difference"},
       {.value = others.value(), .uncertainty = 0},  // a formula, evaluated to round-off
       evidence::Uncertainty{
           .data = HallWatts::scatter(), .useful = 0.15, .reason = "scatter of run-up measurements, 5 % (assumed)"});
-  const evidence::Bound limit{.limit = 0.03, .reason = "what an interpolation of their plotted measurements can give"};
+  const Bound limit{.limit = 0.03, .reason = "what an interpolation of their plotted measurements can give"};
   check.known_failure({.id = "frank-hall-watts-close",
                        .text = "Frank's interpolations of the measured run-up follow the correlation to 3 %.",
-                       .quantity = "largest relative difference",
-                       .source = frank},
+                       .quantity = "largest relative difference"},
                       {.value = others.value()}, limit,
                       {.value = 0.05543,
                        .width = 5e-5,
@@ -306,8 +290,7 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
   check.known_failure(
       {.id = "frank-hall-watts-173",
        .text = "Frank's entry for cot 3.732, a = 0.05 follows the correlation to 3 %.",
-       .quantity = "relative difference",
-       .source = frank},
+       .quantity = "relative difference"},
       {.value = suspicious.value()}, limit,
       {.value = 0.27,
        .width = 5e-5,

@@ -14,6 +14,7 @@
 namespace solitary_wave_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using exact::Resolution;
 using exact::SolitaryWave;
 
@@ -36,12 +37,13 @@ struct Column {
 };
 
 TEST_CASE("solitary waves have every digit of the reference table", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_solitary_wave_table", "Exact solitary wave: 21 amplitudes",
       "Speed, crest speed, mass, energies, circulation, velocity at the crest and half-width of waves of amplitude "
       "0.02 "
       "to 0.83 against a table; the integral identities 2 T = F (I - C) and 3 V = (F^2 - 1) M (Longuet-Higgins 1974), "
       "which need no outside data; and a second resolution, because identities alone under-report the error.");
+  check.source(source);
   const std::vector<Column> columns{
       {"froude", "Froude number", 14, 5e-15, &SolitaryWave::froude, "F"},
       {"crest-speed", "speed at the crest", 14, 2e-13, &SolitaryWave::crest_speed, "q_crest"},
@@ -91,19 +93,13 @@ TEST_CASE("solitary waves have every digit of the reference table", "[exact]") {
     }
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    check.that(
-        {.id = columns[k].id,
-         .text = "The " + columns[k].quantity + " of every wave has the digits of the table.",
-         .quantity = "largest distance over half a printed unit and the reference's uncertainty",
-         .source = source},
-        {.value = worst[k].value()},
-        evidence::Bound{.limit = 1,
-                        .reason = "half a unit of the last printed digit plus the agreement of the reference's "
-                                  "two resolutions, 5e-15 of the speed and 2e-13 of the others, or its rounding in "
-                                  "long waves, 36 eps/amplitude (4e-13 at 0.02)"});
+    check.holds("The " + columns[k].quantity + " of every wave has the digits of the table.", {worst[k].value()},
+                Bound{1,
+                      "half a unit of the last printed digit plus the agreement of the reference's "
+                      "two resolutions, 5e-15 of the speed and 2e-13 of the others, or its rounding in "
+                      "long waves, 36 eps/amplitude (4e-13 at 0.02)"});
   }
-  const evidence::Bound identity{.limit = 5e-14,
-                                 .reason = "500 terms of values known to 1e-15, amplified by 1/amplitude"};
+  const Bound identity{.limit = 5e-14, .reason = "500 terms of values known to 1e-15, amplified by 1/amplitude"};
   check.that({.id = "kinetic-identity",
               .text = "2 T = F (I - C) holds at every amplitude.",
               .quantity = "largest relative defect",
@@ -116,26 +112,24 @@ TEST_CASE("solitary waves have every digit of the reference table", "[exact]") {
              {.value = potential.value()}, identity);
   check.that({.id = "speed-resolution",
               .text = "The speed does not depend on the resolution.",
-              .quantity = "largest relative difference of the speed",
-              .source = source},
-             {.value = speed.value()}, evidence::Bound{.limit = 5e-15, .reason = "about 20 roundings of F^2"});
-  const evidence::Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (depth, wave speed)"};
+              .quantity = "largest relative difference of the speed"},
+             {.value = speed.value()}, Bound{5e-15, "about 20 roundings of F^2"});
+  const Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (depth, wave speed)"};
   check.that({.id = "elevation-resolution",
               .text = "The surface, also between the nodes, does not depend on the resolution.",
-              .quantity = "largest difference of the elevation over the depth",
-              .source = source},
+              .quantity = "largest difference of the elevation over the depth"},
              {.value = elevation.value()}, pointwise);
   check.that({.id = "velocity-resolution",
               .text = "Velocities inside, down to 1e-6 below the surface, do not depend on the resolution.",
-              .quantity = "largest difference of the velocity over sqrt(g h)",
-              .source = source},
+              .quantity = "largest difference of the velocity over sqrt(g h)"},
              {.value = velocity.value()}, pointwise);
 }
 
 TEST_CASE("velocities inside solitary waves have the digits of the reference", "[exact]") {
-  verification::Check check("exact_solitary_wave_velocity", "Velocities inside the exact solitary wave",
-                            "Fourteen digits at points of waves 0.3 and 0.5 high; scaling with depth and gravity; the "
-                            "slope of the surface against its differences.");
+  Check check("exact_solitary_wave_velocity", "Velocities inside the exact solitary wave",
+              "Fourteen digits at points of waves 0.3 and 0.5 high; scaling with depth and gravity; the "
+              "slope of the surface against its differences.");
+  check.source(source);
   struct Sample {
     double amplitude, x, y, u, v;
   };
@@ -157,25 +151,21 @@ TEST_CASE("velocities inside solitary waves have the digits of the reference", "
   }
   check.that({.id = "digits",
               .text = "Velocities have all fourteen digits; water rises ahead of the crest.",
-              .quantity = "largest error of the velocity over sqrt(g h)",
-              .source = source},
+              .quantity = "largest error of the velocity over sqrt(g h)"},
              {.value = worst.value()},
-             evidence::Bound{.limit = 1e-14 + 0.71e-14,
-                             .reason = "both components half a unit of the 14th decimal, and 45 roundings"});
+             Bound{1e-14 + 0.71e-14, "both components half a unit of the 14th decimal, and 45 roundings"});
   const double depth = 0.4;
   const double g = 9.81;
   const SolitaryWave tank(0.3 * depth, depth, g);
   const auto scaled = tank.velocity(depth, -0.5 * depth);
   const auto unit = gentle.velocity(1, -0.5);
-  check.that(
-      {.id = "scaling",
-       .text = "Velocity scales with sqrt(gravity depth), energy with gravity depth^3.",
-       .quantity = "relative defect of the scaling",
-       .source = source},
-      {.value =
-           seiche::worst(std::array{scaled.u / (unit.u * std::sqrt(g * depth)) - 1,
-                                    tank.kinetic_energy() / (g * std::pow(depth, 3) * gentle.kinetic_energy()) - 1})},
-      evidence::Roundoff{.operations = 40, .scale = 1, .reason = "amplitude/depth rounds differently: 40 roundings"});
+  check.that({.id = "scaling",
+              .text = "Velocity scales with sqrt(gravity depth), energy with gravity depth^3.",
+              .quantity = "relative defect of the scaling"},
+             {.value = seiche::worst(
+                  std::array{scaled.u / (unit.u * std::sqrt(g * depth)) - 1,
+                             tank.kinetic_energy() / (g * std::pow(depth, 3) * gentle.kinetic_energy()) - 1})},
+             Roundoff{40, 1, "amplitude/depth rounds differently: 40 roundings"});
   Largest slope;
   constexpr double step = 2e-3;
   for (double x = 0.2; x < 1.6; x += 0.001) {
@@ -185,10 +175,9 @@ TEST_CASE("velocities inside solitary waves have the digits of the reference", "
   check.that({.id = "slope",
               .text = "The largest slope agrees with the surface's differences.",
               .quantity = "difference of the slope angles",
-              .unit = "rad",
-              .source = source},
+              .unit = "rad"},
              {.value = steep.maximum_slope() - std::atan(slope.value())},
-             evidence::Bound{.limit = 1e-6, .reason = "samples every 0.001 near a maximum of curvature of order 1"});
+             Bound{1e-6, "samples every 0.001 near a maximum of curvature of order 1"});
   CHECK_THROWS_AS(gentle.velocity(0, 0.31), exact::OutsideFluid);
   CHECK_THROWS_AS(gentle.velocity(1, -1.01), exact::OutsideFluid);
   CHECK_THROWS_AS(SolitaryWave(0.8332), std::invalid_argument);
@@ -200,9 +189,9 @@ TEST_CASE("velocities inside solitary waves have the digits of the reference", "
 }
 
 TEST_CASE("speed, mass and energy of solitary waves are largest below the limiting height", "[exact]") {
-  verification::Check check("exact_solitary_wave_maxima", "Solitary waves: maxima of speed, mass and energy",
-                            "Speed, mass and kinetic energy along the family, their maxima by a polynomial through "
-                            "nine waves, and the wave whose crest moves at 0.99961 of the wave's speed.");
+  Check check("exact_solitary_wave_maxima", "Solitary waves: maxima of speed, mass and energy",
+              "Speed, mass and kinetic energy along the family, their maxima by a polynomial through "
+              "nine waves, and the wave whose crest moves at 0.99961 of the wave's speed.");
   struct Maximum {
     std::string id, quantity;
     double (SolitaryWave::*value)() const;
@@ -215,22 +204,14 @@ TEST_CASE("speed, mass and energy of solitary waves are largest below the limiti
                                  Maximum{"energy", "kinetic energy", &SolitaryWave::kinetic_energy, 0.782694}}) {
     const auto of = [&](double amplitude) { return (SolitaryWave(amplitude).*maximum.value)(); };
     const auto [at, largest] = verification::wave_maximum(of, std::round(1000 * maximum.at) / 1000, 0.001);
-    check.that({.id = maximum.id + "-place",
-                .text = "The " + maximum.quantity + " is largest at this amplitude.",
-                .quantity = "amplitude of the maximum over the depth",
-                .source = source},
-               {.value = at},
-               evidence::Bound{.limit = 1e-6, .reason = "one unit of the last printed digit", .expected = maximum.at});
-    check.that(
-        {.id = maximum.id + "-wave",
-         .text = "The polynomial's largest " + maximum.quantity + " agrees with the wave solved there.",
-         .quantity = "relative difference",
-         .source = source},
-        {.value = largest / of(at) - 1},
-        evidence::Bound{.limit = 2e-13,
-                        .reason = "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
-                                  "(spacing/0.04)^9 of the bracketing variation, 1e-4: the singularity at the "
-                                  "limiting wave is 0.037 away"});
+    check.holds("The " + maximum.quantity + " is largest at this amplitude.", {at},
+                Bound{1e-6, "one unit of the last printed digit", maximum.at});
+    check.holds("The polynomial's largest " + maximum.quantity + " agrees with the wave solved there.",
+                {largest / of(at) - 1},
+                Bound{2e-13,
+                      "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
+                      "(spacing/0.04)^9 of the bracketing variation, 1e-4: the singularity at the "
+                      "limiting wave is 0.037 away"});
     if (maximum.id != "speed") continue;
     fastest = at;
     largest_speed = largest;
@@ -239,34 +220,27 @@ TEST_CASE("speed, mass and energy of solitary waves are largest below the limiti
               .text = "The largest speed is 1.294211 sqrt(g h).",
               .quantity = "Froude number",
               .source = source},
-             {.value = largest_speed},
-             evidence::Bound{.limit = 0.5e-6, .reason = "half a unit of the last printed digit", .expected = 1.294211});
+             {.value = largest_speed}, Bound{0.5e-6, "half a unit of the last printed digit", 1.294211});
   const auto limiting = SolitaryWave::from_crest_speed(3.9e-4);
-  const auto digits = [&](const std::string& id, const std::string& quantity, double value, double printed,
-                          double limit) {
-    check.that({.id = "limiting-" + id,
-                .text = "The almost limiting wave has the printed " + quantity + ".",
-                .quantity = quantity,
-                .source = source},
-               {.value = value},
-               evidence::Bound{.limit = limit,
-                               .reason = "one unit of the last digit; the crest speed 3.9e-4 is printed to two digits, "
-                                         "which moves the amplitude by F^2 q dq = 3e-9 and the others by less than "
-                                         "their printed digits",
-                               .expected = printed});
+  const auto digits = [&](const std::string& quantity, double value, double printed, double limit) {
+    check.holds("The almost limiting wave has the printed " + quantity + ".", {value},
+                Bound{limit,
+                      "one unit of the last digit; the crest speed 3.9e-4 is printed to two digits, "
+                      "which moves the amplitude by F^2 q dq = 3e-9 and the others by less than "
+                      "their printed digits",
+                      printed});
   };
-  digits("amplitude", "amplitude", limiting.amplitude(), 0.83319895782988, 3.3e-9);
-  digits("froude", "Froude number", limiting.froude(), 1.29089045589427, 1e-10);
-  digits("mass", "mass", limiting.mass(), 1.970320660265, 1e-10);
-  digits("kinetic", "kinetic energy", limiting.kinetic_energy(), 0.535008836079, 1e-10);
-  digits("potential", "potential energy", limiting.potential_energy(), 0.437672693526, 1e-10);
+  digits("amplitude", limiting.amplitude(), 0.83319895782988, 3.3e-9);
+  digits("Froude number", limiting.froude(), 1.29089045589427, 1e-10);
+  digits("mass", limiting.mass(), 1.970320660265, 1e-10);
+  digits("kinetic energy", limiting.kinetic_energy(), 0.535008836079, 1e-10);
+  digits("potential energy", limiting.potential_energy(), 0.437672693526, 1e-10);
   check.that({.id = "limiting-slope",
               .text = "The slope exceeds 30 degrees near the limiting wave.",
               .quantity = "largest slope",
               .unit = "deg",
               .source = "Byatt-Smith & Longuet-Higgins, Proc. R. Soc. A 350 (1976) 175"},
-             {.value = limiting.maximum_slope() / degree},
-             evidence::Bound{.limit = 1e-3, .reason = "30.379 is printed for the limit", .expected = 30.379});
+             {.value = limiting.maximum_slope() / degree}, Bound{1e-3, "30.379 is printed for the limit", 30.379});
 
   std::vector<double> amplitudes;
   std::vector<double> speeds;

@@ -8,50 +8,40 @@
 
 namespace soliton_fission_test {
 
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
+using namespace seiche::verification;
 using seiche::exact::SolitonFission;
 
 TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths that are known", "[exact]") {
-  seiche::verification::Check check(
+  Check check(
       "soliton_fission", "Solitary waves behind a change of depth",
       "On a gentle slope exactly n waves and nothing else arrive where h^(-9/4) = n (n + 1)/2: at the depths 0.614 and "
       "0.451 for n = 2 and 3, which Johnson gives. There the waves' squared rates of decay are whole numbers. Without "
       "a "
       "change of depth the wave stays what it is.");
   const std::string johnson = "Johnson, Proc. Camb. Phil. Soc. 73 (1973) 183";
+  check.source(johnson);
   for (const auto& [n, depth] : {std::pair{2, 0.614}, {3, 0.451}}) {
     const std::string id = std::to_string(n);
     const double exact = std::pow(2.0 / (n * (n + 1)), 4.0 / 9);
     const SolitonFission there(exact, SolitonFission::Passage::gradual);
     check.that({.id = "depth-" + id,
                 .text = "The depth behind the step for " + id + " waves equals Johnson's.",
-                .quantity = "depth",
-                .source = johnson},
-               {.value = exact}, Bound{.limit = 5e-4, .reason = "half a unit of the last digit", .expected = depth});
-    check.that({.id = "order-" + id,
-                .text = "The depth gives exactly " + id + " solitary waves.",
-                .quantity = "order nu",
-                .source = johnson},
-               {.value = there.order()},
-               Roundoff{.operations = 10, .scale = 4.0, .reason = "two powers and a root", .expected = 1.0 * n});
-    check.that({.id = "second-" + id,
-                .text = "The second wave is to the first as (n - 1)^2 to n^2.",
-                .quantity = "a_2/a_1",
-                .source = johnson},
-               {.value = there.amplitude(2) / there.amplitude(1)},
-               Roundoff{.operations = 20,
-                        .scale = 4.0,
-                        .reason = "squares of the order, which is rounded",
-                        .expected = std::pow((n - 1.0) / n, 2)});
+                .quantity = "depth"},
+               {.value = exact}, Bound{5e-4, "half a unit of the last digit", depth});
+    check.that(
+        {.id = "order-" + id, .text = "The depth gives exactly " + id + " solitary waves.", .quantity = "order nu"},
+        {.value = there.order()}, Roundoff{10, 4.0, "two powers and a root", 1.0 * n});
+    check.that(
+        {.id = "second-" + id, .text = "The second wave is to the first as (n - 1)^2 to n^2.", .quantity = "a_2/a_1"},
+        {.value = there.amplitude(2) / there.amplitude(1)},
+        Roundoff{20, 4.0, "squares of the order, which is rounded", std::pow((n - 1.0) / n, 2)});
   }
   const SolitonFission flat(1);
   check.that({.id = "flat",
               .text = "On a flat bottom the wave keeps its height.",
               .quantity = "a_1/a_0",
               .source = "identity"},
-             {.value = flat.amplitude(1)},
-             Roundoff{.operations = 10, .scale = 2.0, .reason = "a root and a square", .expected = 1.0});
+             {.value = flat.amplitude(1)}, Roundoff{10, 2.0, "a root and a square", 1.0});
   CHECK(flat.solitons() == 1);
   CHECK(flat.reflection() == 0);
   CHECK(flat.amplitude(2) == 0);
@@ -62,7 +52,7 @@ TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths
               .quantity = "sqrt(a_1/a_0)/h - sqrt(a_2/a_0)/h",
               .source = "Landau & Lifshitz, Quantum mechanics, section 23"},
              {.value = (std::sqrt(step.amplitude(1)) - std::sqrt(step.amplitude(2))) / 0.5},
-             Roundoff{.operations = 10, .scale = 4.0, .reason = "roots of squares", .expected = 1.0});
+             Roundoff{10, 4.0, "roots of squares", 1.0});
 }
 
 TEST_CASE("depths that are no shelf's are refused by name", "[exact]") {

@@ -11,7 +11,7 @@ namespace standing_wave_test {
 
 using namespace seiche;
 using exact::StandingWave;
-using verification::Role;
+using namespace seiche::verification;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
@@ -64,7 +64,7 @@ Residuals free_surface(const StandingWave& w) {
   return worst;
 }
 
-void draw(verification::Check& check) {
+void draw(Check& check) {
   auto& figure = check.figure("frequency", "Frequency of a standing wave against depth",
                               "Amplitude raises the frequency in shallow water and lowers it in deep water; the sign "
                               "changes at $kh = 1.0581$, a wavelength of 5.938 depths. Points: frequencies of the full "
@@ -101,25 +101,24 @@ void draw(verification::Check& check) {
 }
 
 TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequencies known", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_standing_wave", "Standing wave of second order",
       "Frequency correction at seven depths and the critical depth to the digits known. Residual of the two conditions "
       "at "
       "the free surface, evaluated at the displaced surface: third order in the steepness. Frequencies of the full "
       "nonlinear equations (time-periodic solutions found by shooting with 32 surface nodes): the formula leaves them "
       "with the fourth power of the steepness.");
-  verification::check_table(check, "omega-2", "omega_2 against depth, critical depth and wavelength",
-                            {{StandingWave::frequency_correction(0.5), "2.9258502961121526"},
-                             {StandingWave::frequency_correction(0.8), "0.38687702034848186"},
-                             {StandingWave::frequency_correction(1), "0.051889987684615252"},
-                             {StandingWave::frequency_correction(1.5), "-0.17474012081929466"},
-                             {StandingWave::frequency_correction(2), "-0.22553543940842111"},
-                             {StandingWave::frequency_correction(3), "-0.24687443219848214"},
-                             {StandingWave::frequency_correction(infinite), "-0.25"},
-                             {StandingWave::critical_depth(), "1.058092233937851"},
-                             {StandingWave::critical_wavelength(), "5.9382207955498905"}},
-                            source,
-                            {.relative = 1e-14, .reason = "1e-14 of the value; computed once in 30-digit arithmetic"});
+  check_table(check, "omega-2", "omega_2 against depth, critical depth and wavelength",
+              {{StandingWave::frequency_correction(0.5), "2.9258502961121526"},
+               {StandingWave::frequency_correction(0.8), "0.38687702034848186"},
+               {StandingWave::frequency_correction(1), "0.051889987684615252"},
+               {StandingWave::frequency_correction(1.5), "-0.17474012081929466"},
+               {StandingWave::frequency_correction(2), "-0.22553543940842111"},
+               {StandingWave::frequency_correction(3), "-0.24687443219848214"},
+               {StandingWave::frequency_correction(infinite), "-0.25"},
+               {StandingWave::critical_depth(), "1.058092233937851"},
+               {StandingWave::critical_wavelength(), "5.9382207955498905"}},
+              source, {.relative = 1e-14, .reason = "1e-14 of the value; computed once in 30-digit arithmetic"});
   for (const double depth : {0.8, 2.0, infinite}) {
     std::vector<double> steepness;
     std::vector<double> kinematic;
@@ -131,20 +130,18 @@ TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequen
       dynamic.push_back(residuals.dynamic.value());
     }
     const std::string name = depth == infinite ? "infinite" : depth < 1 ? "0-8" : "2";
-    const evidence::Order third{3, 0.1, "first neglected order; the next is e <= 0.04 of it times numbers of order 1"};
+    const Order third{3, 0.1, "first neglected order; the next is e <= 0.04 of it times numbers of order 1"};
     check.that({.id = "kinematic-" + name,
                 .text = "The surface moves with the water to third order, k h = " + name + ".",
                 .quantity = "order in e of eta_t + u eta_x - v",
                 .source = source},
-               evidence::observed_order(steepness, kinematic, 1e-12), third);
+               observed_order(steepness, kinematic, 1e-12), third);
     check.that({.id = "dynamic-" + name,
                 .text = "The pressure at the surface is constant to third order, k h = " + name + ".",
                 .quantity = "order in e of the pressure at the surface",
                 .source = source},
-               evidence::observed_order(steepness, dynamic, 1e-12), third);
+               observed_order(steepness, dynamic, 1e-12), third);
   }
-  const std::string exact_source =
-      source + "; regression: frequencies computed once by an earlier program for the full equations";
   for (const auto* cases : {&shallow, &deep}) {
     const Exact& fine = cases->front();
     const Exact& coarse = cases->back();
@@ -153,44 +150,31 @@ TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequen
     const auto harmonic_error = [](const Exact& c) {
       return c.second_harmonic - StandingWave::second_harmonic(c.depth);
     };
-    check.that({.id = "frequency-order-" + name,
-                .text = "The frequency differs from the full equations by the fourth power of e, k h = " + name + ".",
-                .quantity = "order between e = 0.04 and 0.02",
-                .source = exact_source},
-               {.value = order_between(frequency_error(coarse), frequency_error(fine))},
-               evidence::Bound{
-                   .limit = 0.1,
-                   .reason = "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
-                             "exceed 40; frequencies known to 1e-13, 1e-5 of the difference",
-                   .expected = 4});
-    check.that({.id = "harmonic-order-" + name,
-                .text = "The second harmonic differs from the full equations by e^2 relative, k h = " + name + ".",
-                .quantity = "order between e = 0.04 and 0.02 of a_2/e^2 - B",
-                .source = exact_source},
-               {.value = order_between(harmonic_error(coarse), harmonic_error(fine))},
-               evidence::Bound{
-                   .limit = 0.1,
-                   .reason = "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
-                             "exceed 40; a_2/e^2 known to 1e-8, 2e-4 of the difference",
-                   .expected = 2});
+    check.holds("The frequency differs from the full equations by the fourth power of e, k h = " + name + ".",
+                {order_between(frequency_error(coarse), frequency_error(fine))},
+                Bound{0.1,
+                      "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
+                      "exceed 40; frequencies known to 1e-13, 1e-5 of the difference",
+                      4});
+    check.holds("The second harmonic differs from the full equations by e^2 relative, k h = " + name + ".",
+                {order_between(harmonic_error(coarse), harmonic_error(fine))},
+                Bound{0.1,
+                      "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
+                      "exceed 40; a_2/e^2 known to 1e-8, 2e-4 of the difference",
+                      2});
   }
   for (const Exact& c : {shallow.back(), Exact{1.5, 0.04, 0.9512527309968, 0.61850029}, deep.back()}) {
     const double change = c.frequency - StandingWave::linear_frequency(c.depth);
     const bool shallower = c.depth < StandingWave::critical_depth();
     const bool agree = (change > 0) == shallower && (StandingWave::frequency_correction(c.depth) > 0) == shallower;
-    check.that({.id = "sign-" + std::string(shallower     ? "0-8"
-                                            : c.depth < 2 ? "1-5"
-                                                          : "3"),
-                .text = shallower ? "Amplitude raises the frequency in water shallower than the critical depth."
-                                  : "Amplitude lowers the frequency in water deeper than the critical depth.",
-                .quantity = "the full equations and omega_2 have that sign",
-                .source = exact_source},
-               {.value = agree ? 1.0 : 0.0},
-               evidence::Qualitative{.detector = "signs of the frequency change at e = 0.04 and of omega_2",
-                                     .reason = "the critical depth k h = 1.0581 lies between k h = 0.8 and 1.5"});
+    check.holds(shallower ? "Amplitude raises the frequency in water shallower than the critical depth."
+                          : "Amplitude lowers the frequency in water deeper than the critical depth.",
+                {agree ? 1.0 : 0.0},
+                Qualitative{"signs of the frequency change at e = 0.04 and of omega_2",
+                            "the critical depth k h = 1.0581 lies between k h = 0.8 and 1.5"});
   }
   for (const double depth : {0.8, 3.0}) {
-    claim_self_test(check, depth < 1 ? "0-8" : "3", wave(0.05, depth), source);
+    self_test_holds(check, depth < 1 ? "0-8" : "3", wave(0.05, depth));
   }
   draw(check);
   CHECK_THROWS_AS(wave(0.6, 3), std::invalid_argument);

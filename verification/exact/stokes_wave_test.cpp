@@ -14,6 +14,7 @@
 namespace stokes_wave_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using exact::Resolution;
 using exact::StokesWave;
 
@@ -29,12 +30,13 @@ struct Column {
 };
 
 TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
-  verification::Check check(
+  Check check(
       "exact_stokes_wave_table", "Exact Stokes waves: deep and finite depth",
       "Speed, Bernoulli's constant, impulse, energies, elevations and velocity at the crest of 27 waves against a "
       "table; "
       "2 T = c I, the flux through the crest section and the mean velocity below the troughs, which need no outside "
       "data; a second resolution.");
+  check.source(source);
   const std::vector<Column> columns{
       {"speed", "phase speed", &StokesWave::phase_speed, "c"},
       {"bernoulli", "Bernoulli constant", &StokesWave::bernoulli_constant, "B"},
@@ -94,53 +96,43 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
     }
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    check.that({.id = columns[k].id,
-                .text = "The " + columns[k].quantity + " of every wave has the digits of the table.",
-                .quantity = "largest distance over half a printed unit and the reference's uncertainty",
-                .source = source},
-               {.value = worst[k].value()},
-               evidence::Bound{.limit = 1,
-                               .reason = "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two "
-                                         "resolutions), and the reference's rounding, eps/q^3 at the crest or "
-                                         "eps/amplitude"});
+    check.holds("The " + columns[k].quantity + " of every wave has the digits of the table.", {worst[k].value()},
+                Bound{1,
+                      "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two "
+                      "resolutions), and the reference's rounding, eps/q^3 at the crest or "
+                      "eps/amplitude"});
   }
   check.that({.id = "depth",
               .text = "Mean and conformal depth lead to each other.",
-              .quantity = "largest difference of k depth",
-              .source = source},
-             {.value = depth.value()},
-             evidence::Bound{.limit = 1e-14, .reason = "14 printed decimals and 20 roundings"});
+              .quantity = "largest difference of k depth"},
+             {.value = depth.value()}, Bound{1e-14, "14 printed decimals and 20 roundings"});
   check.that({.id = "identities",
               .text = "2 T = c I, the volume flux and the zero mean velocity hold.",
               .quantity = "largest relative defect",
               .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
-             {.value = identity.value()},
-             evidence::Bound{.limit = 2e-14, .reason = "sums of 100 to 500 values known to 1e-15"});
+             {.value = identity.value()}, Bound{2e-14, "sums of 100 to 500 values known to 1e-15"});
   check.that({.id = "speed-resolution",
               .text = "The speed does not depend on the resolution.",
-              .quantity = "largest relative difference of the speed",
-              .source = source},
-             {.value = speed.value()}, evidence::Bound{.limit = 5e-15, .reason = "about 20 roundings of c^2"});
-  const evidence::Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (1/k, wave speed)"};
+              .quantity = "largest relative difference of the speed"},
+             {.value = speed.value()}, Bound{5e-15, "about 20 roundings of c^2"});
+  const Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (1/k, wave speed)"};
   check.that({.id = "elevation-resolution",
               .text = "The surface, also between the nodes, does not depend on the resolution.",
-              .quantity = "largest difference of k elevation",
-              .source = source},
+              .quantity = "largest difference of k elevation"},
              {.value = elevation.value()}, pointwise);
   check.that({.id = "velocity-resolution",
               .text = "Velocities inside, down to 1e-4 below the surface, do not depend on the resolution.",
-              .quantity = "largest difference of the velocity over sqrt(g/k) max(1, 1/(2 q))",
-              .source = source},
+              .quantity = "largest difference of the velocity over sqrt(g/k) max(1, 1/(2 q))"},
              {.value = velocity.value()},
-             evidence::Bound{.limit = 1e-14,
-                             .reason = "45 roundings of numbers of order 1; under steep crests of q^2 = 2 (B - y)/c^2, "
-                                       "a difference, which divides them by 2 q"});
+             Bound{1e-14,
+                   "45 roundings of numbers of order 1; under steep crests of q^2 = 2 (B - y)/c^2, "
+                   "a difference, which divides them by 2 q"});
 }
 
 TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[exact]") {
-  verification::Check check("exact_stokes_wave_velocity", "Velocities inside the exact Stokes wave",
-                            "Fourteen digits in the deep wave k a = 0.3; the speed of a gentle wave against Stokes's "
-                            "series; scaling with wavelength and gravity; bad input.");
+  Check check("exact_stokes_wave_velocity", "Velocities inside the exact Stokes wave",
+              "Fourteen digits in the deep wave k a = 0.3; the speed of a gentle wave against Stokes's "
+              "series; scaling with wavelength and gravity; bad input.");
   const StokesWave wave(0.3, wavelength, StokesWave::deep, 1);
   struct Sample {
     double x, y, u, v;
@@ -159,17 +151,15 @@ TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[e
               .quantity = "largest error of the velocity over sqrt(g/k)",
               .source = source},
              {.value = worst.value()},
-             evidence::Bound{.limit = 1e-14 + 0.71e-14,
-                             .reason = "both components half a unit of the 14th decimal, and 45 roundings"});
+             Bound{1e-14 + 0.71e-14, "both components half a unit of the 14th decimal, and 45 roundings"});
   const double a = 0.01;
   check.that({.id = "series",
               .text = "The speed of a gentle deep wave agrees with Stokes's series.",
               .quantity = "c^2 for k a = 0.01",
               .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
              {.value = std::pow(StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(), 2)},
-             evidence::Bound{.limit = 2e-15,
-                             .reason = "10 roundings; the next term of the series is of order a^8 = 1e-16",
-                             .expected = 1 + a * a + std::pow(a, 4) / 2 + std::pow(a, 6) / 4});
+             Bound{2e-15, "10 roundings; the next term of the series is of order a^8 = 1e-16",
+                   1 + a * a + std::pow(a, 4) / 2 + std::pow(a, 6) / 4});
   const double length = 1.7;
   const double g = 9.81;
   const double k = wavelength / length;
@@ -182,7 +172,7 @@ TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[e
              {.value = seiche::worst(
                   std::array{tank.velocity(0.3 / k, -0.5 / k).u / (unit.velocity(0.3, -0.5).u * std::sqrt(g / k)) - 1,
                              tank.kinetic_energy() / (g / (k * k) * unit.kinetic_energy()) - 1})},
-             evidence::Roundoff{.operations = 40, .scale = 1, .reason = "parameters round differently: 40 roundings"});
+             Roundoff{40, 1, "parameters round differently: 40 roundings"});
   CHECK_THROWS_AS(wave.velocity(0, 0.36), exact::OutsideFluid);
   CHECK_THROWS_AS(unit.velocity(1, -1.21), exact::OutsideFluid);
   CHECK_NOTHROW(wave.velocity(0.7, wave.elevation(0.7)));
@@ -194,36 +184,29 @@ TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[e
 }
 
 TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]") {
-  verification::Check check("exact_stokes_wave_maximum", "Stokes waves: the fastest and the limiting wave",
-                            "Speed against steepness with its maximum, and two almost limiting deep waves.");
+  Check check("exact_stokes_wave_maximum", "Stokes waves: the fastest and the limiting wave",
+              "Speed against steepness with its maximum, and two almost limiting deep waves.");
   const auto speed = [](double a) { return StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(); };
   const auto [at, largest] = verification::wave_maximum(speed, 0.436, 0.0003);
   check.that({.id = "place",
               .text = "The speed is largest at k a = 0.436.",
               .quantity = "k amplitude of the maximum",
               .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
-             {.value = at}, evidence::Bound{.limit = 0.5e-3, .reason = "half a printed digit", .expected = 0.436});
-  check.that(
-      {.id = "wave",
-       .text = "The polynomial's largest speed agrees with the wave solved there.",
-       .quantity = "relative difference",
-       .source = source},
-      {.value = largest / speed(at) - 1},
-      evidence::Bound{.limit = 2e-13,
-                      .reason = "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
-                                "(spacing/0.007)^9 of the bracketing variation, 1e-5: the singularity at the "
-                                "limiting wave is 0.007 away"});
+             {.value = at}, Bound{0.5e-3, "half a printed digit", 0.436});
+  check.that({.id = "wave",
+              .text = "The polynomial's largest speed agrees with the wave solved there.",
+              .quantity = "relative difference",
+              .source = source},
+             {.value = largest / speed(at) - 1},
+             Bound{2e-13,
+                   "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
+                   "(spacing/0.007)^9 of the bracketing variation, 1e-5: the singularity at the "
+                   "limiting wave is 0.007 away"});
   const StokesWave steep(0.443144051862, wavelength, StokesWave::deep, 1);
   const auto digits = [&](const std::string& id, const std::string& quantity, double value, double printed) {
-    check.that(
-        {.id = "steep-" + id,
-         .text = "The wave whose crest moves at 0.0082 c has the printed " + quantity + ".",
-         .quantity = quantity,
-         .source = source},
-        {.value = value},
-        evidence::Bound{.limit = 4e-10,
-                        .reason = "rounding of the reference under the crest, eps/q^3, where its twelve digits end",
-                        .expected = printed});
+    check.holds(
+        "steep-" + id + ": The wave whose crest moves at 0.0082 c has the printed " + quantity + ".", {value},
+        Bound{4e-10, "rounding of the reference under the crest, eps/q^3, where its twelve digits end", printed});
   };
   const StokesWave finer(0.443144051862, wavelength, StokesWave::deep, 1, Resolution{1.25, 0.5});
   check.that({.id = "steep-resolution",
@@ -231,7 +214,7 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
               .quantity = "relative difference of the speed",
               .source = source},
              {.value = std::abs(steep.phase_speed() / finer.phase_speed() - 1)},
-             evidence::Bound{.limit = 5e-15, .reason = "about 20 roundings of c^2"});
+             Bound{5e-15, "about 20 roundings of c^2"});
   digits("speed", "phase speed", steep.phase_speed(), 1.092285146069);
   digits("kinetic", "kinetic energy", steep.kinetic_energy(), 0.038292247342);
   digits("potential", "potential energy", steep.potential_energy(), 0.034568369516);
@@ -241,23 +224,20 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
               .text = "The almost limiting wave has k a = 0.44316.",
               .quantity = "k amplitude",
               .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
-             {.value = limiting.amplitude()},
-             evidence::Bound{.limit = 0.5e-5, .reason = "half a printed digit", .expected = 0.44316});
+             {.value = limiting.amplitude()}, Bound{0.5e-5, "half a printed digit", 0.44316});
   check.that({.id = "limiting-speed",
               .text = "The almost limiting wave has c = 1.09228.",
               .quantity = "c/sqrt(g/k)",
               .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
              {.value = limiting.phase_speed()},
-             evidence::Bound{
-                 .limit = 1e-5, .reason = "one printed digit: 1.09228 and 1.0923 are in print", .expected = 1.09228});
-  check.that(
-      {.id = "limiting-slope",
-       .text = "The slope exceeds 30 degrees near the limiting wave.",
-       .quantity = "largest slope",
-       .unit = "deg",
-       .source = "Longuet-Higgins & Fox, J. Fluid Mech. 80 (1977) 721"},
-      {.value = limiting.maximum_slope() * 180 / std::numbers::pi},
-      evidence::Bound{.limit = 1e-3, .reason = "one unit of the third decimal of the limit", .expected = 30.379});
+             Bound{1e-5, "one printed digit: 1.09228 and 1.0923 are in print", 1.09228});
+  check.that({.id = "limiting-slope",
+              .text = "The slope exceeds 30 degrees near the limiting wave.",
+              .quantity = "largest slope",
+              .unit = "deg",
+              .source = "Longuet-Higgins & Fox, J. Fluid Mech. 80 (1977) 721"},
+             {.value = limiting.maximum_slope() * 180 / std::numbers::pi},
+             Bound{1e-3, "one unit of the third decimal of the limit", 30.379});
   std::vector<double> steepness;
   std::vector<double> speeds;
   std::vector<double> series;

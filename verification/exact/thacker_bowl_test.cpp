@@ -12,7 +12,7 @@ using namespace seiche;
 using exact::BowlState;
 using exact::ThackerPlanarBowl;
 using exact::ThackerRadialBowl;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.2";
 
@@ -48,9 +48,8 @@ double residual(const Bowl& bowl, double x, double y, double t, double span) {
 }
 
 template <class Bowl>
-void claim_residual(verification::Check& check, const std::string& id, const Bowl& bowl) {
-  std::vector<double> spans;
-  std::vector<double> residuals;
+void claim_residual(Check& check, const std::string& id, const Bowl& bowl) {
+  Convergence residuals;
   for (double span = 1; span > 0.05; span /= 2) {
     Largest largest;
     for (double t = 0.2; t < bowl.period(); t += 0.9) {
@@ -58,16 +57,15 @@ void claim_residual(verification::Check& check, const std::string& id, const Bow
         for (const double y : {-0.2, 0.15}) largest.add(residual(bowl, x, y, t, span));
       }
     }
-    spans.push_back(span);
-    residuals.push_back(largest.value());
+    residuals.add(span, largest.value());
   }
   check.that(
       {.id = "residual-" + id,
        .text = "Continuity and both momentum equations hold: the residual is the error of the time differences alone.",
        .quantity = "order of the residual in the time difference",
        .source = source},
-      evidence::observed_order(spans, residuals, 1e-13),
-      evidence::Order{4, 0.2, "fourth-order differences; those in x and y are exact for the solution's polynomials"});
+      residuals.order(1e-13),
+      Order{4, 0.2, "fourth-order differences; those in x and y are exact for the solution's polynomials"});
 }
 
 /// Largest distance between a particle carried by the closed form and one carried by Runge-Kutta with the velocity.
@@ -89,19 +87,16 @@ double path_error(const Bowl& bowl, exact::PlanePoint start, double end, int ste
 }
 
 template <class Bowl>
-void claim_paths(verification::Check& check, const std::string& id, const Bowl& bowl) {
-  std::vector<double> steps;
-  std::vector<double> errors;
+void claim_paths(Check& check, const std::string& id, const Bowl& bowl) {
+  Convergence errors;
   for (int n = 40; n <= 640; n *= 2) {
-    steps.push_back(1.0 / n);
-    errors.push_back(path_error(bowl, {0.3, -0.2}, 0.8 * bowl.period(), n));
+    errors.add(1.0 / n, path_error(bowl, {0.3, -0.2}, 0.8 * bowl.period(), n));
   }
   check.that({.id = "paths-" + id,
               .text = "The closed form of the particle paths follows the velocity.",
               .quantity = "order in the time step of Runge-Kutta paths against it",
               .source = source},
-             evidence::observed_order(steps, errors, 1e-14),
-             evidence::Order{4, 0.2, "classical Runge-Kutta of a smooth velocity"});
+             errors.order(1e-14), Order{4, 0.2, "classical Runge-Kutta of a smooth velocity"});
 }
 
 template <class Bowl>
@@ -128,28 +123,27 @@ void draw(evidence::Figure& figure, const Bowl& bowl, const std::string& title, 
 }
 
 TEST_CASE("water oscillates in a bowl in plan, radially and as a rotating disc", "[exact]") {
-  verification::Check check(
-      "exact_thacker_bowl", "Oscillations in a paraboloidal bowl",
-      "Elevation and velocity to the digits known; residual of continuity and momentum on the curved bed by "
-      "differences of "
-      "halving width; volume and energy; particle paths in closed form against the integrated velocity.");
+  Check check("exact_thacker_bowl", "Oscillations in a paraboloidal bowl",
+              "Elevation and velocity to the digits known; residual of continuity and momentum on the curved bed by "
+              "differences of "
+              "halving width; volume and energy; particle paths in closed form against the integrated velocity.");
   const ThackerRadialBowl radial(1, 1, 0.1, 0.8);
   const ThackerPlanarBowl planar(1, 1, 0.1, 0.5);
   const BowlState flow = planar.at(0.3, 0.2, 0.7);
-  verification::check_table(check, "digits", "elevation and velocity at t = 0.7",
-                            {{radial.surface(0, 0, 0.7), "0.01866927700241944"},
-                             {radial.surface(0.4, 0, 0.7), "0.012137441315576311"},
-                             {radial.at(0.4, 0, 0.7).u, "0.027988825268326204"},
-                             {planar.surface(0.3, 0.2, 0.7), "0.00970119326736047"},
-                             {flow.u, "-0.0688622559456656"},
-                             {flow.v, "0.21273925285681"}},
-                            source);
+  check_table(check, "digits", "elevation and velocity at t = 0.7",
+              {{radial.surface(0, 0, 0.7), "0.01866927700241944"},
+               {radial.surface(0.4, 0, 0.7), "0.012137441315576311"},
+               {radial.at(0.4, 0, 0.7).u, "0.027988825268326204"},
+               {planar.surface(0.3, 0.2, 0.7), "0.00970119326736047"},
+               {flow.u, "-0.0688622559456656"},
+               {flow.v, "0.21273925285681"}},
+              source);
   claim_residual(check, "radial", radial);
   claim_residual(check, "planar", planar);
   claim_paths(check, "radial", radial);
   claim_paths(check, "planar", planar);
-  claim_self_test(check, "radial", ThackerRadialBowl(9.81, 2, 0.3, 0.7), source);
-  claim_self_test(check, "planar", ThackerPlanarBowl(9.81, 2, 0.3, 0.7), source);
+  self_test_holds(check, "radial", ThackerRadialBowl(9.81, 2, 0.3, 0.7));
+  self_test_holds(check, "planar", ThackerPlanarBowl(9.81, 2, 0.3, 0.7));
   CHECK(std::abs(radial.shoreline(0) - std::sqrt(0.8)) < 1e-15);
   CHECK(radial.at(0, radial.shoreline(0.7) + 1e-9, 0.7).depth == 0);
   CHECK(planar.at(0.5 + 1 - 1e-9, 0, 0).depth > 0);

@@ -13,26 +13,23 @@ namespace thacker_test {
 using namespace seiche;
 using exact::Thacker;
 using validation::LagrangianManufactured;
-using verification::check_digits;
+using namespace seiche::verification;
 
 constexpr double g = 9.81;
 
 TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
   const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.1";
-  verification::Check check(
-      "exact_thacker", "Planar oscillation in a parabolic bowl",
-      "Frequency, velocity and period of the published case; residual of both equations on the sloping "
-      "bed for displacements from 0.05 to 1 (the published one is half the radius); constant area; "
-      "the energy of a rigid oscillation.");
+  Check check("exact_thacker", "Planar oscillation in a parabolic bowl",
+              "Frequency, velocity and period of the published case; residual of both equations on the sloping "
+              "bed for displacements from 0.05 to 1 (the published one is half the radius); constant area; "
+              "the energy of a rigid oscillation.");
+  check.source(source);
   const Thacker published(g, 1, 0.5, 4);
-  check_digits(check, "frequency", "angular frequency", "1/s", published.angular_frequency(), 3.132091952673165, 15,
-               source);
-  check_digits(check, "velocity", "velocity amplitude", "m/s", published.velocity_amplitude(), 1.566045976336583, 15,
-               source);
-  check_digits(check, "period", "period", "s", published.period(), 2.006066680710647, 15, source);
+  check_digits(check, "frequency", "angular frequency", published.angular_frequency(), 3.132091952673165, 15);
+  check_digits(check, "velocity", "velocity amplitude", published.velocity_amplitude(), 1.566045976336583, 15);
+  check_digits(check, "period", "period", published.period(), 2.006066680710647, 15);
   Worst area;
-  std::vector<double> spans;
-  std::vector<double> residuals;
+  Convergence residuals;
   for (double span = 0.08; span > 0.008; span /= 2) {
     Largest residual;
     for (const double displacement : {0.05, 0.3, 0.5, 1.0}) {
@@ -47,60 +44,48 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
         area.add(4 * validation::cell_average(bowl, 0, 4, t).depth - bowl.area());
       }
     }
-    spans.push_back(span);
-    residuals.push_back(residual.value());
+    residuals.add(span, residual.value());
   }
   check.that(
       {.id = "residual-order",
        .text = "Both equations hold at every displacement: the residual is the error of the time differences alone.",
-       .quantity = "order of the residual in the time difference",
-       .source = source},
-      evidence::observed_order(spans, residuals, 1e-11),
-      evidence::Order{4, 0.2, "fourth-order differences; those in x are exact for the solution's polynomials in x"});
-  check.that({.id = "area",
-              .text = "The area of the water is constant.",
-              .quantity = "area change",
-              .unit = "m^2",
-              .source = source},
-             {.value = area.value()},
-             evidence::Roundoff{.operations = 60, .scale = 1, .reason = "sum of 20 weighted points up to 2/3"});
+       .quantity = "order of the residual in the time difference"},
+      residuals.order(1e-11),
+      Order{4, 0.2, "fourth-order differences; those in x are exact for the solution's polynomials in x"});
+  check.that({.id = "area", .text = "The area of the water is constant.", .quantity = "area change", .unit = "m^2"},
+             {.value = area.value()}, Roundoff{60, 1, "sum of 20 weighted points up to 2/3"});
   CHECK(std::abs(published.at(published.left_shoreline(0.3) + 1e-9, 0.3).depth) < 2e-9);
   CHECK(published.at(published.left_shoreline(0.3) - 1e-9, 0.3).depth == 0);
   check.that({.id = "path",
               .text = "A particle moves as the water does.",
               .quantity = "place of a particle less its start and the shift of the water",
-              .unit = "m",
-              .source = source},
+              .unit = "m"},
              {.value = published.carried(1.2, 0.7) - (1.2 + published.shift(0.7) - published.shift(0))},
-             evidence::Roundoff{.operations = 10, .scale = 2, .reason = "ten roundings of places up to 2 m"});
-  verification::claim_bed_primitive(check, "bed", published.bed(), 0, 4, 1.5, source);
+             Roundoff{10, 2, "ten roundings of places up to 2 m"});
+  verification::claim_bed_primitive(check, "bed", published.bed(), 0, 4, 1.5);
 }
 
 TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations", "[exact]") {
   const std::string source = "Roache, J. Fluids Eng. 124 (2002) 4";
-  verification::Check check(
-      "exact_lagrangian_manufactured", "Manufactured solution in Lagrangian form",
-      "Residual of both equations with the stated force, by differences of halving width: order 4. "
-      "The label found from a position leads back to it, walls stay at rest, and the mean velocity of a "
-      "particle is the integral of the velocity over its labels.");
+  Check check("exact_lagrangian_manufactured", "Manufactured solution in Lagrangian form",
+              "Residual of both equations with the stated force, by differences of halving width: order 4. "
+              "The label found from a position leads back to it, walls stay at rest, and the mean velocity of a "
+              "particle is the integral of the velocity over its labels.");
+  check.source(source);
   const LagrangianManufactured flow;
   const auto at = [&](double x, double t) { return flow.at(x, t); };
-  std::vector<double> spans;
-  std::vector<double> residuals;
+  Convergence residuals;
   for (double span = 0.04; span > 0.004; span /= 2) {
     Largest largest;
     for (double x = 0.05; x < 0.96; x += 0.05) {
       largest.add(verification::shallow_water_residual(at, g, x, 0.4, span, span, 0, flow.source(x, 0.4)));
     }
-    spans.push_back(span);
-    residuals.push_back(largest.value());
+    residuals.add(span, largest.value());
   }
   check.that({.id = "residual-order",
               .text = "The residual vanishes with the fourth power of the difference.",
-              .quantity = "order of the residual",
-              .source = source},
-             evidence::observed_order(spans, residuals, 1e-11),
-             evidence::Order{4, 0.3, "fourth-order central differences of a smooth solution"});
+              .quantity = "order of the residual"},
+             residuals.order(1e-11), Order{4, 0.3, "fourth-order central differences of a smooth solution"});
   Worst round_trip;
   Worst mean;
   for (double s = 0; s <= 1; s += 0.0625) {
@@ -114,18 +99,13 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
   check.that({.id = "label",
               .text = "Maps from label to position and back are inverse.",
               .quantity = "label error",
-              .unit = "m",
-              .source = source},
-             {.value = round_trip.value()},
-             evidence::Roundoff{.operations = 10, .scale = 1, .reason = "10 roundings; J >= 0.69 amplifies by 1.5"});
-  check.that(
-      {.id = "mean-velocity",
-       .text = "Mean velocity is the mean over labels.",
-       .quantity = "velocity error",
-       .unit = "m/s",
-       .source = source},
-      {.value = mean.value()},
-      evidence::Roundoff{.operations = 40, .scale = 0.15, .reason = "15 points, 40 roundings on velocities up to A w"});
+              .unit = "m"},
+             {.value = round_trip.value()}, Roundoff{10, 1, "10 roundings; J >= 0.69 amplifies by 1.5"});
+  check.that({.id = "mean-velocity",
+              .text = "Mean velocity is the mean over labels.",
+              .quantity = "velocity error",
+              .unit = "m/s"},
+             {.value = mean.value()}, Roundoff{40, 0.15, "15 points, 40 roundings on velocities up to A w"});
   CHECK(std::abs(flow.at(0, 0.4).velocity) < 1e-16);
   CHECK(std::abs(flow.at(1, 0.4).velocity) < 1e-15);
 }

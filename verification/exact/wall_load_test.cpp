@@ -12,7 +12,7 @@ namespace wall_load_test {
 
 using namespace seiche;
 using exact::WallLoad;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source =
     "Bernoulli's equation at the wall; Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid "
@@ -28,7 +28,7 @@ const std::vector<Quantity> quantities{
     {"bottom", "p_bottom", "pressure at the foot", "rho g depth", &WallLoad::largest_bottom},
     {"force", "F", "force", "rho g depth^2", &WallLoad::largest_force}};
 
-void claim_tabled(verification::Check& check, const io::Table& table, const WallLoad& load, std::size_t markers) {
+void claim_tabled(Check& check, const io::Table& table, const WallLoad& load, std::size_t markers) {
   const double a = load.wave_amplitude();
   std::size_t row = 0;
   while (std::abs(table.column("A").at(row) - a) > 1e-9) ++row;
@@ -54,24 +54,18 @@ void claim_tabled(verification::Check& check, const io::Table& table, const Wall
 }
 
 /// What the series leave of waves of 0.05 and 0.1 depths.
-void claim_series(verification::Check& check) {
+void claim_series(Check& check) {
   const WallLoad small(0.05, 1, 192);
   const WallLoad twice(0.1, 1, 192);
   const auto order = [](double half, double whole) { return std::log2(std::abs(whole / half)); };
-  const auto third = [&](const std::string& id, const std::string& name, double half, double whole) {
-    check.that(
-        {.id = "series-" + id,
-         .text = fmt::format("The series of second order for the {} is its limit for small waves.", name),
-         .quantity = "order of what it leaves, from waves of 0.05 and 0.1 depths",
-         .source = source},
-        {.value = order(half, whole)},
-        evidence::Bound{.limit = 0.3,
-                        .reason = "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2",
-                        .expected = 3});
+  const auto third = [&](const std::string& name, double half, double whole) {
+    check.holds(fmt::format("The series of second order for the {} is its limit for small waves.", name),
+                {order(half, whole)},
+                Bound{0.3, "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2", 3});
   };
-  third("bottom", "pressure at the foot", small.largest_bottom().value - WallLoad::bottom_series(0.05),
+  third("pressure at the foot", small.largest_bottom().value - WallLoad::bottom_series(0.05),
         twice.largest_bottom().value - WallLoad::bottom_series(0.1));
-  third("force", "force", small.largest_force().value - WallLoad::force_series(0.05),
+  third("force", small.largest_force().value - WallLoad::force_series(0.05),
         twice.largest_force().value - WallLoad::force_series(0.1));
   check.that(
       {.id = "series-still",
@@ -80,12 +74,11 @@ void claim_series(verification::Check& check) {
        .unit = "rho g depth",
        .source = source},
       {.value = small.largest_still().value},
-      evidence::Bound{.limit = 5.25 * std::pow(0.05, 4),
-                      .reason = "a fourth-order term with a coefficient no larger than that of third order, 21/4",
-                      .expected = WallLoad::still_series(0.05)});
+      Bound{5.25 * std::pow(0.05, 4), "a fourth-order term with a coefficient no larger than that of third order, 21/4",
+            WallLoad::still_series(0.05)});
 }
 
-verification::Check load_check() {
+Check load_check() {
   return {
       "exact_wall_load", "Pressure and force of solitary waves on a vertical wall",
       "Two mirrored solitary waves of the Euler equations collide head-on; the pressure along the wall follows from "
@@ -94,12 +87,12 @@ verification::Check load_check() {
 }
 
 TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]") {
-  verification::Check check = load_check();
+  Check check = load_check();
   const auto table = validation::reference_table("wall_load_exact", check.record().reference_data);
   claim_tabled(check, table, WallLoad(0.1, 1, 192), 192);
   const WallLoad high(0.5);
   claim_tabled(check, table, high, 384);
-  verification::claim_self_test(check, "half", high, source);
+  self_test_holds(check, "half", high);
   claim_series(check);
   std::vector<double> time;
   std::vector<double> level;
@@ -124,7 +117,7 @@ TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]"
 }
 
 TEST_CASE("so do waves of 0.3 depths", "[exact][full]") {
-  verification::Check check = load_check();
+  Check check = load_check();
   claim_tabled(check, validation::reference_table("wall_load_exact", check.record().reference_data),
                WallLoad(0.3, 1, 256), 256);
 }

@@ -12,13 +12,13 @@ namespace wall_runup_test {
 
 using namespace seiche;
 using exact::WallRunup;
-using verification::Role;
+using namespace seiche::verification;
 
 const std::string source =
     "Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid Mech. 342 (1997) 141; "
     "regression: table reference_data/wall_runup_exact";
 
-verification::Check runup_check() {
+Check runup_check() {
   return {
       "exact_wall_runup", "Run-up of solitary waves on a vertical wall",
       "Two mirrored solitary waves of the Euler equations collide head-on. The run-up is compared with values of finer "
@@ -28,7 +28,7 @@ verification::Check runup_check() {
 }
 
 /// The run-up of a row of the table, with what fewer markers and a coarser tolerance make of it.
-WallRunup judged(verification::Check& check, const io::Table& table, std::size_t row) {
+WallRunup judged(Check& check, const io::Table& table, std::size_t row) {
   const double a = table.column("a")[row];
   const double expected = table.column("R")[row];
   const bool jet = a > 0.55;
@@ -56,7 +56,7 @@ WallRunup judged(verification::Check& check, const io::Table& table, std::size_t
 }
 
 TEST_CASE("solitary waves run up a vertical wall as high as the reference says", "[exact]") {
-  verification::Check check = runup_check();
+  Check check = runup_check();
   const auto table = validation::reference_table("wall_runup_exact", check.record().reference_data);
   std::vector<double> amplitudes;
   std::vector<double> computed;
@@ -73,17 +73,16 @@ TEST_CASE("solitary waves run up a vertical wall as high as the reference says",
     printed.push_back(table.column("R")[row] / a);
     third.push_back(WallRunup::su_mirie(a) / a);
     second.push_back(WallRunup::byatt_smith(a) / a);
-    if (std::abs(a - 0.3) < 1e-9) verification::claim_self_test(check, "third", runup, source);
+    if (std::abs(a - 0.3) < 1e-9) self_test_holds(check, "third", runup);
   }
-  check.that(
-      {.id = "independent",
-       .text = "An independent implementation finds the same run-up.",
-       .quantity = "largest difference over its uncertainty",
-       .source = source},
-      {.value = earlier.value(), .where = fmt::format("a = {:g}", earlier.where())},
-      evidence::Bound{.limit = 1,
-                      .reason = "column u_earlier of the reference: its two numbers of markers, and 2e-9 for its "
-                                "steps in time, what a tolerance of 1e-9 leaves"});
+  check.that({.id = "independent",
+              .text = "An independent implementation finds the same run-up.",
+              .quantity = "largest difference over its uncertainty",
+              .source = source},
+             {.value = earlier.value(), .where = fmt::format("a = {:g}", earlier.where())},
+             Bound{1,
+                   "column u_earlier of the reference: its two numbers of markers, and 2e-9 for its "
+                   "steps in time, what a tolerance of 1e-9 leaves"});
   const WallRunup small(0.05, 1, 192);
   check.that(
       {.id = "series",
@@ -92,9 +91,8 @@ TEST_CASE("solitary waves run up a vertical wall as high as the reference says",
        .unit = "depth",
        .source = source},
       {.value = small.runup()},
-      evidence::Bound{.limit = 3 * std::pow(0.05, 4),
-                      .reason = "a fourth-order term with a coefficient no larger than that of the series times 4",
-                      .expected = WallRunup::su_mirie(0.05)});
+      Bound{3 * std::pow(0.05, 4), "a fourth-order term with a coefficient no larger than that of the series times 4",
+            WallRunup::su_mirie(0.05)});
   auto& panel =
       check
           .figure(
@@ -113,7 +111,7 @@ TEST_CASE("solitary waves run up a vertical wall as high as the reference says",
 }
 
 TEST_CASE("so do those between", "[exact][full]") {
-  verification::Check check = runup_check();
+  Check check = runup_check();
   const auto table = validation::reference_table("wall_runup_exact", check.record().reference_data);
   for (std::size_t row = 1; row < table.rows(); row += 2) judged(check, table, row);
 }

@@ -12,8 +12,7 @@
 namespace bent_line_test {
 
 using namespace seiche;
-using seiche::evidence::Roundoff;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 const std::string source = "definition";
 
@@ -33,6 +32,7 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
   Check check("bent_line", "Two lines joined by an arc",
               "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 1.5. Arc lengths "
               "before, on and after the arc, and intervals over one, two or all three of these.");
+  check.source(source);
   Worst chord;
   Worst length;
   Worst back;
@@ -60,25 +60,15 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
     }
   }
   const Roundoff roundings{.operations = 100, .scale = 5, .reason = "a hundred roundings of lengths up to 5"};
-  check.that({.id = "chord",
-              .text = "Mean tangents equal the chords of the line.",
-              .quantity = "largest difference",
-              .source = source},
+  check.that({.id = "chord", .text = "Mean tangents equal the chords of the line.", .quantity = "largest difference"},
              {.value = chord.value()}, roundings);
-  check.that({.id = "tangent",
-              .text = "Tangent vectors of the line have length 1.",
-              .quantity = "largest defect",
-              .source = source},
+  check.that({.id = "tangent", .text = "Tangent vectors of the line have length 1.", .quantity = "largest defect"},
              {.value = length.value()}, roundings);
   check.that({.id = "foot",
               .text = "The arc length found for a point of the curve is the point's own.",
-              .quantity = "largest difference",
-              .source = source},
+              .quantity = "largest difference"},
              {.value = back.value()}, roundings);
-  check.that({.id = "moment",
-              .text = "Moments are the integrals of y^2/2 x'.",
-              .quantity = "largest difference",
-              .source = source},
+  check.that({.id = "moment", .text = "Moments are the integrals of y^2/2 x'.", .quantity = "largest difference"},
              {.value = moments.value()}, roundings);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {1, 0}, 0.1), std::invalid_argument);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {0, 1}, 0.1), std::invalid_argument);

@@ -15,8 +15,6 @@ namespace dirichlet_cells_test {
 using namespace seiche;
 using namespace seiche::verification;
 using free_lagrangian::Mesh;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.2";
 
@@ -118,11 +116,9 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
               .quantity = "largest difference of the sum",
               .source = "identity: the shares of a triangle add up to its area"},
              {.value = sum.value(), .resolution = "297 nodes, 300 motions"},
-             Roundoff{.operations = 6 * 560,
-                      .scale = 0.2,
-                      .reason = "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
-                                "a hundred times their area of 1/560"});
-  check.measure("flips", static_cast<double>(moving.flips()));
+             Roundoff{6 * 560, 0.2,
+                      "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
+                      "a hundred times their area of 1/560"});
 }
 
 TEST_CASE("gradients of cell areas are exact", "[geometry]") {
@@ -131,6 +127,7 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
               "differences with a step of 1e-6. Translations and rotations change no area. A pressure linear in the "
               "place of the nodes gives every node inside the force of the area of its cell times the gradient, on any "
               "mesh. Where a quadrangle's nodes are on one circle both diagonals have the same areas and gradients.");
+  check.source(source);
   const Mesh mesh = block();
   const Triangulation triangles = triangulated(mesh);
   DirichletCells cells;
@@ -165,8 +162,7 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
   }
   check.that({.id = "differences",
               .text = "Analytic gradients of the cells equal central differences.",
-              .quantity = "largest difference of a derivative",
-              .source = source},
+              .quantity = "largest difference of a derivative"},
              {.value = off.value(), .resolution = "step 1e-6"},
              Bound{1e-8,
                    "the rounding 1e-16 of an area over the step, a hundred times; the third derivative, of the "
@@ -182,12 +178,9 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
     }
     for (const double rate : {shift.x, shift.y, turn}) rigid.add(rate, static_cast<double>(i));
   }
-  check.that({.id = "rigid",
-              .text = "Translations and rotations change no area.",
-              .quantity = "largest rate of an area",
-              .source = source},
-             {.value = rigid.value()},
-             Roundoff{.operations = 200, .scale = 0.3, .reason = "some thirty terms of each of seven triangles"});
+  check.that(
+      {.id = "rigid", .text = "Translations and rotations change no area.", .quantity = "largest rate of an area"},
+      {.value = rigid.value()}, Roundoff{200, 0.3, "some thirty terms of each of seven triangles"});
   Worst linear;
   const std::vector<bool> on = mesh.on_outline();
   constexpr double px = 0.7;
@@ -205,10 +198,8 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
   }
   check.that({.id = "linear-pressure",
               .text = "The force of a linear pressure is exact.",
-              .quantity = "largest difference of a force",
-              .source = source},
-             {.value = linear.value()},
-             Roundoff{.operations = 200, .scale = 0.5, .reason = "some thirty terms of each of seven triangles"});
+              .quantity = "largest difference of a force"},
+             {.value = linear.value()}, Roundoff{200, 0.5, "some thirty terms of each of seven triangles"});
 
   // The same square with either diagonal, inside four triangles that lean on it.
   const std::vector<double> x{0, 1, 1, 0, 0.5, 1.9, 0.5, -0.9};
@@ -240,10 +231,8 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
   }
   check.that({.id = "flip",
               .text = "A flip happens without a jump of areas and gradients.",
-              .quantity = "largest difference between both diagonals",
-              .source = source},
-             {.value = jump.value()},
-             Roundoff{.operations = 50, .scale = 1, .reason = "some ten terms of each of five triangles"});
+              .quantity = "largest difference between both diagonals"},
+             {.value = jump.value()}, Roundoff{50, 1, "some ten terms of each of five triangles"});
 }
 
 }  // namespace dirichlet_cells_test

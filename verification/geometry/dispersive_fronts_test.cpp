@@ -11,7 +11,6 @@ namespace dispersive_fronts_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
-using seiche::evidence::Roundoff;
 using seiche::shallow_water::bore_damping;
 using seiche::shallow_water::bore_froude;
 
@@ -45,10 +44,8 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   const Breaking settings;
   BreakingFronts fronts(settings, markers - 1);
   const auto counts = [&](const std::string& id, const std::string& text, long found, long expected) {
-    check.that(
-        {.id = id, .text = text, .quantity = "cells that break", .source = "Tissier et al. (2012)"},
-        {.value = static_cast<double>(found)},
-        seiche::evidence::Bound{.limit = 0, .reason = "a number of cells", .expected = static_cast<double>(expected)});
+    check.holds(id + ": " + text, {static_cast<double>(found)},
+                Bound{0, "a number of cells", static_cast<double>(expected)});
   };
   const auto after = [&](const Front& front) {
     fronts.find(front.surface());
@@ -77,8 +74,7 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   counts("periodic", "In a periodic channel a front goes on beyond the end.", breaking_cells(ring), 10);
 
   const auto is = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.that({.id = id, .text = text, .quantity = "number", .source = "jump conditions"}, {.value = value},
-               Roundoff{.operations = 8, .scale = 2, .reason = "a few roundings", .expected = expected});
+    check.holds(id + ": " + text, {value}, Roundoff{8, 2, "a few roundings", expected});
   };
   is("froude", "A bore that doubles the depth has Froude number sqrt(3).", bore_froude(1, 1), std::sqrt(3.0));
   is("behind", "Behind it the square of the Froude number is 3/8.", bore_damping(1, 1), std::sqrt(1 - 3.0 / 8));

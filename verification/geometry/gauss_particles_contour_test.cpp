@@ -13,8 +13,6 @@ namespace gauss_particles_contour_test {
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
 using seiche::Point;
-using seiche::evidence::Order;
-using seiche::evidence::Qualitative;
 
 const std::string source = "Wendland, Adv. Comput. Math. 4 (1995) 389; geometry";
 
@@ -58,7 +56,7 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
        .text = "The outer area errs by the square of the spacing.",
        .quantity = "order of the area's error",
        .source = source},
-      seiche::evidence::observed_order(spacing, outer),
+      observed_order(spacing, outer),
       Order{2, 0.4,
             "the kernel moves the line by its second moment times the curvature; the grid of half a spacing adds as "
             "much at most, which changes with where it lies: a factor of 2 over three octaves is 0.33 of an order"});
@@ -81,15 +79,8 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   }
   const double expected = 3 * std::numbers::pi * 4;
   const auto claim = [&](const std::string& id, const std::string& what, double value, double exact) {
-    check.that({.id = id,
-                .text = "The " + what + " of the particles equals the disc's.",
-                .quantity = what,
-                .source = "geometry"},
-               {.value = value, .resolution = "1200 particles"},
-               seiche::evidence::Roundoff{.operations = 1200,
-                                          .scale = expected,
-                                          .reason = "a sum over 1200 particles, of the size of the mass",
-                                          .expected = exact});
+    check.holds(id + ": The " + what + " of the particles equals the disc's.", {value},
+                Roundoff{1200, expected, "a sum over 1200 particles, of the size of the mass", exact});
   };
   claim("mass", "mass", mass, expected);
   claim("moment-x", "second moment along x", along, expected);

@@ -16,9 +16,6 @@ namespace gauss_particles_splines_test {
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
 using seiche::Worst;
-using seiche::evidence::Roundoff;
-
-const std::string source = "de Boor, A Practical Guide to Splines (1978), IX-X; Marsden (1970)";
 
 /// Coefficients of place^power, counted in cells from `middle`, by Marsden's identity; functions are taken 2^p p!
 /// times.
@@ -102,12 +99,8 @@ TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]
       const std::string& name = axis.second;
       const Defects d = defects(degree, ends);
       const auto claim = [&](const std::string& what, double value, const std::string& reason, double operations) {
-        check.that({.id = fmt::format("{}-{}-{}", what, degree, name),
-                    .text = fmt::format("Degree {}, {}: polynomials are {}.", degree, name, what),
-                    .quantity = "largest defect",
-                    .source = source},
-                   {.value = value, .resolution = "14 cells"},
-                   Roundoff{.operations = operations, .scale = 4, .reason = reason});
+        check.holds(fmt::format("Degree {}, {}: polynomials are {}.", degree, name, what), {value},
+                    Roundoff{operations, 4, reason});
       };
       claim("reproduced", d.reproduced, "some 16 products, of powers of places up to (degree + 1)/2 cells", 100);
       if (ends != Ends::periodic) {

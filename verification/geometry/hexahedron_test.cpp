@@ -19,7 +19,6 @@ using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::verification;
 using seiche::Largest;
 using seiche::Worst;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.1";
 
@@ -111,6 +110,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
       "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes and "
       "the power of gravity against central differences of volumes and potential energy. $J$ is the derivative, "
       "and $A$ is $J W J^T$.");
+  check.source(source);
   using seiche::plan_lattice::FreeSide;
   Mesh mesh = layer_mesh({.begin = 0,
                           .end = 6,
@@ -153,12 +153,9 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   }
   check.that({.id = "volumes",
               .text = "Rates of the volumes are their derivatives.",
-              .quantity = "largest difference of rates",
-              .source = source},
+              .quantity = "largest difference of rates"},
              {.value = largest_of(differences)},
-             Roundoff{.operations = 100,
-                      .scale = 0.5 / h,
-                      .reason = "volumes up to 0.5 rounded in some 100 operations, over the displacement"});
+             Roundoff{100, 0.5 / h, "volumes up to 0.5 rounded in some 100 operations, over the displacement"});
   std::vector<double> kick(state.u.size(), 0.0);
   model.kick(1, kick);
   double power = 0;
@@ -170,14 +167,12 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   };
   // Richardson's extrapolation is exact for a quartic.
   const double extrapolated = (4 * difference(h) - difference(2 * h)) / 3;
-  check.that({.id = "potential",
-              .text = "The power of gravity is minus the rate of the potential energy.",
-              .quantity = "difference of powers",
-              .source = source},
-             {.value = power + extrapolated},
-             Roundoff{.operations = 120,
-                      .scale = model.potential_energy(state.q) / h,
-                      .reason = "energies of 120 patches rounded, over the displacement"});
+  check.that(
+      {.id = "potential",
+       .text = "The power of gravity is minus the rate of the potential energy.",
+       .quantity = "difference of powers"},
+      {.value = power + extrapolated},
+      Roundoff{120, model.potential_energy(state.q) / h, "energies of 120 patches rounded, over the displacement"});
   std::vector<double> mu(cells);
   for (double& value : mu) value = uniform(random);
   std::vector<double> reaction(state.u.size(), 0.0);
@@ -190,12 +185,10 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   for (std::size_t s = 0; s < cells; ++s) differences[s] = product.data()[s] - rates[s];
   check.that({.id = "matrix",
               .text = "The assembled matrix is J W J^T, at a wall with a bend too.",
-              .quantity = "largest difference of A mu",
-              .source = source},
+              .quantity = "largest difference of A mu"},
              {.value = largest_of(differences)},
-             Roundoff{.operations = 27 * 24,
-                      .scale = largest_of(rates),
-                      .reason = "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
+             Roundoff{27 * 24, largest_of(rates),
+                      "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
 }
 
 TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[geometry]") {
@@ -241,8 +234,7 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
               .text = "A times a cosine is the symbol times the cosine.",
               .quantity = "largest difference of A x",
               .source = source},
-             {.value = worst.value()},
-             Roundoff{.operations = 27 * 24, .scale = scale.value(), .reason = "27 coefficients of 24 products each"});
+             {.value = worst.value()}, Roundoff{27 * 24, scale.value(), "27 coefficients of 24 products each"});
 }
 
 }  // namespace hexahedron_test

@@ -16,8 +16,6 @@ namespace overlapping_particles_test {
 using namespace seiche;
 using namespace seiche::overlapping_particles;
 using namespace seiche::verification;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 using std::numbers::pi;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.1";
@@ -128,17 +126,9 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
       const double difference = (kernel.value(d + 1e-6) - kernel.value(d - 1e-6)) / 2e-6;
       slope.add(kernel.slope_over_distance(d) * d - difference, d);
     }
-    check.that({.id = id + "-slope",
-                .text = "The slope is the derivative (" + id + ").",
-                .quantity = "largest error",
-                .source = source},
-               {.value = slope.value()},
-               Bound{1e-8, "central differences of step 1e-6: rounding of values of some units over the step"});
-    check.that({.id = id + "-end",
-                .text = "The kernel is zero beyond its support.",
-                .quantity = "value at S",
-                .source = source},
-               {.value = kernel.value(support)}, Bound{0, "zero by definition"});
+    check.holds("The slope is the derivative (" + id + ").", {slope.value()},
+                Bound{1e-8, "central differences of step 1e-6: rounding of values of some units over the step"});
+    check.holds(id + "-end: Nothing beyond the support.", {kernel.value(support)}, Bound{0, "zero by definition"});
   }
 }
 
@@ -186,20 +176,14 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
     }
     const std::string id = away > 0 ? "wide-" : "";
     const auto counted = [&](const std::string& what, const std::string& text, double value) {
-      check.that({.id = id + what, .text = text, .quantity = "pairs", .source = source}, {.value = value},
-                 Bound{0, "counted by trying all pairs"});
+      check.holds(id + what + ": " + text, {value}, Bound{0, "counted by trying all pairs"});
     };
     counted("missing", "The neighbour lists miss no pair of particles.", missing);
     counted("beyond", "New lists hold nobody far away.", beyond);
-    check.that(
-        {.id = id + "kept",
-         .text = "Lists are made anew now and then, not every time.",
-         .quantity = "between twice and every other time",
-         .source = source},
-        {.value = made >= 2 && 2 * made <= rounds ? 1.0 : 0.0},
-        evidence::Qualitative{"lists made in twenty rounds",
-                              "random steps of a tenth of the spacing, of which some use up a tenth of the reach"});
-    check.measure(id + "lists made", made);
+    check.holds(id + "kept: Lists are made anew now and then, not every time.",
+                {made >= 2 && 2 * made <= rounds ? 1.0 : 0.0},
+                Qualitative{"lists made in twenty rounds",
+                            "random steps of a tenth of the spacing, of which some use up a tenth of the reach"});
   }
 }
 
@@ -231,40 +215,27 @@ TEST_CASE("gradients of the masses in control volumes are those of central diffe
     Worst off;
     for (std::size_t s = 0; s < n; ++s) off.add((f1[s] - f0[s]) / (2 * step) - rates[s]);
     const double size = worst(rates);
-    check.that({.id = v.id,
-                .text = "Rates of the masses equal differences (" + v.what + ").",
-                .quantity = "largest error over the largest",
-                .source = source},
-               {.value = off.value() / size},
-               Bound{1e-8,
-                     "central differences of step 1e-6: their rounding 1e-10, their truncation (step/h)^2 = 1e-10, "
-                     "and ten times as much where balls part"});
+    check.holds("Rates of the masses equal differences (" + v.what + ").", {off.value() / size},
+                Bound{1e-8,
+                      "central differences of step 1e-6: their rounding 1e-10, their truncation (step/h)^2 = 1e-10, "
+                      "and ten times as much where balls part"});
     const std::vector<double> mu = noisy(n, 22);
     std::vector<double> reaction(2 * n, 0.0);
     model.react(mu, reaction);
     double work = 0;
     for (std::size_t i = 0; i < 2 * n; ++i) work += model.particles().mass[i % n] * reaction[i] * u[i];
     const double power = dot(mu, rates);
-    check.that(
-        {.id = v.id + "-transposed",
-         .text = "Reactions are the transposed of the rates (" + v.what + ").",
-         .quantity = "difference of the work over the sum of its parts",
-         .source = source},
-        {.value = (work - power) / (size * static_cast<double>(n))},
-        Roundoff{.operations = 40.0 * static_cast<double>(n), .scale = 1, .reason = "sums of twenty terms a particle"});
+    check.holds("Reactions are the transposed of the rates (" + v.what + ").",
+                {(work - power) / (size * static_cast<double>(n))},
+                Roundoff{40.0 * static_cast<double>(n), 1, "sums of twenty terms a particle"});
     if (v.settings.stabilisation > 0) {
-      check.that({.id = v.id + "-loss",
-                  .text = "The stabilisation is in the matrix.",
-                  .quantity = "mu.A mu less the work of the reactions and the loss, relative",
-                  .source = source},
-                 {.value =
-                      [&] {
-                        std::vector<double> product(n);
-                        const double form = model.matrix().multiply(mu, product);
-                        model.constraint_rates(reaction, product);
-                        return (form - dot(mu, product) - model.stabilisation_loss(mu) / 2) / form;
-                      }()},
-                 Roundoff{.operations = 60.0 * static_cast<double>(n), .scale = 1, .reason = "sixty entries a row"});
+      check.holds(v.id + "-loss: The stabilisation is in the matrix.", {[&] {
+                    std::vector<double> product(n);
+                    const double form = model.matrix().multiply(mu, product);
+                    model.constraint_rates(reaction, product);
+                    return (form - dot(mu, product) - model.stabilisation_loss(mu) / 2) / form;
+                  }()},
+                  Roundoff{60.0 * static_cast<double>(n), 1, "sixty entries a row"});
       continue;
     }
     std::vector<double> product(n);
@@ -273,12 +244,8 @@ TEST_CASE("gradients of the masses in control volumes are those of central diffe
     model.constraint_rates(reaction, expected);
     Worst apart;
     for (std::size_t s = 0; s < n; ++s) apart.add(product[s] - expected[s]);
-    check.that({.id = v.id + "-matrix",
-                .text = "The matrix is G W G^T (" + v.what + ").",
-                .quantity = "largest difference over the largest",
-                .source = source},
-               {.value = apart.value() / worst(expected)},
-               Roundoff{.operations = 60, .scale = 4, .reason = "sixty entries a row, of either sign"});
+    check.holds("The matrix is G W G^T (" + v.what + ").", {apart.value() / worst(expected)},
+                Roundoff{60, 4, "sixty entries a row, of either sign"});
   }
 }
 
@@ -293,12 +260,10 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
     model.constraint_rates(state.u, rates);
     std::vector<double> random(model.size());
     model.constraint_rates(noisy(2 * model.size(), 5), random);
-    check.that({.id = id, .text = text, .quantity = "largest rate, over that of random velocities", .source = source},
-               {.value = worst(rates) / worst(random)},
-               Roundoff{.operations = 20,
-                        .scale = 10,
-                        .reason = "twenty terms of either sign for speeds up to 1, each of "
-                                  "differences of places that are ten times as large"});
+    check.holds(id + ": " + text, {worst(rates) / worst(random)},
+                Roundoff{20, 10,
+                         "twenty terms of either sign for speeds up to 1, each of "
+                         "differences of places that are ten times as large"});
   };
   for (const Shape shape : {Shape::smoothed, Shape::ball}) {
     const std::string name = shape == Shape::ball ? "ball" : "smoothed";

@@ -18,10 +18,6 @@ using namespace seiche::verification;
 using seiche::OutsidePlanBottom;
 using seiche::SplineBottom;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 
 const std::string source = "de Boor, J. Math. and Phys. 41 (1962) 212";
 
@@ -45,6 +41,7 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
   Check check("spline_bottom", "Bottom through elevations on a grid",
               "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
               "Values converge with order 4, slopes with order 3.");
+  check.source(source);
   std::vector<double> spacings, values, slopes;
   for (const double spacing : {0.25, 0.125, 0.0625, 0.03125}) {
     const SplineBottom bottom = hill_bottom(spacing);
@@ -65,13 +62,11 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
   }
   check.that({.id = "order",
               .text = "Elevations of the spline bottom are of order 4.",
-              .quantity = "order of the largest error",
-              .source = source},
+              .quantity = "order of the largest error"},
              observed_order(spacings, values), Order{4, 0.3, "three halvings from seven cells per width of the hill"});
   check.that({.id = "slope-order",
               .text = "Slopes of the spline bottom are of order 3.",
-              .quantity = "order of the largest error",
-              .source = source},
+              .quantity = "order of the largest error"},
              observed_order(spacings, slopes), Order{3, 0.3, "three halvings from seven cells per width of the hill"});
 
   const auto cubic = [](double x, double y) {
@@ -90,12 +85,8 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
       worst.add(polynomial.slope(x, y).elevation - cubic(x, y));
     }
   }
-  check.that({.id = "cubic",
-              .text = "Cubic polynomials on uneven grids are exact.",
-              .quantity = "largest error",
-              .source = source},
-             {.value = worst.value()},
-             Roundoff{.operations = 200, .scale = 4, .reason = "two solves of five slopes, elevations up to 4"});
+  check.that({.id = "cubic", .text = "Cubic polynomials on uneven grids are exact.", .quantity = "largest error"},
+             {.value = worst.value()}, Roundoff{200, 4, "two solves of five slopes, elevations up to 4"});
 
   const SplineBottom bottom = hill_bottom(0.5);
   Worst rate;
@@ -114,15 +105,11 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
   });
   const Bound differences{1e-11,
                           "values up to 12 rounded to 2e-15, divided by h = 1e-3; the formula is exact for quartics"};
-  check.that({.id = "integral",
-              .text = "The integral's rate along x is the bottom.",
-              .quantity = "largest difference",
-              .source = source},
+  check.that({.id = "integral", .text = "The integral's rate along x is the bottom.", .quantity = "largest difference"},
              {.value = rate.value()}, differences);
   check.that({.id = "integral-across",
               .text = "The integral's rate along y equals its stated derivative.",
-              .quantity = "largest difference",
-              .source = source},
+              .quantity = "largest difference"},
              {.value = across.value()}, differences);
 }
 
@@ -160,7 +147,7 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
               .quantity = "largest relative defect",
               .source = source},
              {.value = defect.value(), .resolution = "20 x 20 cells, 50 steps"},
-             Roundoff{.operations = 50.0 * 400, .scale = 1, .reason = "one rounded work per cell and step"});
+             Roundoff{50.0 * 400, 1, "one rounded work per cell and step"});
 }
 
 TEST_CASE("a spline bottom refuses bad grids and places", "[robustness]") {
@@ -184,6 +171,7 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
               "Between two places the bottom's integral along x grows by the integral of its gradient along the way "
               "between them. Over long ways, across many cells of the grid, that is the difference of the two values; "
               "over short ones it is known far better than that difference.");
+  check.source(source);
   const SplineBottom bottom = hill_bottom(0.5);
   Worst far;
   Worst halves;
@@ -204,28 +192,21 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
   });
   check.that({.id = "far",
               .text = "Over a long way the integral grows by the difference of its values.",
-              .quantity = "largest difference",
-              .source = source},
+              .quantity = "largest difference"},
              {.value = far.value()},
-             Roundoff{.operations = 48 * 12,
-                      .scale = 12,
-                      .reason = "up to 48 pieces of the way, each a sum of some 12 terms; values up to 12"});
+             Roundoff{48 * 12, 12, "up to 48 pieces of the way, each a sum of some 12 terms; values up to 12"});
   check.that({.id = "halves",
               .text = "Over a short way it grows by what it grows over both halves.",
-              .quantity = "largest difference over the length of the way",
-              .source = source},
+              .quantity = "largest difference over the length of the way"},
              {.value = halves.value()},
-             Roundoff{.operations = 16,
-                      .scale = 12,
-                      .reason = "gradients of up to 12, at places rounded to a unit in the last place of 11"});
+             Roundoff{16, 12, "gradients of up to 12, at places rounded to a unit in the last place of 11"});
   check.that({.id = "near",
               .text = "Over a way of half a thousand-millionth it grows by gradient times way.",
-              .quantity = "largest difference over the length of the way",
-              .source = source},
+              .quantity = "largest difference over the length of the way"},
              {.value = near.value()},
-             Bound{.limit = 1e-9,
-                   .reason = "half the way times second derivatives below 4; a difference of two values would have "
-                             "their round-off over the way, 4e-6"});
+             Bound{1e-9,
+                   "half the way times second derivatives below 4; a difference of two values would have "
+                   "their round-off over the way, 4e-6"});
 }
 
 }  // namespace spline_bottom_test

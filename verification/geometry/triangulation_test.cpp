@@ -13,7 +13,6 @@ namespace triangulation_test {
 using namespace seiche;
 using namespace seiche::verification;
 using boost::multiprecision::cpp_rational;
-using seiche::evidence::Bound;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.2";
 
@@ -73,20 +72,17 @@ TEST_CASE("signs of orientation and in-circle are exact where rounding would dec
     circles += sign(in_circle(p, q, r, o)) != sign(rational_in_circle(p, q, r, o));
   }
   const auto none = [&](const std::string& id, const std::string& text, long wrong) {
-    check.that({.id = id, .text = text, .quantity = "wrong signs", .source = "Shewchuk (1997)"},
-               {.value = static_cast<double>(wrong), .resolution = "5000 configurations"},
-               Bound{0, "the arithmetic is exact where the error bound does not settle the sign"});
+    check.holds(id + ": " + text, {static_cast<double>(wrong)},
+                Bound{0, "the arithmetic is exact where the error bound does not settle the sign"});
   };
   none("orientation", "Every orientation has its right sign.", lines);
   none("in-circle", "Every in-circle determinant has its right sign.", circles);
-  check.that(
-      {.id = "noise",
-       .text = "Plain arithmetic fails on these points: the test means something.",
-       .quantity = "orientations of the wrong sign, plain",
-       .source = "Shewchuk (1997)"},
-      {.value = plain > 0 ? 1.0 : 0.0},
-      evidence::Qualitative{"at least one wrong sign", "otherwise the points would not be close enough to a line"});
-  check.measure("wrong signs in plain arithmetic", static_cast<double>(plain));
+  check.that({.id = "noise",
+              .text = "Plain arithmetic fails on these points: the test means something.",
+              .quantity = "orientations of the wrong sign, plain",
+              .source = "Shewchuk (1997)"},
+             {.value = plain > 0 ? 1.0 : 0.0},
+             Qualitative{"at least one wrong sign", "otherwise the points would not be close enough to a line"});
 }
 
 TEST_CASE("flips give the triangles of a full rebuild over random motions", "[geometry]") {
@@ -108,25 +104,13 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
       different += difference(triangles_of(moving.mesh()), triangles_of_sweep(box.nodes()));
       doubtful += moving.mesh().edges_not_delaunay(box.nodes());
     }
-    const std::string resolution = std::to_string(motions) + " motions";
-    check.that({.id = id + "-built",
-                .text = "The mesh at the beginning agrees with the rebuild.",
-                .quantity = "triangles in one set alone",
-                .source = source},
-               {.value = first}, Bound{0, "the Delaunay triangulation is unique"});
-    check.that({.id = id,
-                .text = "After every motion the flips have led to the triangles of a rebuild.",
-                .quantity = "triangles in one set alone, all motions",
-                .source = source},
-               {.value = static_cast<double>(different), .resolution = resolution},
-               Bound{0, "the Delaunay triangulation is unique but for nodes on one circle, which random ones are not"});
-    check.that({.id = id + "-edges",
-                .text = "No edge is left that should be flipped.",
-                .quantity = "edges with a node inside the circle",
-                .source = source},
-               {.value = static_cast<double>(doubtful), .resolution = resolution}, Bound{0, "Lawson (1977)"});
-    check.measure(id + ": flips", static_cast<double>(moving.flips()));
-    check.measure(id + ": ways halved", static_cast<double>(moving.bisections()));
+    check.holds(id + "-built: The mesh at the beginning is that of the rebuild.", {first},
+                Bound{0, "the Delaunay triangulation is unique"});
+    check.holds(
+        id + ": After every motion the flips have led to the triangles of a rebuild.", {static_cast<double>(different)},
+        Bound{0, "the Delaunay triangulation is unique but for nodes on one circle, which random ones are not"});
+    check.holds(id + "-edges: No edge is left that should be flipped.", {static_cast<double>(doubtful)},
+                Bound{0, "Lawson (1977)"});
   };
   run("small", 5, 5, 20000, 0.1);
   run("large", 28, 30, 50, 0.7);
@@ -168,14 +152,11 @@ TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
               .source = source},
              {.value = static_cast<double>(different), .resolution = "300 motions of 175 nodes"},
              Bound{0, "the constrained Delaunay triangulation is unique"});
-  check.that(
-      {.id = "area",
-       .text = "The triangles fill the area of the outline.",
-       .quantity = "largest difference of areas",
-       .source = "identity"},
-      {.value = area.value()},
-      evidence::Roundoff{.operations = 300, .scale = 4, .reason = "a sum of 300 triangles that ends at the area of 4"});
-  check.measure("flips", static_cast<double>(moving.flips()));
+  check.that({.id = "area",
+              .text = "The triangles fill the area of the outline.",
+              .quantity = "largest difference of areas",
+              .source = "identity"},
+             {.value = area.value()}, Roundoff{300, 4, "a sum of 300 triangles that ends at the area of 4"});
 }
 
 }  // namespace triangulation_test

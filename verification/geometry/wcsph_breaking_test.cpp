@@ -15,7 +15,7 @@ namespace wcsph_breaking_test {
 using namespace seiche;
 using namespace seiche::wcsph;
 using std::numbers::pi;
-using verification::Check;
+using namespace seiche::verification;
 
 const Settings water{.sound_speed = 40};
 
@@ -82,6 +82,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
               "overhang and tip against those of the curve, and when the detector says that it has overturned.");
   constexpr double spacing = 0.01;
   const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
+  check.source(source);
   Largest overhang_error;
   Largest tip_error;
   bool sides = true;
@@ -113,34 +114,23 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   const std::string reason =
       "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
       "its middle";
-  check.that({.id = "overhang",
-              .text = "The overhang agrees with the curve.",
-              .quantity = "largest error over dx",
-              .source = source},
-             {.value = overhang_error.value()}, evidence::Bound{.limit = 1.5, .reason = reason});
+  check.that({.id = "overhang", .text = "The overhang agrees with the curve.", .quantity = "largest error over dx"},
+             {.value = overhang_error.value()}, Bound{1.5, reason});
   check.that({.id = "tip",
               .text = "The tip of the jet reaches as far forward as the curve's.",
-              .quantity = "largest error of its x over dx",
-              .source = source},
-             {.value = tip_error.value()}, evidence::Bound{.limit = 0.75, .reason = "one such extremum, 0.71 dx"});
-  check.that({.id = "side",
-              .text = "The direction in which it breaks is found.",
-              .quantity = "directions right",
-              .source = source},
+              .quantity = "largest error of its x over dx"},
+             {.value = tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
+  check.that({.id = "side", .text = "The direction in which it breaks is found.", .quantity = "directions right"},
              {.value = sides ? 1.0 : 0.0},
-             evidence::Qualitative{"overhang().towards_right", "the tip turns to the right, the hollow to the left"});
-  check.that({.id = "no-alarm",
-              .text = "No wave that is single-valued is said to overturn.",
-              .quantity = "false alarms",
-              .source = source},
-             {.value = false_alarm.value()},
-             evidence::Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
+             Qualitative{"overhang().towards_right", "the tip turns to the right, the hollow to the left"});
+  check.that(
+      {.id = "no-alarm", .text = "No wave that is single-valued is said to overturn.", .quantity = "false alarms"},
+      {.value = false_alarm.value()},
+      Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
   check.that({.id = "missed",
               .text = "Every wave that overhangs by two and a half spacings is found.",
-              .quantity = "largest overhang that was not, over dx",
-              .source = source},
-             {.value = missed.value()},
-             evidence::Bound{.limit = 2.5, .reason = "the threshold dx and the error of the overhang, 1.5 dx"});
+              .quantity = "largest overhang that was not, over dx"},
+             {.value = missed.value()}, Bound{2.5, "the threshold dx and the error of the overhang, 1.5 dx"});
   auto& figure = check.figure("sheared", "Overturning of a sheared cosine",
                               "Left: the contour of the particles at q = 3. Right: overhang against the curve's.");
   const std::vector<Contour> last = contours_of(ShearedWave{3}, spacing);
@@ -167,6 +157,7 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
   constexpr double spacing = 0.01;
   const double hole = 4 * spacing * spacing;
   const std::string source = "geometry of half a ring";
+  check.source(source);
   const double half_disc = pi / 2 * Tongue::inner * Tongue::inner;
   Largest early;
   double late = 0;
@@ -188,43 +179,32 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
       CHECK(found.towards_right == towards_right);
     }
   }
-  check.that({.id = "landed",
-              .text = "A tongue that has reached the level has shut off air.",
-              .quantity = "missed",
-              .source = source},
-             {.value = late}, evidence::Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
+  check.that({.id = "landed", .text = "A tongue that has reached the level has shut off air.", .quantity = "missed"},
+             {.value = late}, Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
   check.that({.id = "not-early",
               .text = "A gap wider than the support of a kernel is not called closed.",
-              .quantity = "widest gap said to be closed, over dx",
-              .source = source},
-             {.value = early.value()},
-             evidence::Bound{.limit = 2.6, .reason = "below 2h = 2.6 dx the weights of both sides overlap"});
-  check.that({.id = "cavity",
-              .text = "The air enclosed is half a disc.",
-              .quantity = "relative error of the area",
-              .source = source},
+              .quantity = "widest gap said to be closed, over dx"},
+             {.value = early.value()}, Bound{2.6, "below 2h = 2.6 dx the weights of both sides overlap"});
+  check.that({.id = "cavity", .text = "The air enclosed is half a disc.", .quantity = "relative error of the area"},
              {.value = cavity.value()},
-             evidence::Bound{.limit = 0.71 * spacing * (pi + 2) * Tongue::inner / half_disc,
-                             .reason = "the contour's largest distance, 0.71 dx, all around"});
+             Bound{0.71 * spacing * (pi + 2) * Tongue::inner / half_disc,
+                   "the contour's largest distance, 0.71 dx, all around"});
   check.that({.id = "tip",
               .text = "Before, the tip is as far forward as the tongue.",
-              .quantity = "largest error of its x over dx",
-              .source = source},
-             {.value = tip.value()},
-             evidence::Bound{.limit = 1.5, .reason = "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
+              .quantity = "largest error of its x over dx"},
+             {.value = tip.value()}, Bound{1.5, "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
 
   // Air in a corner, under water that leans against the wall on the right; and water that lies in such a corner.
   const Box box{-0.5, 0.5, -0.4, 0.6};
   const auto pocket = [](double x, double z) { return z < 0.4 && std::hypot(x - 0.5, z + 0.36) > 0.3; };
   const double quarter = pi / 4 * 0.3 * 0.3;
-  check.that(
-      {.id = "pocket",
-       .text = "Air in a corner of the box is enclosed by curve and walls.",
-       .quantity = "area",
-       .unit = "m^2",
-       .source = "a quarter of a disc"},
-      {.value = cavity_area(contours_of(pocket, box, spacing), hole)},
-      evidence::Bound{.limit = 0.71 * spacing * pi / 2 * 0.3, .reason = "0.71 dx along the arc", .expected = quarter});
+  check.that({.id = "pocket",
+              .text = "Air in a corner of the box is enclosed by curve and walls.",
+              .quantity = "area",
+              .unit = "m^2",
+              .source = "a quarter of a disc"},
+             {.value = cavity_area(contours_of(pocket, box, spacing), hole)},
+             Bound{0.71 * spacing * pi / 2 * 0.3, "0.71 dx along the arc", quarter});
   const auto heap = [](double x, double z) { return std::hypot(x - 0.5, z + 0.36) < 0.3; };
   CHECK(cavity_area(contours_of(heap, box, spacing), hole) == 0);
   CHECK_FALSE(overturns({}, spacing));

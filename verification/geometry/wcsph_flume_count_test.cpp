@@ -13,7 +13,7 @@ namespace wcsph_flume_count_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string source = "particle counts published with two dam breaks and a plunging wave";
 constexpr long published = 35232;
@@ -62,6 +62,7 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
               "even one: the sum is odd, 35232 is even. By other rules, a corner counted once or a paddle of three "
               "rows, tens of thousands of flumes have that number. So the length of the published flume cannot be "
               "told from its count.");
+  check.source(source);
   Worst formula;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     for (const int paddle_rows : {2, 3}) {
@@ -87,9 +88,8 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
   }
   check.that({.id = "formula",
               .text = "Flumes of both lattices, with paddles of two rows and three, have the number of the formula.",
-              .quantity = "largest difference",
-              .source = source},
-             {.value = formula.value()}, evidence::Bound{.limit = 0, .reason = "a count"});
+              .quantity = "largest difference"},
+             {.value = formula.value()}, Bound{0, "a count"});
   Count even;
   for (long steps = 1; steps <= highest_wall * layers; ++steps) {
     const std::array<Place, 2> ends{{{0, 0}, {static_cast<double>(steps), 0}}};
@@ -97,31 +97,26 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
   }
   check.that({.id = "odd",
               .text = "A straight wall of two rows has an odd number of particles.",
-              .quantity = "walls with an even one",
-              .source = source},
-             {.value = even.value()}, evidence::Bound{.limit = 0, .reason = "n + 1 and n"});
+              .quantity = "walls with an even one"},
+             {.value = even.value()}, Bound{0, "n + 1 and n"});
   const Walls as_dam_breaks{};
   check.that({.id = "impossible",
               .text = "By the rules of the dam breaks no flume has the published number.",
-              .quantity = "flumes with it, of both lattices",
-              .source = source},
+              .quantity = "flumes with it, of both lattices"},
              {.value = static_cast<double>(solutions(Lattice::square, as_dam_breaks) +
                                            solutions(Lattice::body_centred, as_dam_breaks))},
-             evidence::Bound{.limit = 0, .reason = "three odd numbers and an even one make an odd one"});
+             Bound{0, "three odd numbers and an even one make an odd one"});
   Smallest otherwise;
   for (const Walls& walls : std::vector<Walls>{{.paddle_rows = 3}, {.corner_twice = false}}) {
     otherwise.add(static_cast<double>(solutions(Lattice::body_centred, walls)));
   }
   check.that({.id = "ambiguous",
               .text = "By other rules it does not tell the flume.",
-              .quantity = "more than one flume has the number",
-              .source = source},
+              .quantity = "more than one flume has the number"},
              {.value = otherwise.value() > 1 ? 1.0 : 0.0},
-             evidence::Qualitative{.detector = "body-centred flumes with 35232 particles, with a paddle of three rows, "
-                                               "and with the corner counted once: more than one of each",
-                                   .reason = "three lengths and one number"});
-  check.measure("flumes with the published number, paddle of three rows or corner once, fewer of both",
-                otherwise.value());
+             Qualitative{"body-centred flumes with 35232 particles, with a paddle of three rows, "
+                         "and with the corner counted once: more than one of each",
+                         "three lengths and one number"});
 }
 
 }  // namespace wcsph_flume_count_test

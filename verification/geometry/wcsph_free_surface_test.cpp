@@ -16,7 +16,7 @@ namespace wcsph_free_surface_test {
 using namespace seiche;
 using namespace seiche::wcsph;
 using std::numbers::pi;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string contouring = "Lorensen and Cline, Computer Graphics 21 (1987) 163, in the plane";
 const std::string fractions = "volume fraction 1/2 on the free surface: a property of symmetric kernels";
@@ -90,6 +90,7 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
               "A level layer on both lattices with both kernels, also beside walls, and a wave of small steepness on "
               "halving spacings. A level where half of the kernel's weight is water is where the water ends, to what "
               "the lattice's sums differ from the integral; a curved surface is smoothed over h.");
+  check.source(fractions);
   Largest level;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
@@ -98,21 +99,17 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
       level.add(elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
     }
   }
-  check.that({.id = "level",
-              .text = "A level layer has its elevation.",
-              .quantity = "largest error over dx",
-              .source = fractions},
+  check.that({.id = "level", .text = "A level layer has its elevation.", .quantity = "largest error over dx"},
              {.value = level.value()},
-             evidence::Bound{.limit = 0.1,
-                             .reason = "particles stand for cells dx high: a tenth of that is what is read "
-                                       "off them"});
+             Bound{0.1,
+                   "particles stand for cells dx high: a tenth of that is what is read "
+                   "off them"});
   const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
   check.that({.id = "walls",
               .text = "Beside walls too: the weight behind them does not count.",
-              .quantity = "largest error over dx",
-              .source = fractions},
+              .quantity = "largest error over dx"},
              {.value = elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })},
-             evidence::Bound{.limit = 0.1, .reason = "as in the middle"});
+             Bound{0.1, "as in the middle"});
 
   const auto wave = [](double x) { return 0.02 * std::cos(2 * pi * x); };
   std::vector<double> spacings;
@@ -138,13 +135,12 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
               .quantity = "order of the largest error",
               .source = "mean of z = eta(x) over a kernel of width h: "
                         "eta + O(h^2 eta'')"},
-             evidence::observed_order(spacings, errors),
-             evidence::Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
+             observed_order(spacings, errors),
+             Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
   check.that({.id = "wave",
               .text = "A wave of amplitude 0.4 dx is seen to a tenth of the spacing.",
-              .quantity = "largest error over dx",
-              .source = fractions},
-             {.value = errors[0] / spacings[0]}, evidence::Bound{.limit = 0.1, .reason = "as for the level layer"});
+              .quantity = "largest error over dx"},
+             {.value = errors[0] / spacings[0]}, Bound{0.1, "as for the level layer"});
   auto& panel =
       check.figure("wave", "A wave of 0.4 spacings", "Elevation where the volume fraction is 1/2, dx = 0.05 m.")
           .panel({.x = "x [m]", .y = "elevation [m]"});
@@ -163,8 +159,8 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
               "Level curves of given fields, with linear interpolation along the edges of the grid; the contour of a "
               "disc of particles against its radius, area and centre, on 64 places of the disc on the lattice; "
               "directions of curves around water and around air.");
-  std::vector<double> steps;
-  std::vector<double> areas;
+  check.source(contouring);
+  Convergence areas;
   for (const long n : {20L, 40L, 80L, 160L}) {
     Raster raster{.left = -1.5,
                   .bottom = -1.5,
@@ -181,14 +177,12 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
     }
     const std::vector<Contour> curves = level_curves(raster, 0.5);
     REQUIRE(curves.size() == 1);
-    steps.push_back(raster.step);
-    areas.push_back(std::abs(curves[0].area() + pi / std::numbers::sqrt2));
+    areas.add(raster.step, std::abs(curves[0].area() + pi / std::numbers::sqrt2));
   }
   check.that({.id = "ellipse",
               .text = "The area inside the level curve of a smooth field has second order.",
-              .quantity = "order of the area",
-              .source = contouring},
-             evidence::observed_order(steps, areas), evidence::Order{2, 0.2, "linear interpolation, chords of arcs"});
+              .quantity = "order of the area"},
+             areas.order(), Order{2, 0.2, "linear interpolation, chords of arcs"});
 
   std::vector<double> spacings;
   std::vector<double> means;
@@ -205,31 +199,29 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
   }
   const std::string remainder =
       "Kendall, Q. J. Math. 19 (1948) 1: rms R^(1/2) of the number of lattice points in a disc";
-  check.that(
-      {.id = "disc-radius",
-       .text = "No point of a disc's contour is farther off than half a cell's diagonal.",
-       .quantity = "largest distance over dx",
-       .source = fractions},
-      {.value = farthest.value()},
-      evidence::Bound{.limit = 0.75, .reason = "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
+  check.that({.id = "disc-radius",
+              .text = "No point of a disc's contour is farther off than half a cell's diagonal.",
+              .quantity = "largest distance over dx",
+              .source = fractions},
+             {.value = farthest.value()},
+             Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
   check.that({.id = "disc-area",
               .text = "The disc's area, mean over its places on the lattice, has second order.",
               .quantity = "order of the mean error",
               .source = "curvature moves the level 1/2 by a part of h^2/R"},
-             evidence::observed_order(spacings, means),
-             evidence::Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
+             observed_order(spacings, means),
+             Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
   check.that({.id = "disc-scatter",
               .text = "The scatter of the disc's area with its place follows the number of lattice points in the disc.",
               .quantity = "order of the standard deviation",
               .source = remainder},
-             evidence::observed_order(spacings, scatters),
-             evidence::Order{1.5, 0.5, "R^(1/2) dx^2/R^2; six radii, whose remainders fluctuate by tens of per cent"});
+             observed_order(spacings, scatters),
+             Order{1.5, 0.5, "R^(1/2) dx^2/R^2; six radii, whose remainders fluctuate by tens of per cent"});
   check.that({.id = "disc-centre",
               .text = "The centre of the disc converges with order 1.5.",
               .quantity = "order of the rms error",
               .source = remainder},
-             evidence::observed_order(spacings, centres),
-             evidence::Order{1.5, 0.5, "the first moment of the same remainder"});
+             observed_order(spacings, centres), Order{1.5, 0.5, "the first moment of the same remainder"});
   auto& panel = check.figure("disc", "A disc's contour", "Errors over 64 places of the disc on the lattice.")
                     .panel({.x = "dx/R", .y = "error", .log_x = true, .log_y = true});
   const auto guide = [&](const std::vector<double>& errors, double order) {
@@ -252,18 +244,13 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
   check.that({.id = "ring-outside",
               .text = "Around water curves run clockwise: the area is negative.",
               .quantity = "area",
-              .unit = "m^2",
-              .source = contouring},
-             {.value = curves[0].area()},
-             evidence::Bound{.limit = 2 * pi * 0.02, .reason = "half a spacing all around", .expected = -pi});
-  check.that(
-      {.id = "ring-inside",
-       .text = "Around air they run counter-clockwise, and the air is counted.",
-       .quantity = "area",
-       .unit = "m^2",
-       .source = contouring},
-      {.value = curves[1].air},
-      evidence::Bound{.limit = 2 * pi * 0.4 * 0.02, .reason = "half a spacing all around", .expected = 0.16 * pi});
+              .unit = "m^2"},
+             {.value = curves[0].area()}, Bound{2 * pi * 0.02, "half a spacing all around", -pi});
+  check.that({.id = "ring-inside",
+              .text = "Around air they run counter-clockwise, and the air is counted.",
+              .quantity = "area",
+              .unit = "m^2"},
+             {.value = curves[1].air}, Bound{2 * pi * 0.4 * 0.02, "half a spacing all around", 0.16 * pi});
   CHECK(curves[0].air == 0);
   CHECK(std::abs(curves[0].distance(0, 0) - 1) < 0.04);
 }

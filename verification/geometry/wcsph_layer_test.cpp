@@ -14,7 +14,7 @@ namespace wcsph_layer_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
 constexpr double depth = 0.1;
@@ -48,16 +48,14 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
               .quantity = "relative defect of the mass",
               .source = lattices},
              {.value = mass_defect(Fitting::columns)},
-             evidence::Roundoff{.operations = 20,
-                                .scale = 1,
-                                .reason = "the mean of three depths; the sum is compensated, and the elevation's means "
-                                          "over all strips cancel by symmetry"});
+             Roundoff{20, 1,
+                      "the mean of three depths; the sum is compensated, and the elevation's means "
+                      "over all strips cancel by symmetry"});
   check.that({.id = "stretched",
               .text = "Columns that stretch hold the area below the surface.",
               .quantity = "relative defect of the mass",
               .source = lattices},
-             {.value = mass_defect(Fitting::stretched)},
-             evidence::Roundoff{.operations = 20, .scale = 1, .reason = "the same"});
+             {.value = mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
   const Scene overturning = wavy_layer(Fitting::columns);
   Smallest lightest;
   Largest heaviest;
@@ -71,9 +69,7 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
               .quantity = "heaviest over lightest",
               .source = "interface of the scene"},
              {.value = heaviest.value() / lightest.value()},
-             evidence::Bound{.limit = 0.2,
-                             .reason = "in the lowest column of 5.0 dx half a spacing is a tenth up or down",
-                             .expected = 1});
+             Bound{0.2, "in the lowest column of 5.0 dx half a spacing is a tenth up or down", 1});
 
   const Scene disc = patch({.radius = 1,
                             .velocity =
@@ -97,23 +93,21 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
               .text = "A disc of 1 m at dx = 0.02 m has 7860 particles.",
               .quantity = "particles",
               .source = "lattice points of half-integers in a circle of radius 50"},
-             {.value = static_cast<double>(p.size())},
-             evidence::Bound{.limit = 0, .reason = "a count", .expected = 7860});
+             {.value = static_cast<double>(p.size())}, Bound{0, "a count", 7860});
   check.that({.id = "semi-axis",
               .text = "The semi-axis of the disc from second moments, 2 sqrt(mean z^2), is 0.038 % too large.",
               .quantity = "relative error of the semi-axis",
               .source = "regression: computed once by an earlier program for the same equations"},
              {.value = 2 * std::sqrt(second / static_cast<double>(p.size())) - 1},
-             evidence::Bound{.limit = 0.5e-5, .reason = "half of the last digit printed", .expected = 0.00038});
+             Bound{0.5e-5, "half of the last digit printed", 0.00038});
   check.that({.id = "fields",
               .text = "Velocity and pressure at the particles are the given ones.",
               .quantity = "largest error, over 1 m/s and 500 Pa",
               .source = "interface of the scene"},
              {.value = wrong.value()},
-             evidence::Roundoff{.operations = 10,
-                                .scale = 28000 / 500.0,
-                                .reason = "B = 28000 Pa times the rounding of "
-                                          "a power"});
+             Roundoff{10, 28000 / 500.0,
+                      "B = 28000 Pa times the rounding of "
+                      "a power"});
 }
 
 }  // namespace wcsph_layer_test

@@ -13,7 +13,7 @@ namespace wcsph_paddle_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
-using verification::Check;
+using namespace seiche::verification;
 
 constexpr double period = 0.308;
 constexpr double depth = 0.013;
@@ -29,6 +29,7 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
               "A flap in 1.3 cm of water whose stroke is 2.3 depths, so that it leans by 49.6 degrees, and a piston: "
               "velocities against central differences of the places, distances between particles of the paddle, and "
               "the place of the face at the still-water level.");
+  check.source(source);
   const double frequency = 2 * std::numbers::pi / period;
   const std::vector<std::pair<std::string, Paddle>> paddles{{"piston", piston(stroke, frequency)},
                                                             {"flap", flap(0.001, -0.002, depth, stroke, frequency)}};
@@ -52,14 +53,13 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
     }
     check.that({.id = name + "-velocity",
                 .text = "The velocity is the rate of the place: central differences approach it with their order.",
-                .quantity = "order of the difference",
-                .source = source},
-               evidence::observed_order(steps, errors),
+                .quantity = "order of the difference"},
+               observed_order(steps, errors),
                name == "piston"
-                   ? evidence::Order{2, 0.003,
-                                     "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at the "
-                                     "longest step, 1/40 of a period, 0.002 per halving"}
-                   : evidence::Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
+                   ? Order{2, 0.003,
+                           "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at the "
+                           "longest step, 1/40 of a period, 0.002 per halving"}
+                   : Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
   }
 
   const Paddle& leaning = paddles[1].second;
@@ -80,23 +80,17 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
     off.add(std::abs(face.x - 0.001 - wanted) / depth);
     off.add(std::abs(face.z + 0.002 - depth) / depth);
   }
-  check.that(
-      {.id = "rigid",
-       .text = "The flap turns without stretching its rows.",
-       .quantity = "relative change of distances",
-       .source = source},
-      {.value = stretch.value()},
-      evidence::Roundoff{.operations = 60, .scale = 1, .reason = "differences of places up to 0.03 m over 0.012 m"});
+  check.that({.id = "rigid",
+              .text = "The flap turns without stretching its rows.",
+              .quantity = "relative change of distances"},
+             {.value = stretch.value()}, Roundoff{60, 1, "differences of places up to 0.03 m over 0.012 m"});
   check.that({.id = "still-water-level",
               .text = "Where the face crosses the still-water level it is at X_w = (S/2) sin(omega t).",
-              .quantity = "distance over the depth",
-              .source = source},
+              .quantity = "distance over the depth"},
              {.value = off.value()},
-             evidence::Roundoff{.operations = 30,
-                                .scale = 1.6,
-                                .reason = "atan, sin, cos and a product; up to 1.54 "
-                                          "depths from the hinge"});
-  check.measure("stretch of the rows, had they been sheared instead", std::hypot(1.0, stroke / (2 * depth)));
+             Roundoff{30, 1.6,
+                      "atan, sin, cos and a product; up to 1.54 "
+                      "depths from the hinge"});
   const PointMotion start = at(leaning, 0, -0.0005, 0.0005);
   CHECK(start.x == -0.0005);
   CHECK(start.z == 0.0005);

@@ -17,7 +17,7 @@ namespace wcsph_scene_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
 const std::string counts = "particle counts published with the two dam breaks, 11103 and 7983";
@@ -61,9 +61,8 @@ Flume flap_flume() {
 }
 
 void counted(Check& check, const std::string& id, const std::string& text, const Scene& scene, long expected) {
-  check.that({.id = id, .text = text, .quantity = "particles", .source = counts},
-             {.value = static_cast<double>(scene.particles.size())},
-             evidence::Bound{.limit = 0, .reason = "a count", .expected = static_cast<double>(expected)});
+  check.holds(id + ": " + text, {static_cast<double>(scene.particles.size())},
+              Bound{0, "a count", static_cast<double>(expected)});
 }
 
 double fluid_mass(const Particles& particles) {
@@ -147,6 +146,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
               "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
               "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
               "and half a spacing from its effective end, and the pressure of the density is that of water at rest.");
+  check.source(lattices);
   Worst mass_defect;
   Distances square;
   Distances centred;
@@ -184,58 +184,47 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
     }
   }
   check.that(
-      {.id = "mass",
-       .text = "The fluid's mass is rho_0 times the area of the water.",
-       .quantity = "relative defect",
-       .source = lattices},
-      {.value = mass_defect.value()},
-      evidence::Roundoff{.operations = 10, .scale = 1, .reason = "dx^2 of rounded lengths; the sum is compensated"});
-  const evidence::Roundoff water_places{
+      {.id = "mass", .text = "The fluid's mass is rho_0 times the area of the water.", .quantity = "relative defect"},
+      {.value = mass_defect.value()}, Roundoff{10, 1, "dx^2 of rounded lengths; the sum is compensated"});
+  const Roundoff water_places{
       .operations = 4,
       .scale = 60,
       .reason =
           "two coordinates of up to 60 dx, each a rounded product; the image in the periodic layer, and its period"};
-  const evidence::Roundoff wall_places{
+  const Roundoff wall_places{
       .operations = 6,
       .scale = 100,
       .reason =
           "a place on a wall is a product with a quotient, added to where the wall begins: numbers of up to 100 dx "
           "along the bottom of the flume; otherwise as in the water"};
-  const auto about = [](evidence::Roundoff limit, double expected) {
+  const auto about = [](Roundoff limit, double expected) {
     limit.expected = expected;
     return limit;
   };
-  check.that({.id = "fluid-square",
-              .text = "Square lattice: neighbours are dx apart.",
-              .quantity = "distance/dx",
-              .source = lattices},
+  check.that({.id = "fluid-square", .text = "Square lattice: neighbours are dx apart.", .quantity = "distance/dx"},
              {.value = square.fluid.value()}, about(water_places, 1));
   check.that({.id = "fluid-centred",
               .text = "Body-centred lattice: neighbours are dx/sqrt 2 apart.",
-              .quantity = "distance/dx",
-              .source = lattices},
+              .quantity = "distance/dx"},
              {.value = centred.fluid.value()}, about(water_places, 1 / std::numbers::sqrt2));
   check.that({.id = "wall-square",
               .text = "Square lattice: the first row of water is dx from the row of the wall.",
-              .quantity = "distance/dx",
-              .source = lattices},
+              .quantity = "distance/dx"},
              {.value = square.wall.value()}, about(wall_places, 1));
   check.that(
       {.id = "wall-centred",
        .text = "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a "
                "spacing in front of the wall, and a quarter beside its particles.",
-       .quantity = "distance/dx",
-       .source = lattices},
+       .quantity = "distance/dx"},
       {.value = centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
   check.that({.id = "hydrostatic",
               .text = "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
               .quantity = "largest error over rho_0 g H",
               .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
              {.value = pressure_error.value()},
-             evidence::Roundoff{.operations = 10,
-                                .scale = 200 / 7.0,
-                                .reason = "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
-                                          "power, about 10 operations"});
+             Roundoff{10, 200 / 7.0,
+                      "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
+                      "power, about 10 operations"});
 
   const Scene with_flap = flume(flap_flume(), water(0.013));
   Smallest rearmost;
@@ -254,9 +243,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
               .quantity = "rearmost place of the paddle behind the end of the bottom",
               .unit = "m",
               .source = "interface of the scene"},
-             {.value = std::max(with_flap.extents.left - rearmost.value(), 0.0)},
-             evidence::Bound{.limit = 0, .reason = "nothing sticks out"});
-  check.measure("rearmost place of the paddle over dx", rearmost.value() / with_flap.spacing);
+             {.value = std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
 
   DamBreak odd = tall_column(Lattice::square, false);
   CHECK(dam_break(odd, water(0.114)).warnings.empty());

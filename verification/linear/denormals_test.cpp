@@ -18,6 +18,7 @@
 namespace denormals_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 
 constexpr double tiny = 1e-310;
 constexpr std::size_t rows = 16;
@@ -41,10 +42,10 @@ std::vector<double> copy(const linear::LatticeArray& values) {
 }
 
 TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]") {
-  verification::Check check("denormals_of_threads", "Denormal numbers in two threads",
-                            "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates "
-                            "of cells of meshes whose nodes move by as much, shared by two threads that were made "
-                            "where denormal numbers count. The calling thread flushes them to zero: so do both.");
+  Check check("denormals_of_threads", "Denormal numbers in two threads",
+              "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates "
+              "of cells of meshes whose nodes move by as much, shared by two threads that were made "
+              "where denormal numbers count. The calling thread flushes them to zero: so do both.");
   const int usual = omp_get_max_threads();
   omp_set_num_threads(2);
   int made = 0;
@@ -100,12 +101,8 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
     });
   }
   omp_set_num_threads(usual);
-  check.that({.id = "left",
-              .text = "Nothing is left of denormal numbers in any of the threads (five loops).",
-              .quantity = "numbers of 1e-310 that are not zero",
-              .source = "FlushDenormals"},
-             {.value = static_cast<double>(left), .resolution = fmt::format("2 threads, {} cells", columns * rows)},
-             evidence::Bound{.limit = 0, .reason = "the same bytes from any number of threads"});
+  check.holds("Nothing is left of denormal numbers in any of the threads (five loops).", {static_cast<double>(left)},
+              Bound{0, "the same bytes from any number of threads"});
 }
 
 }  // namespace denormals_test

@@ -12,6 +12,7 @@
 namespace factor_work_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using linear::FactorWork;
 
 /// Of the pattern with `below` entries under every diagonal, eliminated as it stands.
@@ -42,17 +43,13 @@ double difference(FactorWork a, FactorWork b) {
 }
 
 TEST_CASE("factors tell what they cost", "[linear]") {
-  verification::Check check(
-      "factor_work", "What a factor costs",
-      "Entries and operations of Cholesky factors, as the solvers tell them, beside sums over the "
-      "columns of bands and full matrices; of a lattice that is one dense block of eight cells, "
-      "and of one that is two on each other.");
+  Check check("factor_work", "What a factor costs",
+              "Entries and operations of Cholesky factors, as the solvers tell them, beside sums over the "
+              "columns of bands and full matrices; of a lattice that is one dense block of eight cells, "
+              "and of one that is two on each other.");
   const auto same = [&](const std::string& id, FactorWork told, FactorWork counted) {
-    check.that({.id = id,
-                .text = "The solver tells the entries and operations of its factor.",
-                .quantity = "difference",
-                .source = "sums over columns: c entries take c^2 operations"},
-               {.value = difference(told, counted)}, evidence::Bound{.limit = 0, .reason = "whole numbers"});
+    check.holds(id + ": The solver tells the entries and operations of its factor.", {difference(told, counted)},
+                Bound{0, "whole numbers"});
   };
   same("tridiagonal", banded(50, 1), by_columns(50, 1));
   same("wide", banded(60, 7), by_columns(60, 7));

@@ -30,7 +30,6 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
       "fourier", "Discrete Fourier transform",
       "Coefficients against their sums, samples against what they came from, in place too; the derivative by $i k c_k$ "
       "of a trigonometric polynomial with all wavenumbers below $N/2$; the sawtooth $k = N/2$ of even $N$ is named.");
-  const std::string source = "fourier.hpp";
   for (const std::size_t n : {16U, 15U, 1U}) {
     Fourier fourier(n);
     std::vector<Complex> samples(n), coefficients(n), again(n);
@@ -65,11 +64,9 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
     fourier.samples(coefficients, again);
     for (std::size_t j = 0; j < n; ++j) slopes.add(std::abs(again[j] - slope[j]));
     const auto claim = [&](const std::string& id, const std::string& text, double value, double size) {
-      check.that({.id = fmt::format("{}-{}", id, n), .text = text, .quantity = "largest difference", .source = source},
-                 {.value = value},
-                 seiche::evidence::Roundoff{.operations = 20.0 * static_cast<double>(n),
-                                            .scale = size,
-                                            .reason = "a sum of N products of rounded angles up to 2 pi N"});
+      check.holds(fmt::format("{}-{}", id, n) + ": " + text, {value},
+                  seiche::evidence::Roundoff{20.0 * static_cast<double>(n), size,
+                                             "a sum of N products of rounded angles up to 2 pi N"});
     };
     claim("sums", "Coefficients of the fast transform equal their defining sums.", sums.value(), 3);
     claim("back", "Samples come back, in the same memory.", back.value(), 3);
@@ -79,12 +76,9 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
   seiche::Count sawtooths;
   for (std::size_t i = 0; i < 8; ++i)
     sawtooths.add(static_cast<double>(i), [&](double k) { return even.is_sawtooth(static_cast<std::size_t>(k)); });
-  check.that({.id = "sawtooth",
-              .text = "Of eight coefficients one is a sawtooth, and its wavenumber is four.",
-              .quantity = "wavenumber of the sawtooth",
-              .source = source},
-             {.value = even.is_sawtooth(4) ? sawtooths.value() * even.wavenumber(4) : 0},
-             seiche::evidence::Bound{.limit = 0, .reason = "small whole numbers", .expected = 4});
+  check.holds("Of eight coefficients one is a sawtooth, and its wavenumber is four.",
+              {even.is_sawtooth(4) ? sawtooths.value() * even.wavenumber(4) : 0},
+              seiche::evidence::Bound{0, "small whole numbers", 4});
 }
 
 }  // namespace fourier_test

@@ -40,7 +40,6 @@ TEST_CASE("GMRES solves systems of the second kind and stops when it has", "[lin
       "recurrence promises is the one that is there; it is the least in the Krylov space; there is an iteration for "
       "each factor that the residual has to fall, and none more. One solver for all systems, as a wave uses it.");
   constexpr Eigen::Index n = 40;
-  const std::string source = "Saad & Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856";
   Gmres solver;
   seiche::Worst error, excess;
   seiche::Largest met, needless;
@@ -61,36 +60,18 @@ TEST_CASE("GMRES solves systems of the second kind and stops when it has", "[lin
       needless.add(tolerance * b.norm() / least_residual(a, b, iterations - 1));
     }
   }
-  check.that({.id = "solution",
-              .text = "The solution of a system of 40 unknowns.",
-              .quantity = "largest error of an unknown",
-              .source = source},
-             {.value = error.value()},
-             seiche::evidence::Roundoff{
-                 .operations = 2 * n * n, .scale = 3, .reason = "forty products of forty terms; condition below 3"});
-  check.that({.id = "goal",
-              .text = "The residual is what was asked for.",
-              .quantity = "largest residual/goal",
-              .source = source},
-             {.value = met.value()},
-             seiche::evidence::Bound{.limit = 1 + 1e-9,
-                                     .reason = "the recurrence's residual is at most the goal; it rounds to 1e-16 of a "
-                                               "residual that is 1e-6 of the beginning, and no more than 1e-9"});
-  check.that({.id = "least",
-              .text = "No vector of the Krylov space has a smaller residual.",
-              .quantity = "largest difference of residuals",
-              .source = source},
-             {.value = excess.value()},
-             seiche::evidence::Roundoff{.operations = 2 * n * n,
-                                        .scale = 3 * 10,
-                                        .reason = "residuals of a right-hand side of norm 3, by two "
-                                                  "orthogonalisations of vectors of 40"});
-  check.that({.id = "iterations",
-              .text = "An iteration less would not have met the goal.",
-              .quantity = "largest goal/least residual before the last iteration",
-              .source = source},
-             {.value = needless.value()},
-             seiche::evidence::Bound{.limit = 1, .reason = "iterations end with the first residual below the goal"});
+  check.holds("The solution of a system of 40 unknowns.", {error.value()},
+              seiche::evidence::Roundoff{2 * n * n, 3, "forty products of forty terms; condition below 3"});
+  check.holds("The residual is what was asked for.", {met.value()},
+              seiche::evidence::Bound{1 + 1e-9,
+                                      "the recurrence's residual is at most the goal; it rounds to 1e-16 of a "
+                                      "residual that is 1e-6 of the beginning, and no more than 1e-9"});
+  check.holds("No vector of the Krylov space has a smaller residual.", {excess.value()},
+              seiche::evidence::Roundoff{2 * n * n, 3 * 10,
+                                         "residuals of a right-hand side of norm 3, by two "
+                                         "orthogonalisations of vectors of 40"});
+  check.holds("An iteration less would not have met the goal.", {needless.value()},
+              seiche::evidence::Bound{1, "iterations end with the first residual below the goal"});
 }
 
 TEST_CASE("GMRES ends after as many iterations as are allowed, with the best that they give", "[linear]") {

@@ -18,9 +18,7 @@ namespace lattice_matrix_test {
 using namespace seiche::linear;
 using seiche::Worst;
 using seiche::worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 struct Shape {
   std::size_t columns, rows, layers;
@@ -143,11 +141,9 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   Check check("lattice_matrices", "Matrices of lattices against dense ones",
               "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
               "and single coefficients against a dense matrix, solutions of the banded solver by their residual.");
-  const std::string source = "the layouts stated in lattice_matrix.hpp";
   const auto claim = [&](const std::string& id, const std::string& text, double value, double operations,
                          const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = "largest relative error", .source = source}, {.value = value},
-               Roundoff{.operations = operations, .scale = 1, .reason = reason});
+    check.holds(id + ": " + text, {value}, Roundoff{operations, 1, reason});
   };
   Errors nine;
   for (const Shape& shape : {Shape{1, 1, 1}, {5, 1, 1}, {1, 6, 1}, {2, 2, 1}, {7, 5, 1}, {12, 17, 1}}) {
@@ -173,11 +169,9 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
         all.coefficient.value(), 0, "the same number");
 
   const auto residual = [&](const std::string& id, const std::string& text, double value) {
-    check.that(
-        {.id = id, .text = text, .quantity = "largest residual relative to |A| |x| + |b|", .source = source},
-        {.value = value},
-        Bound{.limit = 200 * std::numeric_limits<double>::epsilon() / 2,
-              .reason = "one rounding per number in a row of the factor and of its transpose, at most 100 each"});
+    check.holds(id + ": " + text, {value},
+                Bound{200 * std::numeric_limits<double>::epsilon() / 2,
+                      "one rounding per number in a row of the factor and of its transpose, at most 100 each"});
   };
   residual("nine-banded", "The banded solver of nine-point systems, of one matrix after another.",
            largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, SolverMethod::banded, std::nullopt, 1e-10)));
@@ -210,21 +204,13 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
   } catch (const NotConverged&) {
     iterations = 100;
   }
-  check.that({.id = "iterations",
-              .text = "Five distinct eigenvalues take five iterations of the solver.",
-              .quantity = "iterations to 1e-12",
-              .source = "Golub & Van Loan, Matrix Computations (2013), 11.3"},
-             {.value = static_cast<double>(iterations)},
-             Bound{.limit = 0, .reason = "one for each eigenvalue, of a condition of five", .expected = 5});
+  check.holds("Five distinct eigenvalues take five iterations of the solver.", {static_cast<double>(iterations)},
+              Bound{0, "one for each eigenvalue, of a condition of five", 5});
   Worst error;
   for (std::size_t i = 0; i < size; ++i) error.add(x.data()[i] * eigenvalue(i) / b.data()[i] - 1);
-  check.that({.id = "solution",
-              .text = "Every unknown is the right-hand side over its eigenvalue.",
-              .quantity = "largest relative error",
-              .source = "Golub & Van Loan, Matrix Computations (2013), 11.3"},
-             {.value = error.value()},
-             Bound{.limit = 1e-12 * 7 * std::sqrt(9000.0),
-                   .reason = "the tolerance times the norm of the right-hand side, over its smallest entry"});
+  check.holds("Every unknown is the right-hand side over its eigenvalue.", {error.value()},
+              Bound{1e-12 * 7 * std::sqrt(9000.0),
+                    "the tolerance times the norm of the right-hand side, over its smallest entry"});
 }
 
 }  // namespace lattice_matrix_test

@@ -12,6 +12,7 @@
 namespace tridiagonal_test {
 
 using namespace seiche::linear;
+using namespace seiche::verification;
 using seiche::Largest;
 using seiche::worst;
 
@@ -96,18 +97,13 @@ double largest_error(bool periodic) {
 }
 
 TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
-  seiche::verification::Check check("tridiagonal_solvers", "Tridiagonal solvers against dense Cholesky",
-                                    "Random symmetric positive definite systems of 1 to 257 rows, from barely to "
-                                    "strongly diagonally dominant, solved in "
-                                    "place, against Eigen's dense LLT.");
+  Check check("tridiagonal_solvers", "Tridiagonal solvers against dense Cholesky",
+              "Random symmetric positive definite systems of 1 to 257 rows, from barely to "
+              "strongly diagonally dominant, solved in "
+              "place, against Eigen's dense LLT.");
   const auto claim = [&](const std::string& id, const std::string& text, double error) {
-    check.that({.id = id,
-                .text = text,
-                .quantity = "largest error relative to the largest entry of the solution",
-                .source = "Golub & Van Loan, Matrix Computations (2013), 4.3"},
-               {.value = error, .resolution = "1 to 257 rows"},
-               seiche::evidence::Bound{
-                   1e-12, "condition number up to 1e3 times a few roundings per row, here and in the dense solver"});
+    check.holds(id + ": " + text, {error},
+                Bound{1e-12, "condition number up to 1e3 times a few roundings per row, here and in the dense solver"});
   };
   claim("two-ended", "Elimination from both ends solves the tridiagonal system.",
         largest_error<TwoEndedTridiagonal>(false));

@@ -14,9 +14,7 @@
 namespace constraint_parts_test {
 
 using namespace seiche;
-using evidence::Bound;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 std::vector<double> random_rates(std::size_t count, unsigned seed) {
   std::minstd_rand random(seed);
@@ -49,15 +47,11 @@ TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[me
     for (std::size_t s = 0; s < curvature.size(); ++s) {
       worst.add(curvature[s] - (both[s] - first[s] - second[s] + none[s]));
     }
-    check.that({.id = pinned ? "pinned" : "free",
-                .text = "The curvature is the mixed difference of the constraints.",
-                .quantity = "largest difference",
-                .source = "Taylor's theorem"},
-               {.value = worst.value()},
-               Roundoff{.operations = 40,
-                        .scale = 54,
-                        .reason = "four values of ten operations, half a square of "
-                                  "differences up to 6 in three coordinates"});
+    check.holds(std::string(pinned ? "pinned" : "free") + ": The curvature is the mixed difference of the constraints.",
+                {worst.value()},
+                Roundoff{40, 54,
+                         "four values of ten operations, half a square of "
+                         "differences up to 6 in three coordinates"});
   }
 }
 
@@ -94,9 +88,9 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
               .quantity = "largest difference",
               .source = "Taylor's theorem"},
              {.value = worst.value()},
-             Bound{.limit = 1e-9,
-                   .reason = "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products "
-                             "of places up to 6, 1e-15, over h^2"});
+             Bound{1e-9,
+                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products "
+                   "of places up to 6, 1e-15, over h^2"});
 }
 
 TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
@@ -137,12 +131,10 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
     }
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.that({.id = id, .text = text, .quantity = "largest difference of a velocity", .source = "geometry"},
-               {.value = value},
-               Roundoff{.operations = 20,
-                        .scale = 1,
-                        .reason = "a normal from rounded places, a "
-                                  "product with it, and its part"});
+    check.holds(id + ": " + text, {value},
+                Roundoff{20, 1,
+                         "a normal from rounded places, a "
+                         "product with it, and its part"});
   };
   claim("wall", "Along the wall the part along it is left.", slid.value());
   claim("inside", "Velocities of nodes inside the water are not changed by sliding walls.", free.value());

@@ -17,9 +17,6 @@ using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
 using seiche::LevelBottom;
 using seiche::Mean;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 using seiche::validation::DispersiveManufactured;
 
 constexpr double gravity = 9.81;
@@ -106,17 +103,11 @@ TEST_CASE("friction at the bottom slows a uniform current as its law says", "[ma
       start.push_back(std::abs(velocity_at(uniform_flow(law.friction, 0, gravity * slope), 2, tau) -
                                normal * std::tanh(2 * gravity * slope / normal)));
     }
-    check.that(
-        {.id = law.id + "-decay",
-         .text = law.text + " slows a current down at the rate of the law.",
-         .quantity = "velocity after 4 s, steps of 0.1 s",
-         .unit = "m/s",
-         .source = "Chow (1959), chapter 5"},
-        {.value = velocity_at(uniform_flow(law.friction, 1, 0), 4, 0.1)},
-        Roundoff{.operations = 40 * 20,
-                 .scale = 1,
-                 .reason = "two sweeps of the midpoint rule give u/(1 + k u tau) exactly; twenty operations a step",
-                 .expected = 1 / (1 + 4 * k)});
+    check.holds(
+        law.text + " slows a current down at the rate of the law.",
+        {velocity_at(uniform_flow(law.friction, 1, 0), 4, 0.1)},
+        Roundoff{40 * 20, 1, "two sweeps of the midpoint rule give u/(1 + k u tau) exactly; twenty operations a step",
+                 1 / (1 + 4 * k)});
     check.that({.id = law.id + "-normal",
                 .text = law.text + " and the slope: the flow starts towards the normal one.",
                 .quantity = "order of the velocity's error after 2 s",
@@ -152,7 +143,6 @@ TEST_CASE("friction over an uneven bottom: a manufactured motion", "[manufacture
                 .quantity = "order of its error",
                 .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4"},
                observed_order(spacings, errors), Order{2, 0.1, "second order in space and time, steps of h/4"});
-    check.measure("rms error of p at h = 0.05, " + id, errors.back());
   }
 }
 
@@ -177,34 +167,30 @@ TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
               .quantity = "largest defect over the energy",
               .source = "energy balance"},
              {.value = flow.ledger().largest_defect("energy") / energy},
-             Roundoff{.operations = 200 * 120,
-                      .scale = 2,
-                      .reason = "a rounded term per marker and step; kinetic and potential energy are halves"});
+             Roundoff{200 * 120, 2, "a rounded term per marker and step; kinetic and potential energy are halves"});
   check.that({.id = "momentum",
               .text = "Momentum plus the booked impulse of friction is conserved to round-off.",
               .quantity = "largest defect over the momentum",
               .source = "momentum balance"},
              {.value = flow.ledger().largest_defect("momentum") / momentum},
-             Roundoff{.operations = 200 * 120, .scale = 2, .reason = "a rounded term per marker and step"});
-  check.that(
-      {.id = "taken",
-       .text = "Friction takes what its law takes of the wave at the start, in the order of magnitude.",
-       .quantity = "share of the energy lost in 10 s over the rate of the start times 10 s",
-       .source = "Manning's law"},
-      {.value = flow.lost().friction / energy /
-                (10 *
-                 [&] {
-                   Flow fresh(channel, solitary_markers(channel, 0, 30, 0.25, {.amplitude = 0.3, .crest = 15}));
-                   double power = 0;
-                   for (std::size_t i = 0; i < fresh.p().size(); ++i) {
-                     const double water = 1 + fresh.y()[i];
-                     power += fresh.model().masses()[i] * gravity * 0.05 * 0.05 * std::pow(std::abs(fresh.p()[i]), 3) /
-                              std::pow(water, 4.0 / 3);
-                   }
-                   return power / fresh.energy();
-                 }())},
-      seiche::evidence::Bound{
-          .limit = 0.2, .reason = "the wave decays by less than a fifth of its height meanwhile", .expected = 1});
+             Roundoff{200 * 120, 2, "a rounded term per marker and step"});
+  check.that({.id = "taken",
+              .text = "Friction takes what its law takes of the wave at the start, in the order of magnitude.",
+              .quantity = "share of the energy lost in 10 s over the rate of the start times 10 s",
+              .source = "Manning's law"},
+             {.value = flow.lost().friction / energy /
+                       (10 *
+                        [&] {
+                          Flow fresh(channel, solitary_markers(channel, 0, 30, 0.25, {.amplitude = 0.3, .crest = 15}));
+                          double power = 0;
+                          for (std::size_t i = 0; i < fresh.p().size(); ++i) {
+                            const double water = 1 + fresh.y()[i];
+                            power += fresh.model().masses()[i] * gravity * 0.05 * 0.05 *
+                                     std::pow(std::abs(fresh.p()[i]), 3) / std::pow(water, 4.0 / 3);
+                          }
+                          return power / fresh.energy();
+                        }())},
+             Bound{0.2, "the wave decays by less than a fifth of its height meanwhile", 1});
 }
 
 }  // namespace dispersive_friction_test

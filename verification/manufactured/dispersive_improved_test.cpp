@@ -19,8 +19,6 @@ namespace dispersive_improved_test {
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
 using seiche::Mean;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
 using seiche::validation::DispersiveManufactured;
 
 constexpr double gamma_factor = 1.0 / 15;

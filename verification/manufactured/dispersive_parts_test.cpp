@@ -12,10 +12,7 @@ namespace dispersive_parts_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
-using evidence::Roundoff;
-using verification::Check;
-
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 3, formulas 8-12";
+using namespace seiche::verification;
 
 /// Two slopes of 1 to 4 and 1 to 8 that meet at (0, -1).
 std::shared_ptr<const BottomProfile> valley() {
@@ -52,13 +49,8 @@ TEST_CASE("both shores have the mass of their tip", "[manufactured]") {
     const Channel channel{.bottom = valley(), .left = End::tip, .right = End::tip, .tip_mass = mass};
     const Model model(channel, still_markers(channel, equal_labels(channel, -4, 8, 12)));
     const auto claim = [&](const std::string& side, double part) {
-      check.that(
-          {.id = std::string(name) + "-" + side,
-           .text = "Share of its cell in the mass of the tip, " + side + ".",
-           .quantity = "mass of the tip/volume of its cell",
-           .source = source},
-          {.value = part},
-          Roundoff{.operations = 10, .scale = share, .reason = "two areas of five operations each", .expected = share});
+      check.holds(std::string(name) + "-" + side + ": Share of its cell in the mass of the tip, " + side + ".", {part},
+                  Roundoff{10, share, "two areas of five operations each", share});
     };
     claim("left", model.masses().front() / model.rest_volumes().front());
     claim("right", model.masses().back() / model.rest_volumes().back());
@@ -81,16 +73,11 @@ TEST_CASE("a wall on a slope moves its column up and down", "[manufactured]") {
       const Markers markers = still_markers(channel, equal_labels(channel, -2, 8, 10));
       const Model model(channel, markers);
       const double part = 2 * energy_across(model, model.state_of(markers), 0) / model.masses().front();
-      check.that(
-          {.id = std::string(frank ? "frank" : "green-naghdi") + (alpha < 0.35 ? "-third" : "-more"),
-           .text = frank ? "Inertia of a wall's marker, Frank." : "Inertia of a wall's marker, Green and Naghdi.",
-           .quantity = "inertia/mass",
-           .source = source},
-          {.value = part},
-          Roundoff{.operations = 10,
-                   .scale = 1,
-                   .reason = "squares of a sine and a cosine, a sum, a quotient",
-                   .expected = frank ? 1 - cosine_square + alpha * cosine_square : alpha});
+      check.holds(
+          fmt::format("Inertia of a wall's marker, {}, alpha = {:.3g}.", frank ? "Frank" : "Green and Naghdi", alpha),
+          {part},
+          Roundoff{10, 1, "squares of a sine and a cosine, a sum, a quotient",
+                   frank ? 1 - cosine_square + alpha * cosine_square : alpha});
     }
   }
 }
@@ -127,15 +114,12 @@ TEST_CASE("pressure on the surface acts as its integral with linear weights", "[
     }
     Worst worst;
     for (std::size_t i = 0; i < 2 * n; ++i) worst.add(with[i] - without[i] - expected[i]);
-    check.that({.id = periodic ? "periodic" : "open",
-                .text = "Forces on the markers are the integrals of the pressure.",
-                .quantity = "largest difference of a force",
-                .source = source},
-               {.value = worst.value()},
-               Roundoff{.operations = 30,
-                        .scale = 1,
-                        .reason = "forces of gravity and pressure below 1, in some thirty "
-                                  "operations, as impulses over masses and back"});
+    check.holds(
+        std::string(periodic ? "periodic" : "open") + ": Forces on the markers are the integrals of the pressure.",
+        {worst.value()},
+        Roundoff{30, 1,
+                 "forces of gravity and pressure below 1, in some thirty "
+                 "operations, as impulses over masses and back"});
   }
 }
 

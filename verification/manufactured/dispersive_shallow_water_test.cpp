@@ -22,9 +22,6 @@ namespace dispersive_shallow_water_test {
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
 using seiche::Largest;
-using seiche::evidence::Bound;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
 using seiche::validation::DispersiveManufactured;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
@@ -151,14 +148,9 @@ void check_table(Check& check, const std::string& id, const Frames& frame, const
   }
   check.table(table);
   for (std::size_t k = 0; k < unknowns; ++k) {
-    check.that({.id = fmt::format("{}-{}", id, names[k]),
-                .text = fmt::format("{}, {} scheme: the error of {} has every recorded digit (regression).", frame.text,
-                                    scheme.text, names[k]),
-                .quantity = "largest difference in units of the third digit",
-                .source = digits},
-               {.value = farthest[k].value(),
-                .resolution = fmt::format("n = {} to {}", printed.front().first, printed.back().first)},
-               Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
+    check.holds(fmt::format("{}, {} scheme: the error of {} has every recorded digit (regression).", frame.text,
+                            scheme.text, names[k]),
+                {farthest[k].value()}, Bound{0.5, "half a unit of the last printed digit"});
   }
 }
 
@@ -212,14 +204,10 @@ TEST_CASE("the errors of dispersive shallow water are those of an earlier progra
                                                                       check.record().reference_data);
   const auto printed = [&](std::size_t k) {
     const double expected = known.column(names[k]).front();
-    check.that({.id = "conservative-" + names[k],
-                .text = fmt::format(
-                    "Frank's energy, fully conservative scheme: the error of {} has every recorded digit (regression).",
+    check.holds(
+        fmt::format("Frank's energy, fully conservative scheme: the error of {} has every recorded digit (regression).",
                     names[k]),
-                .quantity = "difference in units of the third digit",
-                .source = digits},
-               {.value = in_last_digits(conservative[k], expected), .resolution = "n = 400"},
-               Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
+        {in_last_digits(conservative[k], expected)}, Bound{0.5, "half a unit of the last printed digit"});
   };
   for (const std::size_t k : {0, 1, 4}) printed(k);
 }
@@ -264,13 +252,8 @@ TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactu
   const std::vector<double> last_digit{1e-5, 1e-6, 1e-6};
   panel.points("p, earlier program", coarse, expected, Role::peer);
   for (std::size_t i = 0; i < coarse.size(); ++i) {
-    check.that(
-        {.id = fmt::format("p-{}", i + 1),
-         .text = fmt::format("Error of p with steps of {:g}.", coarse[i]),
-         .quantity = "root-mean-square error of p",
-         .source = digits},
-        {.value = rms(run(1600, coarse[i]))[2], .resolution = fmt::format("n = 1600, tau = {:g}", coarse[i])},
-        Bound{.limit = last_digit[i] / 2, .reason = "half a unit of the last printed digit", .expected = expected[i]});
+    check.holds(fmt::format("Error of p with steps of {:g}.", coarse[i]), {rms(run(1600, coarse[i]))[2]},
+                Bound{last_digit[i] / 2, "half a unit of the last printed digit", expected[i]});
   }
 }
 

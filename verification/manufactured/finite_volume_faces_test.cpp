@@ -8,6 +8,7 @@
 namespace finite_volume_faces_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using shallow_water::State;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
@@ -36,22 +37,23 @@ FiniteVolumeFlow stationary_jump(State upstream, State downstream) {
 }
 
 TEST_CASE("fluxes through a face are those of the schemes in closed form", "[manufactured]") {
-  verification::Check check(
+  Check check(
       "finite_volume_faces", "Finite volumes: fluxes in closed form",
       "Steps so short that the states beside a face do not change. A stream of depth $h$ and velocity $u$ that meets a "
       "wall is a collision with its mirror image: Einfeldt's speeds are $\\pm(c + u/2)$, and the thrust on the wall is "
       "$g h^2/2 + h u^2 + h u (c + u/2)$. Water that ends at a dry bed: speeds $-c$ and $2c$, through the face pass "
       "$\\frac23 c h$ of mass and $\\frac13 g h^2$ of momentum. Roe's linearisation leaves a stationary jump where it "
       "is, and dissolves the same states in the wrong order, which gain energy.");
+  check.source(source);
   constexpr double tau = 1e-9;
-  const evidence::Bound short_step{.limit = 1e-7,
-                                   .reason =
-                                       "the states beside the face change by the courant number, 1e-8; ten "
-                                       "times that for numbers up to 10 c h",
-                                   .expected = 0,
-                                   .relative = true};
+  const Bound short_step{.limit = 1e-7,
+                         .reason =
+                             "the states beside the face change by the courant number, 1e-8; ten "
+                             "times that for numbers up to 10 c h",
+                         .expected = 0,
+                         .relative = true};
   const auto expected = [&](double value) {
-    evidence::Bound limit = short_step;
+    Bound limit = short_step;
     limit.expected = value;
     return limit;
   };
@@ -63,8 +65,7 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   check.that({.id = "collision",
               .text = "A wall that stops a stream bears the thrust of the HLL flux with Einfeldt's speeds.",
               .quantity = "thrust on the wall over density",
-              .unit = "m^3/s^2",
-              .source = source},
+              .unit = "m^3/s^2"},
              {.value = -stream.ledger().impulse_right / tau},
              expected(0.5 * g * h * h + h * u * u + h * u * (c + u / 2)));
   auto dam = two_states({.scheme = Scheme::muscl_hll, .right = End::inflow({0, 0})}, {h, 0}, {h, 0});
@@ -72,14 +73,12 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   check.that({.id = "dry-mass",
               .text = "Two thirds of the celerity times the depth leave onto a dry bed in the first instant.",
               .quantity = "discharge onto the dry bed",
-              .unit = "m^2/s",
-              .source = source},
+              .unit = "m^2/s"},
              {.value = -dam.ledger().mass_right / tau}, expected(2 * c * h / 3));
   check.that({.id = "dry-momentum",
               .text = "With it passes a third of g h^2.",
               .quantity = "momentum flux onto the dry bed",
-              .unit = "m^3/s^2",
-              .source = source},
+              .unit = "m^3/s^2"},
              {.value = -dam.ledger().impulse_right / tau}, expected(g * h * h / 3));
 
   const double flux = shallow_water::jump_mass_flux(g, 0.5, 1.2);
@@ -93,13 +92,11 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   check.that({.id = "roe-jump",
               .text = "Roe's scheme leaves a stationary jump where it is.",
               .quantity = "largest change of the depth in ten seconds",
-              .unit = "m",
-              .source = source},
+              .unit = "m"},
              {.value = moved.value(), .resolution = std::to_string(steps) + " steps"},
-             evidence::Roundoff{.operations = 4e6,
-                                .scale = 1.2,
-                                .reason = "at most 100 steps of some 40 roundings of numbers up to 1.2 m, which "
-                                          "repeat from step to step: 1e3 steps squared"});
+             Roundoff{4e6, 1.2,
+                      "at most 100 steps of some 40 roundings of numbers up to 1.2 m, which "
+                      "repeat from step to step: 1e3 steps squared"});
   auto expansion = stationary_jump(deep, shallow);
   expansion.advance_to(1, 0.8);
   Largest kept;
@@ -107,17 +104,15 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   check.that({.id = "roe-expansion",
               .text = "A jump that would gain energy spreads into a fan.",
               .quantity = "largest difference of neighbouring depths after one second",
-              .unit = "m",
-              .source = source},
+              .unit = "m"},
              {.value = kept.value(), .resolution = "40 cells of 1 m"},
-             evidence::Bound{
-                 .limit = 0.35,
-                 .reason = "u - c grows from -1.6 to 2.3 m/s: a fan over four cells; half of the whole difference of "
-                           "0.7 m in one cell is no fan"});
+             Bound{0.35,
+                   "u - c grows from -1.6 to 2.3 m/s: a fan over four cells; half of the whole difference of "
+                   "0.7 m in one cell is no fan"});
 }
 
 TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
-  verification::Check check(
+  Check check(
       "finite_volume_sources", "Finite volumes: friction and bed",
       "Uniform flow between free ends under Manning's friction obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$: the "
       "implicit "
@@ -136,10 +131,8 @@ TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
               .unit = "m/s",
               .source = "Manning's law, integrated"},
              {.value = river.velocity()[cells / 2]},
-             evidence::Roundoff{.operations = 10.0 * steps,
-                                .scale = 2,
-                                .reason = "ten roundings per step of a velocity that starts with 2 m/s",
-                                .expected = 2 / (1 + 2 * rate * 0.1 * steps)});
+             Roundoff{10.0 * steps, 2, "ten roundings per step of a velocity that starts with 2 m/s",
+                      2 / (1 + 2 * rate * 0.1 * steps)});
   const Bed slope{[](double x) { return 0.1 * x; }, [](double x) { return 0.05 * x * x; }};
   std::vector<double> depth;
   for (std::size_t i = 0; i < cells; ++i) depth.push_back(0.7 - 0.15 * 0.1 * (static_cast<double>(i) + 0.5));
@@ -152,10 +145,8 @@ TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
               .unit = "m^3/s",
               .source = "finite-volume form: what leaves a cell enters its neighbour or the bed"},
              {.value = water.momentum_defect(), .resolution = "40 cells, 4000 steps"},
-             evidence::Roundoff{
-                 .operations = 3.0 * cells * swings,
-                 .scale = 0.005,
-                 .reason = "three roundings per cell and step of thrusts up to g (0.7 m)^2/2 = 2.4 m^3/s^2 times tau"});
+             Roundoff{3.0 * cells * swings, 0.005,
+                      "three roundings per cell and step of thrusts up to g (0.7 m)^2/2 = 2.4 m^3/s^2 times tau"});
 }
 
 }  // namespace finite_volume_faces_test

@@ -10,6 +10,7 @@
 namespace finite_volume_smooth_wave_test {
 
 using namespace seiche;
+using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
@@ -42,7 +43,7 @@ struct Expectation {
 };
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
-  verification::Check check(
+  Check check(
       "finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
       "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two "
       "thirds of its breaking time. "
@@ -76,17 +77,11 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       REQUIRE(known.column("N")[row] == static_cast<double>(cells));
       const double error = mean_depth_error(wave, expectation.scheme, cells);
       const std::string n = std::to_string(cells);
-      check.that({.id = id + "-" + n,
-                  .text = "The error of " + id + " on " + n + " cells has its recorded digits (regression).",
-                  .quantity = "mean error of the depth",
-                  .unit = "m",
-                  .source = "regression: an earlier program for the same schemes"},
-                 {.value = error, .resolution = "N = " + n + ", Courant number 0.4"},
-                 evidence::Bound{.limit = 0.01,
-                                 .reason = "three printed digits of the earlier program (0.5 %), and its means of "
-                                           "the exact solution by sampling (0.5 %)",
-                                 .expected = known.column("error")[row],
-                                 .relative = true});
+      check.holds("The error of " + id + " on " + n + " cells has its recorded digits (regression).", {error},
+                  Bound{0.01,
+                        "three printed digits of the earlier program (0.5 %), and its means of "
+                        "the exact solution by sampling (0.5 %)",
+                        known.column("error")[row], true});
       widths.push_back(length / static_cast<double>(cells));
       errors.push_back(error);
     }
@@ -101,10 +96,9 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
          .quantity = "order of convergence",
          .source = "Toro, Shock-capturing methods for free-surface shallow flows "
                    "(2001)"},
-        evidence::observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
-        evidence::Order{expectation.order, 0.15,
-                        "approached from below: next term of the error on the four finest grids"});
-    panel.line(id, widths, errors, verification::Role::computed);
+        observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
+        Order{expectation.order, 0.15, "approached from below: next term of the error on the four finest grids"});
+    panel.line(id, widths, errors, Role::computed);
   }
 }
 

@@ -24,8 +24,6 @@ using namespace seiche::verification;
 using seiche::Mean;
 using seiche::Point;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Order;
 using seiche::exact::StretchingDrop;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
@@ -78,7 +76,7 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
                          double theory) {
     check.that(
         {.id = id, .text = text, .quantity = "order of the largest distance at t = 2", .source = source},
-        seiche::evidence::observed_order(lengths, error),
+        observed_order(lengths, error),
         Order{theory, 0.01,
               "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
               "order over this range"});
@@ -122,23 +120,14 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
                                                       SplineSpace::Settings{.inner_fraction = 0.4}),
                         tau);
     note(rings, particles, e);
-    const std::string resolution = fmt::format("{} particles", particles.size() - 64);
-    check.that({.id = fmt::format("rings-{}-surface", rings),
-                .text = fmt::format("{} rings: the markers stay on the surface.", rings),
-                .quantity = "largest distance of a marker from its exact place at t = 2",
-                .unit = "radius",
-                .source = source},
-               {.value = e.surface, .resolution = resolution},
-               Bound{0.01 / static_cast<double>(rings),
-                     "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; "
-                     "splines that are not continued at cut cells err by a third of the spacing and more"});
+    check.holds(fmt::format("{} rings: the markers stay on the surface.", rings), {e.surface},
+                Bound{0.01 / static_cast<double>(rings),
+                      "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; "
+                      "splines that are not continued at cut cells err by a third of the spacing and more"});
     if (rings == 20) continue;  // sums over 30 particles to a cell err by as much as the steps and more
-    check.that({.id = fmt::format("rings-{}-places", rings),
-                .text = fmt::format("The error of the splines is below the error of the steps ({} rings).", rings),
-                .quantity = "rms distance at t = 2 over that with linear fields alone",
-                .source = source},
-               {.value = e.rms / steps.rms, .resolution = resolution},
-               Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
+    check.holds(fmt::format("The error of the splines is below the error of the steps ({} rings).", rings),
+                {e.rms / steps.rms},
+                Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   }
   note(20, few, steps);
 }
@@ -168,13 +157,8 @@ TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
         },
         2);
     const double exact = drop.at(time).central_pressure;
-    check.measure(fmt::format("what the fit leaves of the gradient, degree {}", degree), fit.residue());
-    check.that(
-        {.id = fmt::format("degree-{}", degree),
-         .text = fmt::format("Splines of degree {}: the pressure at the middle.", degree),
-         .quantity = "error relative to the exact pressure",
-         .source = source},
-        {.value = fit.pressure({0, 0}) / exact - 1, .resolution = "1200 particles, tau = 0.005"},
+    check.holds(
+        fmt::format("Splines of degree {}: the pressure at the middle.", degree), {fit.pressure({0, 0}) / exact - 1},
         Bound{0.1 / std::sqrt(1200.0),
               "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over 1200 "
               "particles"});

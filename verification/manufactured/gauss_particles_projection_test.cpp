@@ -16,7 +16,6 @@ namespace gauss_particles_projection_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
-using seiche::evidence::Order;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, formula (21)";
 
@@ -99,8 +98,7 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
   auto& panel = figure.panel({.x = "h", .y = "relative error", .log_x = true, .log_y = true});
   for (const bool random : {false, true}) {
     for (int degree = 2; degree <= 4; ++degree) {
-      std::vector<double> sizes;
-      std::vector<double> errors;
+      Convergence errors;
       for (const int cells : {20, 40, 80, 160}) {
         Particles at = water(cells, 4, false);
         if (random) {
@@ -112,18 +110,17 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
           }
         }
         const Velocities exact = solenoidal(at);
-        sizes.push_back(length / cells);
-        errors.push_back(difference(at, projected(at, exact, degree, cells), exact));
+        errors.add(length / cells, difference(at, projected(at, exact, degree, cells), exact));
       }
       const std::string name =
           "p = " + std::to_string(degree) + (random ? ", random particles" : ", particles in rows");
-      panel.line(name, sizes, errors, Role::computed);
+      panel.line(name, errors.sizes, errors.errors, Role::computed);
       check.that(
           {.id = std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
            .text = "The projection errs by O(h^p): " + name + ".",
            .quantity = "order of the relative error",
            .source = source},
-          seiche::evidence::observed_order(sizes, errors),
+          errors.order(),
           Order{static_cast<double>(degree), 0.25,
                 "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 at the "
                 "coarsest lattice, 0.08 at the finest, a quarter on average"});
@@ -139,13 +136,11 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
       "spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the seed of "
       "the instability under gravity.");
   for (const bool end_corrected : {false, true}) {
-    std::vector<double> sizes;
-    std::vector<double> leaks;
+    Convergence leaks;
     for (const int per_side : {8, 16, 32, 64}) {
       const Particles at = water(40, per_side, end_corrected);
       const Velocities full = gradient(at);
-      sizes.push_back(1.0 / per_side);
-      leaks.push_back(norm(at, projected(at, full, 3, 40)) / norm(at, full));
+      leaks.add(1.0 / per_side, norm(at, projected(at, full, 3, 40)) / norm(at, full));
     }
     const double theory = end_corrected ? 4 : 2;
     check.that({.id = end_corrected ? "end-corrected" : "midpoint",
@@ -153,7 +148,7 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
                         (end_corrected ? "end-corrected masses have order 4." : "equal masses have order 2."),
                 .quantity = "order of the part of a gradient that is left, in the particles' spacing",
                 .source = source},
-               seiche::evidence::observed_order(sizes, leaks),
+               leaks.order(),
                end_corrected
                    ? Order{theory, 0.5,
                            "the midpoint rule with its first end correction is of fourth order; where rows of "
@@ -210,17 +205,12 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
         w.v.push_back(v.y);
       }
       space.project(w.u, w.v);
-      check.that(
-          {.id = flow.id + "-" + std::to_string(cells),
-           .text = flow.text + ", h = 1/" + std::to_string(cells) + ".",
-           .quantity = "penalty over its factor, h^(7/2) and the area",
-           .source = "definition of the penalty"},
-          {.value = space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
-          seiche::evidence::Bound{
-              .limit = 1e-7,
-              .reason = "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions "
+      check.holds(flow.text + ", h = 1/" + std::to_string(cells) + ".",
+                  {space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
+                  Bound{1e-7,
+                        "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions "
                         "up to 8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
-              .expected = flow.gradient * flow.gradient});
+                        flow.gradient * flow.gradient});
     }
   }
 }

@@ -14,10 +14,8 @@ namespace integrator_parts_test {
 
 using namespace seiche;
 using namespace seiche::mechanics;
-using evidence::Bound;
-using evidence::Roundoff;
+using namespace seiche::verification;
 using rigid_chain::RigidChain;
-using verification::Check;
 
 double sum_of_powers(const std::vector<double>& weights, int power) {
   Mean mean;
@@ -53,15 +51,8 @@ TEST_CASE("weights of compositions meet the conditions of order four", "[mechani
       "A symmetric composition of a symmetric step of order two is of order four when its weights add up to one "
       "and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
   const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.that({.id = id,
-                .text = text,
-                .quantity = "as stated",
-                .source = "Hairer, Lubich & Wanner, Geometric Numerical Integration (2006), II.4"},
-               {.value = value},
-               Roundoff{.operations = 10,
-                        .scale = 5,
-                        .reason = "at most ten rounded weights, their cubes up to 5",
-                        .expected = expected});
+    check.holds(id + ": " + text, {value},
+                Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
   };
   // The cubes of the halves of a pair are an eighth of the stage's each: a quarter of nothing.
   for (const Stages stages : {Stages::single, Stages::paired}) {
@@ -73,8 +64,8 @@ TEST_CASE("weights of compositions meet the conditions of order four", "[mechani
     claim("triple-jump-symmetry" + kind, "The weights of the triple jump are symmetric.", asymmetry(triple), 0);
     const std::vector<double> suzuki = suzuki_weights(stages);
     claim("suzuki-sum" + kind, "The weights of Suzuki's composition add up to one.", sum_of_powers(suzuki, 1), 1);
-    claim("suzuki-cubes" + kind, "The cubes of Suzuki's weights add up to zero.", sum_of_powers(suzuki, 3), 0);
-    claim("suzuki-symmetry" + kind, "The weights of Suzuki's composition are symmetric.", asymmetry(suzuki), 0);
+    claim("suzuki-cubes" + kind, "The cubes of the triple jump's weights add up to zero.", sum_of_powers(suzuki, 3), 0);
+    claim("suzuki-symmetry" + kind, "The weights of the triple jump are symmetric.", asymmetry(suzuki), 0);
   }
 }
 
@@ -86,8 +77,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   std::vector<double> lengths;
   equal_steps_to(state, 2, 0.4, {}, [&](double length) { lengths.push_back(length); });
   const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.that({.id = id, .text = text, .quantity = id, .source = "mechanics/state.hpp"}, {.value = value},
-               Roundoff{.operations = 4, .scale = 2, .reason = "a rounded time per step", .expected = expected});
+    check.holds(id + ": " + text, {value}, Roundoff{4, 2, "a rounded time per step", expected});
   };
   claim("count", "There are as few as fit.", static_cast<double>(lengths.size()), 4);
   claim("longest", "The longest is the time over their number.", largest(lengths), 0.375);
@@ -105,16 +95,12 @@ TEST_CASE("adaptive methods keep their tolerance", "[mechanics]") {
   for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
     for (const AdaptiveMethod method : {AdaptiveMethod::dormand_prince_5, AdaptiveMethod::fehlberg_78}) {
       const bool fifth = method == AdaptiveMethod::dormand_prince_5;
-      check.that(
-          {.id = (fifth ? "dormand-prince-" : "fehlberg-") + std::to_string(std::lround(-std::log10(tolerance))),
-           .text = fifth ? "Dormand and Prince's method holds its error to the tolerance over all steps."
-                         : "Fehlberg's method of order seven holds its error to the tolerance over all steps.",
-           .quantity = "error over the tolerance and the number of steps",
-           .source = "Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I (1993), II.4"},
-          {.value = oscillator_error(method, tolerance)},
-          Bound{.limit = 3 * std::sqrt(2.0),
-                .reason = "of each of two numbers a step errs by the tolerance times one and their magnitudes and "
-                          "changes, each at most one"});
+      check.holds(fifth ? "Dormand and Prince's method holds its error to the tolerance over all steps."
+                        : "Fehlberg's method of order seven holds its error to the tolerance over all steps.",
+                  {oscillator_error(method, tolerance)},
+                  Bound{3 * std::sqrt(2.0),
+                        "of each of two numbers a step errs by the tolerance times one and their magnitudes and "
+                        "changes, each at most one"});
     }
   }
 }
@@ -138,9 +124,7 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
     velocities.add(worst(values));
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value, const std::string& reason) {
-    check.that(
-        {.id = id, .text = text, .quantity = "largest defect", .source = "Andersen, J. Comput. Phys. 52 (1983) 24"},
-        {.value = value}, Roundoff{.operations = 10, .scale = 10, .reason = reason});
+    check.holds(id + ": " + text, {value}, Roundoff{10, 10, reason});
   };
   claim("positions", "Links keep their lengths to round-off, anew in each step.", positions.value(),
         "products of coordinates up to 2 and of their differences, ten to a link; nothing accumulates");

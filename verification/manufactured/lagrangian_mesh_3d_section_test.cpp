@@ -16,7 +16,7 @@ namespace lagrangian_mesh_3d_section_test {
 
 using namespace seiche;
 using mechanics::Stepping;
-using verification::Check;
+using namespace seiche::verification;
 
 namespace section = lagrangian_mesh_2d;
 namespace space = lagrangian_mesh_3d;
@@ -86,16 +86,11 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
       "lengths, the hexahedra have one more constraint: two schemes of second order.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
-    check.that({.id = "plane-" + id,
-                .text = "Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
-                .quantity = "largest difference of a place",
-                .unit = "depth",
-                .source = source},
-               {.value = difference({.c1 = 0.08, .c2 = 0}, stepping, 0.1), .resolution = "tau = 0.1, 40 steps"},
-               evidence::Roundoff{.operations = 40 * 8,
-                                  .scale = length,
-                                  .reason = "places up to 8 depths, rounded with those of the seven other corners in "
-                                            "each of 40 steps"});
+    check.holds("Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
+                {difference({.c1 = 0.08, .c2 = 0}, stepping, 0.1)},
+                Roundoff{40 * 8, length,
+                         "places up to 8 depths, rounded with those of the seven other corners in "
+                         "each of 40 steps"});
   }
   const std::vector<double> taus{0.2, 0.1, 0.05, 0.025};
   std::vector<double> differences;
@@ -104,8 +99,8 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
               .text = "Over a bent slope the difference vanishes with the square of the step.",
               .quantity = "observed order",
               .source = source},
-             evidence::observed_order(taus, differences),
-             evidence::Order{.theory = 2, .tolerance = 0.3, .reason = "both schemes are symmetric, of second order"});
+             observed_order(taus, differences),
+             Order{.theory = 2, .tolerance = 0.3, .reason = "both schemes are symmetric, of second order"});
 }
 
 }  // namespace lagrangian_mesh_3d_section_test

@@ -13,9 +13,6 @@ namespace lagrangian_mesh_accuracy_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::verification;
-using seiche::evidence::Bound;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 2";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -72,32 +69,25 @@ class Judge {
       tau.push_back(motion_.time / n);
       error.push_back(largest_difference(Input(integrated(motion_, integrator, n).state.q), truth_.q));
       for (const Expected& e : expected) {
-        if (e.steps == n) known(integrator, "-error-", "largest coordinate error", n, error.back(), e.error);
+        if (e.steps == n) known(integrator, error.back(), e.error);
       }
     }
     check_.that({.id = std::string(name(integrator)) + "-order",
-                 .text = "The coordinate error of " + std::string(title(integrator)) + " has order " +
-                         std::to_string(order(integrator)) + ".",
+                 .text = std::string(title(integrator)) + ": order " + std::to_string(order(integrator)) + ".",
                  .quantity = "order of the largest coordinate error",
                  .source = source},
-                seiche::evidence::observed_order(tau, error, floor), expected_order(integrator, tau.front()));
+                observed_order(tau, error, floor), expected_order(integrator, tau.front()));
     panel_.line(std::string(title(integrator)), tau, error, keeps_energy(integrator) ? Role::computed : Role::peer);
   }
 
   /// Energy defect at the end of so many steps, in units of `scale`.
   void energy(Integrator integrator, int steps, Known expected, double scale = 1) {
-    known(integrator, "-energy-", "energy defect at the end", steps,
-          integrated(motion_, integrator, steps).last_energy_defect / scale, expected);
+    known(integrator, integrated(motion_, integrator, steps).last_energy_defect / scale, expected);
   }
   void keeps_exactly(Integrator integrator, int steps, double scale) {
-    check_.that(
-        {.id = std::string(name(integrator)) + "-energy",
-         .text = "Energy is conserved to round-off (" + std::string(title(integrator)) + ").",
-         .quantity = "largest energy defect",
-         .source = source},
-        {.value = integrated(motion_, integrator, steps).largest_energy_defect,
-         .resolution = std::to_string(steps) + " steps"},
-        Roundoff{.operations = static_cast<double>(steps), .scale = scale, .reason = "one rounded energy per step"});
+    check_.holds(std::string(title(integrator)) + ": energy to round-off.",
+                 {integrated(motion_, integrator, steps).largest_energy_defect},
+                 Roundoff{static_cast<double>(steps), scale, "one rounded energy per step"});
   }
 
  private:
@@ -112,16 +102,10 @@ class Judge {
     return {theory, theory == 4 ? 0.2 : 0.05, "smooth motion, steps far below its times"};
   }
 
-  void known(Integrator integrator, const std::string& what, const std::string& quantity, int steps, double value,
-             Known expected) {
+  void known(Integrator integrator, double value, Known expected) {
     const double last_digit = std::pow(10, std::floor(std::log10(expected.value)) - expected.printed + 1);
-    check_.that(
-        {.id = std::string(name(integrator)) + what + std::to_string(steps),
-         .text = "The " + quantity + " has its recorded value (regression, " + std::string(title(integrator)) + ").",
-         .quantity = quantity,
-         .source = digits},
-        {.value = value, .resolution = std::to_string(steps) + " steps"},
-        Bound{.limit = 0.5 * last_digit, .reason = "half a unit of the last digit", .expected = expected.value});
+    check_.holds(std::string(title(integrator)) + ": the number of an earlier program.", {value},
+                 Bound{0.5 * last_digit, "half a unit of the last digit", expected.value});
   }
 
   Check& check_;

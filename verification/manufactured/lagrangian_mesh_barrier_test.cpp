@@ -1,8 +1,8 @@
 #include <cmath>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
@@ -10,9 +10,10 @@ namespace lagrangian_mesh_barrier_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
+using namespace seiche::verification;
 
 TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
-  verification::Check check(
+  Check check(
       "lagrangian_mesh_barrier", "Corner barrier: force and energy",
       "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node against "
       "differences of the energy, fourth order in their width.");
@@ -27,8 +28,7 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
   std::vector<double> push_x(mesh.nodes(), 0.0);
   std::vector<double> push_y(mesh.nodes(), 0.0);
   barrier.push(mesh, areas, x.data(), y.data(), 1, push_x, push_y);
-  std::vector<double> widths;
-  std::vector<double> errors;
+  Convergence errors;
   for (double width = 0.008; width > 0.0004; width /= 2) {
     Largest largest;
     for (std::size_t k = 0; k < mesh.nodes(); ++k) {
@@ -45,15 +45,13 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
       };
       largest.add(std::hypot(push_x[k] + slope(x[k]), push_y[k] + slope(y[k])));
     }
-    widths.push_back(width);
-    errors.push_back(largest.value());
+    errors.add(width, largest.value());
   }
   check.that({.id = "force",
               .text = "The forces agree with the energy.",
               .quantity = "order of the largest difference in the width of the differences",
               .source = "the energy of corner_barrier.hpp"},
-             evidence::observed_order(widths, errors, 1e-9),
-             evidence::Order{4, 0.3, "fourth-order differences of a smooth energy"});
+             errors.order(1e-9), Order{4, 0.3, "fourth-order differences of a smooth energy"});
 }
 
 }  // namespace lagrangian_mesh_barrier_test

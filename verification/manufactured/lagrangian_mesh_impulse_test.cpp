@@ -12,9 +12,7 @@
 namespace lagrangian_mesh_impulse_test {
 
 using namespace seiche;
-using evidence::Order;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string source = "Lamb, Hydrodynamics (1932), art. 11; Frank (1994), chapter 2";
 constexpr double length = 40;
@@ -82,9 +80,9 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
           .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
                          Order criterion) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = source},
-               evidence::observed_order(h, errors), criterion);
-    panel.points(id, h, errors, verification::Role::computed);
+    check.that({.id = id, .text = text, .quantity = "observed order", .source = source}, observed_order(h, errors),
+               criterion);
+    panel.points(id, h, errors, Role::computed);
   };
   order("lower-half", "Velocities in the lower half agree with the wave, to second order.", lower_half,
         {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
@@ -99,12 +97,9 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
        .unit = "sqrt(g/depth)",
        .source = source},
       {.value = rates.value(), .resolution = "4 to 32 rows"},
-      Roundoff{
-          .operations = 10,
-          .scale = 1300,
-          .reason =
-              "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the cells' "
-              "reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
+      Roundoff{10, 1300,
+               "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the cells' "
+               "reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
 }
 
 }  // namespace lagrangian_mesh_impulse_test

@@ -19,9 +19,7 @@ namespace lagrangian_mesh_initial_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
-using evidence::Order;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 const std::string source = "Frank (1994), chapter 2: first data";
 
@@ -158,22 +156,17 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
     change.push_back(errors.change);
     interior.push_back(errors.interior_change);
   }
-  check.that({.id = id + "-columns",
-              .text = name + ": the columns hold equal areas of water.",
-              .quantity = "largest relative difference from their mean",
-              .source = source},
-             {.value = columns.value(), .resolution = "4 to 32 rows"},
-             Roundoff{.operations = 10,
-                      .scale = static_cast<double>(32 * columns_per_row),
-                      .reason = "both ends of a column are rounded places, up to the tank's length, that is as many "
-                                "columns' widths as there are"});
+  check.holds(id + "-columns: " + name + ": the columns hold equal areas of water.", {columns.value()},
+              Roundoff{10, static_cast<double>(32 * columns_per_row),
+                       "both ends of a column are rounded places, up to the tank's length, that is as many "
+                       "columns' widths as there are"});
   auto& panel = check.figure(id, name, "Relative errors of the first data against the height of the cells.")
                     .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
   const auto order = [&](const std::string& what, const std::string& text, const std::vector<double>& errors,
                          double tolerance, const std::string& reason) {
     check.that({.id = id + "-" + what, .text = name + ": " + text, .quantity = "observed order", .source = source},
-               evidence::observed_order(h, errors), Order{2, tolerance, reason});
-    panel.points(what, h, errors, verification::Role::computed);
+               observed_order(h, errors), Order{2, tolerance, reason});
+    panel.points(what, h, errors, Role::computed);
   };
   const std::string smooth = "smooth wave; the coarsest mesh has four rows";
   order("area", "the mesh's area is the water's, to second order.", area, 0.1, smooth);

@@ -12,8 +12,6 @@
 namespace lagrangian_mesh_test {
 
 using namespace seiche::verification;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
 using seiche::mechanics::Stepping;
 using seiche::validation::double_shear_errors;
 using seiche::validation::DoubleShearErrors;

@@ -12,6 +12,7 @@ namespace mesh_remap_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
+using namespace seiche::verification;
 
 constexpr double size = std::numbers::pi;
 
@@ -44,10 +45,10 @@ double error(std::size_t n) {
 }
 
 TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manufactured]") {
-  verification::Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
-                            "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for "
-                            "others: nodes move by up to 0.3 of a cell. Root mean square of the errors at the new "
-                            "nodes.");
+  Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
+              "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for "
+              "others: nodes move by up to 0.3 of a cell. Root mean square of the errors at the new "
+              "nodes.");
   std::vector<double> sizes, errors;
   for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
     sizes.push_back(size / static_cast<double>(n));
@@ -61,10 +62,10 @@ TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manuf
               .text = "Velocities are carried to third order.",
               .quantity = "observed order",
               .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             evidence::observed_order(sizes, errors),
-             evidence::Order{3, 0.3,
-                             "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
-                             "carries along, by h^2 times the change of the cell's size, h"});
+             observed_order(sizes, errors),
+             Order{3, 0.3,
+                   "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
+                   "carries along, by h^2 times the change of the cell's size, h"});
 }
 
 }  // namespace mesh_remap_test

@@ -13,9 +13,7 @@ namespace one_step_accuracy_test {
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using seiche::Worst;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 const std::string source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), II, VII";
 constexpr double end_time = 5;
@@ -62,7 +60,7 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
                         std::to_string(order(integrator)) + ".",
                 .quantity = "order of the largest coordinate error",
                 .source = source},
-               seiche::evidence::observed_order(tau, error, 5e-12),
+               observed_order(tau, error, 5e-12),
                Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
                      "smooth motion; below 5e-12 the rounding of the 131072 steps of the reference counts"});
     panel.line(std::string(title(integrator)), tau, error,
@@ -74,8 +72,7 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
        .quantity = "largest energy defect",
        .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
       {.value = energy.value(), .resolution = "50 .. 1600 steps"},
-      Roundoff{
-          .operations = 16000, .scale = 3, .reason = "one rounded energy of order 3 in each of at most 16000 stages"});
+      Roundoff{16000, 3, "one rounded energy of order 3 in each of at most 16000 stages"});
 }
 
 }  // namespace one_step_accuracy_test

@@ -10,11 +10,12 @@ namespace particles_ends_test {
 
 using namespace seiche;
 using namespace seiche::shallow_water_particles;
+using namespace seiche::verification;
 
 constexpr double g = 9.81;
 
 TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufactured]") {
-  verification::Check check(
+  Check check(
       "particles_friction", "Uniform stream under friction",
       "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, hence "
       "$u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.");
@@ -24,26 +25,23 @@ TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufacture
   constexpr double end = 4;
   const double rate = g * manning * manning / std::pow(depth, 4.0 / 3);
   const double exact = velocity / (1 + rate * velocity * end);
-  std::vector<double> steps;
-  std::vector<double> errors;
+  Convergence errors;
   for (long count = 40; count <= 640; count *= 2) {
     Forcing forcing;
     forcing.manning = manning;
     ParticleFlow flow(uniform_stretches({{0, 20, {depth, velocity}}}, 20), {Free{}, Free{}}, forcing);
     for (long k = 0; k < count; ++k) flow.advance(end / static_cast<double>(count));
-    steps.push_back(end / static_cast<double>(count));
-    errors.push_back(std::abs(flow.particles().velocity[10] - exact));
+    errors.add(end / static_cast<double>(count), std::abs(flow.particles().velocity[10] - exact));
   }
   check.that({.id = "order",
               .text = "The velocity after four seconds is second-order in the step.",
               .quantity = "order of the error of the velocity",
               .source = "Manning's law, integrated"},
-             evidence::observed_order(steps, errors, 1e-12),
-             evidence::Order{2, 0.1, "a scheme of second order for an ordinary differential equation"});
+             errors.order(1e-12), Order{2, 0.1, "a scheme of second order for an ordinary differential equation"});
 }
 
 TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufactured]") {
-  verification::Check check(
+  Check check(
       "particles_piston", "Accelerated piston",
       "A piston that moves into still water with velocity $v = b t^2$ makes a simple wave: until it breaks, the "
       "celerity "
@@ -56,22 +54,19 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
   const double fourth = c * c * c * c + 4 * c * c * c * rise / 3 + 6 * c * c * rise * rise / 5 +
                         4 * c * rise * rise * rise / 7 + rise * rise * rise * rise / 9;
   const double exact = 0.5 * fourth * end / g;
-  std::vector<double> widths;
-  std::vector<double> errors;
+  Convergence errors;
   for (std::size_t count = 40; count <= 320; count *= 2) {
     ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Piston{[](double t) { return b * t * t; }}, Wall{}},
                       {});
     const auto steps = static_cast<long>(3 * count);
     for (long k = 0; k < steps; ++k) flow.advance(end / static_cast<double>(steps));
-    widths.push_back(10 / static_cast<double>(count));
-    errors.push_back(std::abs(flow.ledger().left_impulse.value() - exact));
+    errors.add(10 / static_cast<double>(count), std::abs(flow.ledger().left_impulse.value() - exact));
   }
   check.that({.id = "impulse",
               .text = "The piston's impulse agrees with the simple wave, to second order.",
               .quantity = "order of the error of the impulse",
               .source = "Stoker, Water Waves (1957), section 10.3"},
-             evidence::observed_order(widths, errors, 1e-12),
-             evidence::Order{2, 0.3, "second order in width and step"});
+             errors.order(1e-12), Order{2, 0.3, "second order in width and step"});
 }
 
 }  // namespace particles_ends_test

@@ -20,10 +20,7 @@ using namespace seiche::shallow_water_particles;
 using seiche::Largest;
 using seiche::largest;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 constexpr double gravity = 9.81;
 
@@ -89,7 +86,7 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
                   .unit = "m",
                   .source = "definition of H2"},
                  {.value = errors.back() - second_order.back(), .resolution = "N = 1600"},
-                 Bound{.limit = 0, .reason = "without a jump both run the same operations"});
+                 Bound{0, "without a jump both run the same operations"});
     }
   }
 }
@@ -133,12 +130,10 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
                   .unit = "m^3/s",
                   .source = "conservation of momentum"},
                  {.value = flow.momentum_defect(), .resolution = "N = 320"},
-                 seiche::evidence::Roundoff{
-                     .operations = 6,
-                     .scale = flow.ledger().left_impulse.value(),
-                     .reason = "the books of the walls and of the source, their sum, and what is left of three numbers "
-                               "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "
-                               "of single particles are a thousandth of that"});
+                 Roundoff{6, flow.ledger().left_impulse.value(),
+                          "the books of the walls and of the source, their sum, and what is left of three numbers "
+                          "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "
+                          "of single particles are a thousandth of that"});
     }
   }
   check.that({.id = "edges",
@@ -168,8 +163,7 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
               "the leapfrog map of an oscillator, with the phase error $(\\omega\\tau)^2/24$. Over three periods that "
               "bounds the displacement by $a\\,(6\\pi)(\\omega\\tau)^2/24$ times the amplitude.");
   const seiche::exact::Thacker exact(gravity, 1, 0.5, 4);
-  std::vector<double> sizes;
-  std::vector<double> errors;
+  Convergence errors;
   for (const std::size_t count : {std::size_t{25}, std::size_t{50}, std::size_t{100}, std::size_t{200}}) {
     const double left = exact.left_shoreline(0);
     const double right = exact.right_shoreline(0);
@@ -191,8 +185,7 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
         error.add(flow.particles().edge[k] - exact.carried(edges[k], flow.time()));
       }
     }
-    sizes.push_back(2.0 / static_cast<double>(count));
-    errors.push_back(error.value());
+    errors.add(2.0 / static_cast<double>(count), error.value());
     if (count == 200) {
       check.that({.id = "shoreline",
                   .text = "No edge, shorelines included, is off by more than 1e-5 m in 3 periods.",
@@ -200,15 +193,14 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
                   .unit = "m",
                   .source = "Thacker, JFM 107 (1981) 499"},
                  {.value = error.value(), .resolution = "N = 200, equal masses, Courant 0.4"},
-                 Bound{.limit = 1e-5,
-                       .reason = "1/2 6 pi (omega tau)^2/24 with tau = 1.2e-3 s is 5.6e-6 m; twice that is allowed"});
+                 Bound{1e-5, "1/2 6 pi (omega tau)^2/24 with tau = 1.2e-3 s is 5.6e-6 m; twice that is allowed"});
     }
   }
   check.that({.id = "order",
               .text = "The error falls with the square of the step.",
               .quantity = "order",
               .source = "Thacker, JFM 107 (1981) 499"},
-             observed_order(sizes, errors), Order{2, 0.35, "the phase error of the leapfrog map"});
+             errors.order(), Order{2, 0.35, "the phase error of the leapfrog map"});
 }
 
 }  // namespace particles_orders_test

@@ -17,9 +17,7 @@ namespace particles_parts_test {
 
 using namespace seiche;
 using namespace seiche::shallow_water_particles;
-using evidence::Order;
-using evidence::Roundoff;
-using verification::Check;
+using namespace seiche::verification;
 
 constexpr double g = 9.81;
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
@@ -87,11 +85,7 @@ TEST_CASE("a wall is a mirror", "[manufactured]") {
       const std::string name =
           fmt::format("{}-{}", uneven ? "hump" : "level", level == Level::muscl ? "muscl" : "godunov");
       const auto claim = [&](const std::string& id, const std::string& text, double value) {
-        check.that({.id = id,
-                    .text = text,
-                    .quantity = "largest difference of an edge [m] or a velocity [m/s]",
-                    .source = source},
-                   {.value = value}, rounding);
+        check.holds(id + ": " + text, {value}, rounding);
       };
       const Particles half = slosh(0, 20, 0);
       claim(name, "Half a basin behaves as half of the whole.", difference_from_half(half, slosh(-3, 40, 0)));
@@ -137,7 +131,7 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
     check.that({.id = id, .text = text, .quantity = "observed order", .source = "Ritter (1892)"},
-               evidence::observed_order(widths, errors, 1e-12),
+               observed_order(widths, errors, 1e-12),
                Order{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"});
   };
   order("mass", "The mass that has left is of second order.", mass);
@@ -147,10 +141,9 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
               .quantity = "largest difference of mass or momentum",
               .source = source},
              {.value = asymmetry.value()},
-             Roundoff{.operations = 100.0 * 6 * 640,
-                      .scale = passed(2),
-                      .reason = "a hundred rounded operations per step near the section, of numbers up to the "
-                                "momentum that has passed"});
+             Roundoff{100.0 * 6 * 640, passed(2),
+                      "a hundred rounded operations per step near the section, of numbers up to the "
+                      "momentum that has passed"});
 }
 
 TEST_CASE("a particle that a jump has left is in the state behind it", "[manufactured]") {
@@ -177,12 +170,9 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
     const double width = mass / mean.depth + sign * tau * (velocity - back.velocity);
     const double momentum = mass * mean.velocity + sign * tau * (shallow_water::thrust(g, back.depth) - thrust);
     const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
-      check.that({.id = (right ? "right-" : "left-") + id, .text = text, .quantity = id, .source = source},
-                 {.value = value},
-                 Roundoff{.operations = 60,
-                          .scale = std::abs(expected) + 5,
-                          .reason = "some sixty operations on numbers up to the celerity",
-                          .expected = expected});
+      check.holds(
+          (right ? "right-" : "left-") + id + ": " + text, {value},
+          Roundoff{60, std::abs(expected) + 5, "some sixty operations on numbers up to the celerity", expected});
     };
     claim("depth", "By its volume the particle has the depth behind.", mass / width, back.depth);
     claim("velocity", "By its momentum it has the velocity behind.", momentum / mass, back.velocity);
@@ -205,11 +195,10 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
                 2 * std::sqrt(g) * std::pow(tip.edge_depth, 1.5) / (1.5 * e + 1) - mean.depth * mean.velocity);
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.that({.id = id, .text = text, .quantity = "largest difference", .source = source}, {.value = value},
-               Roundoff{.operations = 100,
-                        .scale = 2,
-                        .reason = "the exponent is found to a rounding by halving; momenta up to 2, in some thirty "
-                                  "operations"});
+    check.holds(id + ": " + text, {value},
+                Roundoff{100, 2,
+                         "the exponent is found to a rounding by halving; momenta up to 2, in some thirty "
+                         "operations"});
   };
   claim("mass", "The mass under the tip's profile equals the particle's mass.", masses.value());
   claim("momentum", "The momentum that has left is second-order in the particle spacing.", momenta.value());

@@ -12,6 +12,7 @@ namespace plan_remap_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
+using namespace seiche::verification;
 
 constexpr double size = std::numbers::pi;
 
@@ -59,10 +60,10 @@ Errors errors(std::size_t n) {
 }
 
 TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
-  verification::Check check("plan_remap_order", "Remap of the plan model: order",
-                            "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
-                            "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
-                            "at the new nodes.");
+  Check check("plan_remap_order", "Remap of the plan model: order",
+              "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
+              "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
+              "at the new nodes.");
   std::vector<double> sizes, of_elevation, of_velocity;
   for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
     const Errors found = errors(n);
@@ -75,19 +76,19 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   panel.line("elevation", sizes, of_elevation);
   panel.line("velocity", sizes, of_velocity, evidence::Role::peer);
   validation::slope_guide(panel, 3, sizes, of_velocity.back() * 1.5);
-  const evidence::Order third{3, 0.3,
-                              "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
-                              "carries along, by h^2 times the change of the cell's size, h"};
+  const Order third{3, 0.3,
+                    "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
+                    "carries along, by h^2 times the change of the cell's size, h"};
   check.that({.id = "elevation",
               .text = "Elevations are carried to third order.",
               .quantity = "observed order",
               .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             evidence::observed_order(sizes, of_elevation), third);
+             observed_order(sizes, of_elevation), third);
   check.that({.id = "velocity",
               .text = "Velocities after the remap are of second order.",
               .quantity = "observed order",
               .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             evidence::observed_order(sizes, of_velocity), third);
+             observed_order(sizes, of_velocity), third);
 }
 
 }  // namespace plan_remap_test

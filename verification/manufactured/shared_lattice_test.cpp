@@ -16,7 +16,6 @@ namespace shared_lattice_test {
 
 using namespace seiche;
 using namespace seiche::verification;
-using evidence::Roundoff;
 using plan_lattice::Shape;
 
 namespace plan = dispersive_shallow_water_2d;
@@ -230,8 +229,7 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
   const Roundoff rounding{
       .operations = 60, .scale = 10, .reason = "places up to 12 and volumes of one, in some sixty operations"};
   const auto claim = [&](const std::string& of, const std::string& what, const Worst& worst) {
-    check.that({.id = id + "-" + of, .text = text + ": " + what, .quantity = "largest difference", .source = source},
-               {.value = worst.value()}, rounding);
+    check.holds(id + "-" + of + ": " + text + ": " + what, {worst.value()}, rounding);
   };
   claim("state", "places, velocities and multipliers agree with the whole, copies too.", state);
   claim("first", "first places, which masses and new columns come from, likewise.", first);
@@ -289,9 +287,7 @@ TEST_CASE("the potential energies of blocks add up to that of the whole", "[manu
               .quantity = "difference of the energies",
               .source = source},
              {.value = together - all.potential_energy(q)},
-             Roundoff{.operations = 48 * 100.0,
-                      .scale = 1,
-                      .reason = "some hundred operations in each of 48 cells, whose sum is below one"});
+             Roundoff{48 * 100.0, 1, "some hundred operations in each of 48 cells, whose sum is below one"});
 }
 
 }  // namespace shared_lattice_test

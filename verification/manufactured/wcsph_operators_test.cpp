@@ -13,11 +13,7 @@
 namespace wcsph_operators_test {
 
 using namespace seiche::verification;
-using seiche::evidence::Bound;
 using seiche::evidence::Claim;
-using seiche::evidence::observed_order;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 using seiche::wcsph::CubicSpline;
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -115,17 +111,14 @@ void check_printed(Check& check, const std::vector<Errors>& table, const std::ve
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       const auto n = static_cast<double>(sizes[2 * k]);
       const double scatter = disordered ? 3 * std::sqrt(20.0) / n * row.values[k] : 0;
-      check.that({.id = fmt::format("{}-{}", row.id, n),
-                  .text = fmt::format("The error of the {} at N = {} has its recorded value (regression).",
-                                      row.operator_name, n),
-                  .quantity = "relative L2 error",
-                  .source = source},
-                 {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
-                 Bound{.limit = row.half_digits[k] + scatter,
-                       .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
-                                              "two norms over N^2/20 independent samples each"
-                                            : "half a unit of the last printed digit",
-                       .expected = row.values[k]});
+      check.holds(
+          fmt::format("The error of the {} at N = {} has its recorded value (regression).", row.operator_name, n),
+          {table[2 * k].*row.error},
+          Bound{row.half_digits[k] + scatter,
+                disordered ? "half a unit of the last printed digit, and three standard deviations of "
+                             "two norms over N^2/20 independent samples each"
+                           : "half a unit of the last printed digit",
+                row.values[k]});
     }
   }
 }
@@ -156,17 +149,14 @@ TEST_CASE("on a square lattice operators tend to their lattice sums with second 
   check_order(check, "mls-order", "Moving least squares is of order 2.", column(table, &Errors::moving_least_squares),
               second);
   for (std::size_t k = 0; k < sizes.size(); ++k) {
-    check.that(Claim{.id = fmt::format("mls-{}", sizes[k]),
-                     .text = "Moving least squares on a lattice is interpolation over its own sum.",
-                     .quantity = "relative L2 error",
-                     .source = "symmetry: first moments vanish"},
-               {.value = table[k].moving_least_squares, .resolution = fmt::format("N = {}", sizes[k])},
-               Roundoff{.operations = 2.0 / 3 * static_cast<double>(sizes[k] * sizes[k]) + 100,
-                        .scale = 1,
-                        .reason = "the factor is a quotient of two sums over N^2 particles, whose partial sums have a "
-                                  "third of the square of the whole in the mean; two sums of 21 terms and a 3 x 3 "
-                                  "solution, some 100 roundings of numbers up to 1",
-                        .expected = 1 - table[k].interpolation_factor / sums.zeroth});
+    check.holds(
+        fmt::format("mls-{}", sizes[k]) + ": Moving least squares on a lattice is interpolation over its own sum.",
+        {table[k].moving_least_squares},
+        Roundoff{2.0 / 3 * static_cast<double>(sizes[k] * sizes[k]) + 100, 1,
+                 "the factor is a quotient of two sums over N^2 particles, whose partial sums have a "
+                 "third of the square of the whole in the mean; two sums of 21 terms and a 3 x 3 "
+                 "solution, some 100 roundings of numbers up to 1",
+                 1 - table[k].interpolation_factor / sums.zeroth});
   }
   check_printed(
       check, table,

@@ -15,7 +15,6 @@ namespace wcsph_wall_gauge_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
-using seiche::evidence::Bound;
 
 constexpr double gravity = 9.81;
 constexpr double depth = 0.5;
@@ -49,6 +48,7 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
               "height about which the lattice is symmetric its mean is that of the middle, to round-off. One that "
               "rises towards the wall: read as far inside as the weights have their centre; half the spacing halves "
               "the error. Where there is no water there is no pressure.");
+  check.source(source);
   const double spacing = 0.025;
   const double diameter = 0.02;
   const Settings still = water(gravity);
@@ -56,15 +56,10 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
     const Flow flow(tank({.width = wall_x, .depth = depth, .spacing = spacing}, still).particles, spacing, still);
     for (const double z : {0.01, 0.1, 0.25}) {
       const double expected = 1000 * gravity * (depth - z);
-      check.that({.id = fmt::format("hydrostatic-{:.0f}", 100 * z),
-                  .text = "The gauge reads the pressure of its depth.",
-                  .quantity = "pressure",
-                  .unit = "Pa",
-                  .source = "P = rho_0 g (H - z)"},
-                 {.value = pressure_on({.x = wall_x, .z = z, .diameter = diameter}, flow)},
-                 Bound{.limit = 1000 * gravity * 2 * flow.smoothing_length() * gravity * depth / (40 * 40.0),
-                       .reason = "densities are up to rho_0 (1 + g H/c_0^2): so much more weight over the support",
-                       .expected = expected});
+      check.holds(fmt::format("hydrostatic-{:.0f}", 100 * z) + ": The gauge reads the pressure of its depth.",
+                  {pressure_on({.x = wall_x, .z = z, .diameter = diameter}, flow)},
+                  Bound{1000 * gravity * 2 * flow.smoothing_length() * gravity * depth / (40 * 40.0),
+                        "densities are up to rho_0 (1 + g H/c_0^2): so much more weight over the support", expected});
     }
     CHECK(pressure_on({.x = wall_x, .z = 0.9, .diameter = diameter}, flow) == 0);
     CHECK_THROWS_AS(pressure_on({.x = wall_x, .z = 0.1, .diameter = -1}, flow), std::invalid_argument);
@@ -73,12 +68,10 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
   check.that({.id = "along",
               .text = "A pressure that is linear along the wall agrees with the middle of the face.",
               .quantity = "pressure",
-              .unit = "Pa",
-              .source = source},
+              .unit = "Pa"},
              {.value = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter}, along)},
-             Bound{.limit = 2000 * 2 * 2 * spacing * 5000 / (1000 * 1600.0),
-                   .reason = "volumes m/rho differ by P/(rho_0 c_0^2), 5000 of 1.6e6, over the support",
-                   .expected = 5000});
+             Bound{2000 * 2 * 2 * spacing * 5000 / (1000 * 1600.0),
+                   "volumes m/rho differ by P/(rho_0 c_0^2), 5000 of 1.6e6, over the support", 5000});
   double errors[2];
   for (int halving = 0; halving < 2; ++halving) {
     const double dx = spacing / (1 << halving);
@@ -87,20 +80,17 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
   }
   check.that({.id = "normal",
               .text = "A pressure that rises towards the wall is read where the weights have their centre.",
-              .quantity = "error over its gradient times h",
-              .source = source},
+              .quantity = "error over its gradient times h"},
              {.value = errors[0] / (4000 * 2 * spacing)},
-             Bound{.limit = 0.02,
-                   .reason = "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the "
-                             "lattice at h/4, 3h/4, ... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 "
-                             "the kernel's integral along the wall",
-                   .expected = -0.424});
+             Bound{0.02,
+                   "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the "
+                   "lattice at h/4, 3h/4, ... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 "
+                   "the kernel's integral along the wall",
+                   -0.424});
   check.that({.id = "order",
               .text = "Half the spacing halves that error.",
-              .quantity = "error over that with twice the spacing",
-              .source = source},
-             {.value = errors[1] / errors[0]},
-             Bound{.limit = 0.01, .reason = "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", .expected = 0.5});
+              .quantity = "error over that with twice the spacing"},
+             {.value = errors[1] / errors[0]}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
 }
 
 }  // namespace wcsph_wall_gauge_test

@@ -19,9 +19,6 @@ using namespace seiche::verification;
 using seiche::CosineBottom;
 using seiche::Largest;
 using seiche::Point;
-using seiche::evidence::Bound;
-using seiche::evidence::Order;
-using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 
@@ -58,21 +55,16 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
       "gravity's part in the space is zero to round-off, on a lattice that stays and on one that is shifted at "
       "random. Over an uneven bottom the sums over particles are no exact integrals: the water is accelerated by "
       "O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.");
+  check.source(source);
   for (const bool shift : {false, true}) {
     Flow flow = still(false, 20, 6, 0.01, shift);
     flow.advance_to(10, 0.03, [&] { flow.observe(); });
-    check.that(
-        {.id = shift ? "flat-shifted" : "flat",
-         .text = std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
-                 (shift ? "is shifted at random." : "stays."),
-         .quantity = "highest elevation up to t = 10",
-         .unit = "depth",
-         .source = source},
-        {.value = highest_marker(flow), .resolution = "20 cells, 6 particles to a side, 333 steps"},
-        Roundoff{.operations = 333 * 333,
-                 .scale = 1,
-                 .reason = "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in "
-                           "all later ones"});
+    check.holds(std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
+                    (shift ? "is shifted at random." : "stays."),
+                {highest_marker(flow)},
+                Roundoff{333 * 333, 1,
+                         "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in "
+                         "all later ones"});
   }
   std::vector<double> spacing;
   std::vector<double> acceleration;
@@ -86,9 +78,8 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   check.that(
       {.id = "uneven-order",
        .text = "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
-       .quantity = "order of the largest acceleration",
-       .source = source},
-      seiche::evidence::observed_order(spacing, acceleration),
+       .quantity = "order of the largest acceleration"},
+      observed_order(spacing, acceleration),
       Order{4, 0.5,
             "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
             "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the "
@@ -96,29 +87,24 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   Flow flow = still(true, 20, 12, 0.01, false);
   flow.advance(0.03);
   const double first = seiche::worst(flow.model().projected()) * 2 / 0.03;
-  check.measure("largest acceleration, 12 particles to a side", first);
   flow.advance_to(10, 0.03, [&] { flow.observe(); });
   check.that(
       {.id = "uneven-bounded",
        .text = "Over an uneven bottom, with the penalty, the surface moves by less than a steady push of the first "
                "acceleration would raise the longest wave.",
        .quantity = "highest elevation up to t = 10",
-       .unit = "depth",
-       .source = source},
+       .unit = "depth"},
       {.value = highest_marker(flow), .resolution = "20 cells, 12 particles to a side"},
-      Bound{.limit = 2 * first / std::tanh(1.0),
-            .reason = "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
-                      "longest wave, omega^2 = tanh 1, swings farthest"});
-  check.that(
-      {.id = "uneven-energy",
-       .text = "The energy changes by what the penalty takes, to round-off.",
-       .quantity = "largest defect of the energy after booking",
-       .source = source},
-      {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
-      Roundoff{.operations = 333,
-               .scale = 1e-2,
-               .reason = "one rounding per step of potential energies m g (y - y0), which are sums of terms below "
-                         "1e-2"});
+      Bound{2 * first / std::tanh(1.0),
+            "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
+            "longest wave, omega^2 = tanh 1, swings farthest"});
+  check.that({.id = "uneven-energy",
+              .text = "The energy changes by what the penalty takes, to round-off.",
+              .quantity = "largest defect of the energy after booking"},
+             {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
+             Roundoff{333, 1e-2,
+                      "one rounding per step of potential energies m g (y - y0), which are sums of terms below "
+                      "1e-2"});
 }
 
 }  // namespace gauss_particles_rest_test

@@ -15,8 +15,6 @@ using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::Mean;
 using seiche::Worst;
-using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 constexpr double gravity = 9.81;
 constexpr double column = 0.4;
@@ -65,6 +63,7 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   Check check("wcsph_two_levels", "Two levels of water in SPH",
               "A column 0.3 m high before water of 0.1 m, and before water as high as itself: then nothing is left of "
               "the gate.");
+  check.source(source);
   constexpr double low = 0.1;
   const Settings plain = still(WallPressure::dynamic);
   const TaitFluid fluid(plain.density, plain.sound_speed, plain.exponent);
@@ -84,20 +83,16 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
     area_error.add(behind / (column * high) - 1);
     area_error.add(ahead / ((basin - column) * low) - 1);
   }
-  check.that({.id = "hydrostatic",
-              .text = "The pressure agrees with the depth below the level of its side, in water and walls.",
-              .quantity = "largest error over rho_0 g H",
-              .source = source},
-             {.value = pressure_error.value()},
-             Roundoff{.operations = 10,
-                      .scale = 100 / 7.0,
-                      .reason = "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 100/7 multiplies the rounding of the power"});
+  check.that(
+      {.id = "hydrostatic",
+       .text = "The pressure agrees with the depth below the level of its side, in water and walls.",
+       .quantity = "largest error over rho_0 g H"},
+      {.value = pressure_error.value()},
+      Roundoff{10, 100 / 7.0, "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 100/7 multiplies the rounding of the power"});
   check.that({.id = "area",
               .text = "Column and water ahead have the area of their rectangles.",
-              .quantity = "largest relative error",
-              .source = source},
-             {.value = area_error.value()},
-             Roundoff{.operations = 900, .scale = 1, .reason = "a rounding per particle of up to 900 on a side"});
+              .quantity = "largest relative error"},
+             {.value = area_error.value()}, Roundoff{900, 1, "a rounding per particle of up to 900 on a side"});
 
   Worst place_error;
   Worst density_error;
@@ -117,16 +112,10 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   }
   check.that({.id = "place",
               .text = "Equal levels: the water is a tank's.",
-              .quantity = "largest distance over dx, or particles too many",
-              .source = source},
-             {.value = place_error.value()},
-             Roundoff{.operations = 4, .scale = 50, .reason = "coordinates of up to 50 dx, counted from the gate"});
-  check.that({.id = "density",
-              .text = "Equal levels: so is its density.",
-              .quantity = "largest relative difference",
-              .source = source},
-             {.value = density_error.value()},
-             Roundoff{.operations = 4, .scale = 1, .reason = "of the same depth, to its rounding"});
+              .quantity = "largest distance over dx, or particles too many"},
+             {.value = place_error.value()}, Roundoff{4, 50, "coordinates of up to 50 dx, counted from the gate"});
+  check.that({.id = "density", .text = "Equal levels: so is its density.", .quantity = "largest relative difference"},
+             {.value = density_error.value()}, Roundoff{4, 1, "of the same depth, to its rounding"});
 
   // Pairs of water cancel: what is left of the momentum's rate is the push of the two end walls.
   // Staggered rows, twice as dense as the water, push too hard before the water has made room: not these.
@@ -139,23 +128,21 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   }
   check.that({.id = "push",
               .text = "The difference of the pressures on the end walls sets the water in motion.",
-              .quantity = "rate of the momentum over rho g (H^2 - h^2)/2",
-              .source = source},
+              .quantity = "rate of the momentum over rho g (H^2 - h^2)/2"},
              {.value = push / (0.5 * plain.density * gravity * (high * high - low * low))},
-             Bound{.limit = dx / high,
-                   .reason = "where the surface meets the wall half of a spacing of water is not known better: the "
-                             "pressure at the floor over that height",
-                   .expected = 1});
+             Bound{dx / high,
+                   "where the surface meets the wall half of a spacing of water is not known better: the "
+                   "pressure at the floor over that height",
+                   1});
 
   Flow rest(levels(high, Lattice::square, followed).particles, dx, followed);
   rest.advance_to(0.5);
-  check.that({.id = "rest",
-              .text = "Equal levels stay at rest, without a gate.",
-              .quantity = "rms velocity over sqrt(g H) after 0.5 s",
-              .source = source},
-             {.value = rms_velocity(rest.particles())},
-             Bound{.limit = dx / high * 0.1,
-                   .reason = "sound of pressure rho c u as high as that of one spacing of water: dx/H sqrt(g H)/c"});
+  check.that(
+      {.id = "rest",
+       .text = "Equal levels stay at rest, without a gate.",
+       .quantity = "rms velocity over sqrt(g H) after 0.5 s"},
+      {.value = rms_velocity(rest.particles())},
+      Bound{dx / high * 0.1, "sound of pressure rho c u as high as that of one spacing of water: dx/H sqrt(g H)/c"});
 }
 
 }  // namespace wcsph_two_levels_test

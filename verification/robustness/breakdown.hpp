@@ -41,32 +41,22 @@ Breakdown run_until_breakdown(Flow& flow, double end, const Advance& advance) {
   return result;
 }
 
-/// One claim about a breakdown.
-inline void claim_of_breakdown(Check& check, const std::string& id, const std::string& what, const std::string& text,
-                               bool value, const std::string& detector, const std::string& reason) {
-  check.that({.id = id + "-" + what, .text = text, .quantity = what, .source = "interface of the model"},
-             {.value = value ? 1.0 : 0.0}, evidence::Qualitative{detector, reason});
-}
-
+/// The run stops and says why, when and where; the state is that of before the failing step.
 /// @param word  in the message;  @param leftmost, rightmost  where the failure is known to begin
-inline void claim_breakdown(Check& check, const std::string& id, const Breakdown& breakdown, const std::string& word,
-                            double leftmost, double rightmost) {
-  INFO(id << ": " << breakdown.message);
-  claim_of_breakdown(check, id, "stops", "The run stops and states the cause (" + id + ").",
-                     breakdown.message.find(word) != std::string::npos,
-                     "seiche::Divergence whose message contains \"" + word + "\"",
-                     "nothing may be computed from a broken state");
-  claim_of_breakdown(check, id, "when", "The message states time and step of the last valid state (" + id + ").",
-                     breakdown.says_when, "time and steps of the state before the failing step",
-                     "the message must lead to the cause");
-  claim_of_breakdown(check, id, "where", "The message states the position of the failure (" + id + ").",
-                     breakdown.place >= leftmost && breakdown.place <= rightmost,
-                     "place where the failure is known to begin", "the message must lead to the cause");
-  claim_of_breakdown(check, id, "kept", "The state before the failing step is kept (" + id + ").", breakdown.kept,
-                     "equal coordinates, rates, multipliers, time and number of steps",
-                     "a caller may go on with a shorter step");
-  check.measure(id + ": time", breakdown.time);
-  check.measure(id + ": place", breakdown.place);
+inline void holds_of_breakdown(Check& check, const std::string& run, const Breakdown& breakdown,
+                               const std::string& word, double leftmost, double rightmost) {
+  INFO(run << ": " << breakdown.message);
+  const auto holds = [&](const std::string& what, bool value, const std::string& detector, const std::string& reason) {
+    check.holds(run + ": " + what, {value ? 1.0 : 0.0}, evidence::Qualitative{detector, reason});
+  };
+  holds("The run stops and says why.", breakdown.message.find(word) != std::string::npos,
+        "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
+  holds("It says when.", breakdown.says_when, "time and steps of the state before the failing step",
+        "the message must lead to the cause");
+  holds("It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
+        "place where the failure is known to begin", "the message must lead to the cause");
+  holds("The state is that of before the failing step.", breakdown.kept,
+        "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
 }
 
 }  // namespace seiche::verification

@@ -12,9 +12,7 @@ namespace dispersive_plan_breakdown_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
-using seiche::verification::Breakdown;
-using seiche::verification::Check;
-using seiche::verification::claim_breakdown;
+using namespace seiche::verification;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -75,26 +73,22 @@ TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, st
           return Velocity{0.5 * std::sin(k * x) * std::cos(k * y), -0.5 * std::cos(k * x) * std::sin(k * y), 0};
         },
         scheme);
-    claim_breakdown(check, name_of(stepping) + "-eddy", broken(eddy, 0.1), "fold", -0.5, 10.5);
+    holds_of_breakdown(check, name_of(stepping) + "-eddy", broken(eddy, 0.1), "fold", -0.5, 10.5);
     Flow collapse(rectangular_lattice(block(0.02)), {}, scheme);
-    claim_breakdown(check, name_of(stepping) + "-collapse", broken(collapse, 0.02), "touches the bottom", -20, 20);
+    holds_of_breakdown(check, name_of(stepping) + "-collapse", broken(collapse, 0.02), "touches the bottom", -20, 20);
     Rectangle over_short = block(0.5);
     over_short.bottom = std::make_shared<ShortBottom>(0.5);
     Flow spread(rectangular_lattice(over_short), {}, scheme);
     const Breakdown left = broken(spread, 0.05);
-    claim_breakdown(check, name_of(stepping) + "-spread", left, "outside the bottom", -infinite, infinite);
-    check.that({.id = name_of(stepping) + "-spread-end",
-                .text = "The place is beyond the bottom's end.",
-                .quantity = "|x|",
-                .source = "interface of the model"},
-               {.value = std::abs(left.place)},
-               evidence::Bound{.limit = 0.2, .reason = "one step's way beyond the end", .expected = 7.1});
+    holds_of_breakdown(check, name_of(stepping) + "-spread", left, "outside the bottom", -infinite, infinite);
+    check.holds(name_of(stepping) + "-spread-end: The place is beyond the bottom's end.", {std::abs(left.place)},
+                Bound{0.2, "one step's way beyond the end", 7.1});
     Rectangle driven{.begin = 0, .end = 10, .south = 0, .north = 5, .columns = 20, .rows = 10};
     driven.sides.west = plan_lattice::DrivenSide{[](Place, double time) {
       return Point{time < 1 ? 0.1 * time : std::numeric_limits<double>::quiet_NaN(), 0};
     }};
     Flow bad_side(rectangular_lattice(driven), {}, scheme);
-    claim_breakdown(check, name_of(stepping) + "-side", broken(bad_side, 0.1), "not finite", 0, 10);
+    holds_of_breakdown(check, name_of(stepping) + "-side", broken(bad_side, 0.1), "not finite", 0, 10);
   }
 }
 

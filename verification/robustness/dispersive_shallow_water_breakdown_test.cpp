@@ -14,24 +14,19 @@ namespace dispersive_shallow_water_breakdown_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
-using seiche::evidence::Qualitative;
-using seiche::verification::Breakdown;
-using seiche::verification::Check;
-
-const std::string source = "interface of the model";
+using namespace seiche::verification;
 
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
   return seiche::verification::run_until_breakdown(flow, end,
                                                    [tau](Flow& f) { f.advance(std::min(tau, 0.9 * f.stable_step())); });
 }
 
-void claim_breakdown(Check& check, const std::string& id, const Flow& flow, const Breakdown& breakdown,
-                     const std::string& word, double leftmost, double rightmost) {
-  seiche::verification::claim_breakdown(check, id, breakdown, word, leftmost, rightmost);
-  seiche::verification::claim_of_breakdown(
-      check, id, "limit", "The longest stable step is still stated after the failure.",
-      std::isfinite(flow.stable_step()) && flow.stable_step() > 0, "finite and positive after the failure",
-      "a caller may go on with a shorter step");
+void holds_of_breakdown(Check& check, const std::string& run, const Flow& flow, const Breakdown& breakdown,
+                        const std::string& word, double leftmost, double rightmost) {
+  seiche::verification::holds_of_breakdown(check, run, breakdown, word, leftmost, rightmost);
+  check.holds(run + ": There still is a longest stable step.",
+              {std::isfinite(flow.stable_step()) && flow.stable_step() > 0 ? 1.0 : 0.0},
+              Qualitative{"finite and positive after the failure", "a caller may go on with a shorter step"});
 }
 
 Channel beach(double cotangent, double wall, double table_end) {
@@ -50,7 +45,7 @@ TEST_CASE("a backwash that a conservative model cannot carry stops with time, st
   const Channel channel = beach(10, -45, 20);
   Flow flow(channel, solitary_markers(channel, -40, 0, 0.125, {.amplitude = 0.05, .crest = -20}));
   const Breakdown breakdown = run_until_breakdown(flow, 0.03, 80);
-  claim_breakdown(check, "backwash", flow, breakdown, "marker", -10, 3);
+  holds_of_breakdown(check, "backwash", flow, breakdown, "marker", -10, 3);
 }
 
 TEST_CASE("a wave that runs off the table of the bottom stops with time, step and place", "[robustness]") {
@@ -62,7 +57,7 @@ TEST_CASE("a wave that runs off the table of the bottom stops with time, step an
     Flow flow(channel, solitary_markers(channel, -30, 0, 0.25, {.amplitude = 0.3, .crest = -10}),
               {.stepping = all_steppings[k]});
     const Breakdown breakdown = run_until_breakdown(flow, 0.05, 40);
-    claim_breakdown(check, stepping_names[k], flow, breakdown, "outside the bottom profile", 0.3, 0.6);
+    holds_of_breakdown(check, stepping_names[k], flow, breakdown, "outside the bottom profile", 0.3, 0.6);
   }
 }
 
@@ -78,7 +73,7 @@ TEST_CASE("a pressure that is not a number stops with time, step and place", "[r
     Flow flow(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)), {.stepping = all_steppings[k]},
               forcing);
     const Breakdown breakdown = run_until_breakdown(flow, 0.1, 1);
-    claim_breakdown(check, stepping_names[k], flow, breakdown, "not finite", 0, 10);
+    holds_of_breakdown(check, stepping_names[k], flow, breakdown, "not finite", 0, 10);
   }
 }
 
@@ -90,24 +85,13 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
   Flow still(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)));
   const double limit = still.stable_step();
-  check.that({.id = "limit",
-              .text = "The limit on still water is 2 (1/3)^(1/2).",
-              .quantity = "stable step",
-              .unit = "(H/g)^(1/2)",
-              .source = "frequencies of the discrete model are below (3 g/H)^(1/2)"},
-             {.value = limit},
-             evidence::Roundoff{
-                 .operations = 3, .scale = 2, .reason = "three rounded operations", .expected = 2 / std::sqrt(3.0)});
+  check.holds("The limit on still water is 2 (1/3)^(1/2).", {limit},
+              Roundoff{3, 2, "three rounded operations", 2 / std::sqrt(3.0)});
   for (int k = 0; k < 3; ++k) still.advance(0.999 * limit);
   const long below = still.steps_beyond_stability();
   for (int k = 0; k < 2; ++k) still.advance(1.001 * limit);
-  check.that(
-      {.id = "counted",
-       .text = "Steps longer than the stable limit are counted.",
-       .quantity = "steps counted",
-       .source = source},
-      {.value = static_cast<double>(still.steps_beyond_stability() - 10 * below), .resolution = "3 below, 2 above"},
-      evidence::Bound{.limit = 0, .reason = "two were longer", .expected = 2});
+  check.holds("Steps longer than the stable limit are counted.",
+              {static_cast<double>(still.steps_beyond_stability() - 10 * below)}, Bound{0, "two were longer", 2});
   Channel rough = channel;
   rough.friction = {FrictionLaw::quadratic, 0.01};
   for (std::size_t k = 0; k < all_steppings.size(); ++k) {
@@ -123,13 +107,11 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
         stopped = flow.state().q == last.q && flow.state().u == last.u && flow.lost().friction == lost;
       }
     }
-    check.that({.id = std::string("too-long-") + stepping_names[k],
-                .text = "A wave in far too long steps stops, and the state before the failing step is kept.",
-                .quantity = "stopped with the state kept",
-                .source = source},
-               {.value = stopped ? 1.0 : 0.0},
-               Qualitative{"seiche::Divergence within 100 steps, coordinates, rates and what friction took as before",
-                           "as for any failure"});
+    check.holds(std::string("too-long-") + stepping_names[k] +
+                    ": A wave in far too long steps stops, and the state is that of before.",
+                {stopped ? 1.0 : 0.0},
+                Qualitative{"seiche::Divergence within 100 steps, coordinates, rates and what friction took as before",
+                            "as for any failure"});
   }
 }
 

@@ -24,9 +24,8 @@ namespace failed_step_test {
 
 using namespace seiche;
 using namespace seiche::mechanics;
-using evidence::Bound;
+using namespace seiche::verification;
 using rigid_chain::RigidChain;
-using verification::Check;
 
 bool same(const State& a, const State& b) {
   return a.q == b.q && a.u == b.u && a.time == b.time && a.steps == b.steps && a.multipliers == b.multipliers &&
@@ -125,19 +124,11 @@ TEST_CASE("a step that fails leaves the state as it was, with every integrator",
     }
   }
   REQUIRE(failures.all > 50);
-  const std::string source = "interface of the steppers";
-  check.that({.id = "kept",
-              .text = "A step that fails leaves the state as it was (nine integrators).",
-              .quantity = fmt::format("of {} failures, those with another state", failures.all),
-              .source = source},
-             {.value = static_cast<double>(failures.changed)},
-             Bound{.limit = 0, .reason = "equality of bytes: a caller may go on with a shorter step"});
-  check.that({.id = "named",
-              .text = "The failure is reported with the time of the stage and the step (nine integrators).",
-              .quantity = fmt::format("of {} failures, those without", failures.all),
-              .source = source},
-             {.value = static_cast<double>(failures.unnamed)},
-             Bound{.limit = 0, .reason = "seiche::Divergence, whichever stage failed"});
+  check.holds("A step that fails leaves the state as it was (nine integrators).",
+              {static_cast<double>(failures.changed)},
+              Bound{0, "equality of bytes: a caller may go on with a shorter step"});
+  check.holds("The failure is reported with the time of the stage and the step (nine integrators).",
+              {static_cast<double>(failures.unnamed)}, Bound{0, "seiche::Divergence, whichever stage failed"});
 }
 
 TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
@@ -197,12 +188,8 @@ TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
       count(keeps_state(flow, 0.05));
     }
   }
-  check.that({.id = "kept",
-              .text = "A step that fails leaves the state of the flow as it was.",
-              .quantity = fmt::format("of {} failures, those with another state", failed),
-              .source = "interface of the flows"},
-             {.value = static_cast<double>(changed)},
-             Bound{.limit = 0, .reason = "equality of bytes: a caller may go on with a shorter step"});
+  check.holds("A step that fails leaves the state of the flow as it was.", {static_cast<double>(changed)},
+              Bound{0, "equality of bytes: a caller may go on with a shorter step"});
 }
 
 TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robustness]") {
@@ -234,13 +221,10 @@ TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robus
   }
   const water::Losses a = plain.lost();
   const water::Losses b = tried.lost();
-  check.that({.id = "kept",
-              .text = "A run goes on from a failed step as if it had not been tried.",
-              .quantity = "differing: state, energy lost to friction, to breaking",
-              .source = "interface of the flow"},
-             {.value = (same(plain.state(), tried.state()) ? 0.0 : 1.0) + (a.friction == b.friction ? 0 : 1) +
-                       (a.breaking == b.breaking ? 0 : 1)},
-             Bound{.limit = 0, .reason = "equality of bytes"});
+  check.holds("A run goes on from a failed step as if it had not been tried.",
+              {(same(plain.state(), tried.state()) ? 0.0 : 1.0) + (a.friction == b.friction ? 0 : 1) +
+               (a.breaking == b.breaking ? 0 : 1)},
+              Bound{0, "equality of bytes"});
 }
 
 }  // namespace failed_step_test

@@ -17,8 +17,7 @@ namespace gauss_particles_input_test {
 
 using namespace seiche::gauss_particles;
 using seiche::Point;
-using seiche::verification::Check;
-using seiche::verification::Refusals;
+using namespace seiche::verification;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -53,35 +52,34 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
   Check check("gauss_particles_bad_input", "Bad input of the free-particle model",
               "Water in a tank with one thing wrong at a time.");
   Refusals refusals(check);
-  const auto with_particles = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
-                                  auto change) {
-    refusals.refused(id, text, words, [&] {
+  const auto with_particles = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
+    refusals.refused(text, words, [&] {
       Particles particles = layer(water());
       change(particles);
       Flow flow(std::move(particles), splines());
     });
   };
-  with_particles("negative-mass", "A negative mass.", {"mass of particle 3", "-1", "non-negative"},
+  with_particles("A negative mass.", {"mass of particle 3", "-1", "non-negative"},
                  [](Particles& p) { p.mass[3] = -1; });
-  with_particles("nan-mass", "A mass that is not a number.", {"mass of particle 0", "nan"},
+  with_particles("A mass that is not a number.", {"mass of particle 0", "nan"},
                  [](Particles& p) { p.mass[0] = not_a_number; });
-  with_particles("nan-place", "A place that is not a number.", {"particle 7", "nan", "finite"},
+  with_particles("A place that is not a number.", {"particle 7", "nan", "finite"},
                  [](Particles& p) { p.y[7] = not_a_number; });
-  with_particles("lengths", "Arrays of different lengths.", {"1152 x", "1151 y"}, [](Particles& p) { p.y.pop_back(); });
-  with_particles("markers", "Nothing but markers.", {"none of them with a mass"},
+  with_particles("Arrays of different lengths.", {"1152 x", "1151 y"}, [](Particles& p) { p.y.pop_back(); });
+  with_particles("Nothing but markers.", {"none of them with a mass"},
                  [](Particles& p) { p.mass.assign(p.size(), 0); });
-  with_particles("nobody", "No particles.", {"0 particles"}, [](Particles& p) { p = {}; });
-  with_particles("sparse", "Too few particles for the cells.", {"particles", "at least 8"}, [](Particles& p) {
+  with_particles("No particles.", {"0 particles"}, [](Particles& p) { p = {}; });
+  with_particles("Too few particles for the cells.", {"particles", "at least 8"}, [](Particles& p) {
     Layer coarse = water();
     coarse.columns = 16;
     coarse.rows = 8;
     p = layer(coarse);
   });
-  with_particles("spray", "Water that fills no cell.", {"no cell", "full enough"}, [](Particles& p) {
+  with_particles("Water that fills no cell.", {"no cell", "full enough"}, [](Particles& p) {
     for (double& m : p.mass) m *= 1e-3;
   });
 
-  refusals.refused("surface-dissipative", "Gravity on the surface in the dissipative scheme.",
+  refusals.refused("Gravity on the surface in the dissipative scheme.",
                    {"surface", "dissipative", "conservative stepping"}, [] {
                      Layer with_markers = water();
                      with_markers.markers = 20;
@@ -89,79 +87,76 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
                                Stepping::dissipative);
                    });
 
-  refusals.refused("penalty-dissipative", "The penalty in the dissipative scheme, where it would do nothing.",
+  refusals.refused("The penalty in the dissipative scheme, where it would do nothing.",
                    {"penalty", "0.01", "dissipative", "allowed: 0"},
                    [] { Flow flow(layer(water()), splines(), {}, {}, {}, Stepping::dissipative); });
 
-  const auto with_plan = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
-                             auto change) {
-    refusals.refused(id, text, words, [&] {
+  const auto with_plan = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
+    refusals.refused(text, words, [&] {
       LatticePlan plan = tank();
       change(plan);
       Flow flow(layer(water()), splines(plan));
     });
   };
-  with_plan("degree-1", "Linear splines.", {"degree", "= 1", "[2, 4]"}, [](LatticePlan& p) { p.degree = 1; });
-  with_plan("degree-5", "Splines of degree 5.", {"degree", "= 5", "[2, 4]"}, [](LatticePlan& p) { p.degree = 5; });
-  with_plan("cell", "Cells without a width.", {"cell_x", "= 0", "positive"}, [](LatticePlan& p) { p.cell_x = 0; });
-  with_plan("walls", "Walls that are not a whole number of cells apart.",
-            {"right_wall - left_wall", "multiple", "0.25"}, [](LatticePlan& p) { p.right_wall = 2.1; });
-  with_plan("period", "A period of two and a half cells more.", {"period", "multiple"}, [](LatticePlan& p) {
+  with_plan("Linear splines.", {"degree", "= 1", "[2, 4]"}, [](LatticePlan& p) { p.degree = 1; });
+  with_plan("Splines of degree 5.", {"degree", "= 5", "[2, 4]"}, [](LatticePlan& p) { p.degree = 5; });
+  with_plan("Cells without a width.", {"cell_x", "= 0", "positive"}, [](LatticePlan& p) { p.cell_x = 0; });
+  with_plan("Walls that are not a whole number of cells apart.", {"right_wall - left_wall", "multiple", "0.25"},
+            [](LatticePlan& p) { p.right_wall = 2.1; });
+  with_plan("A period of two and a half cells more.", {"period", "multiple"}, [](LatticePlan& p) {
     p.right_wall.reset();
     p.period = 2.1;
   });
-  with_plan("short-period", "A channel with fewer cells than a spline spans twice.",
-            {"cells of a periodic lattice", "7"}, [](LatticePlan& p) {
+  with_plan("A channel with fewer cells than a spline spans twice.", {"cells of a periodic lattice", "7"},
+            [](LatticePlan& p) {
               p.right_wall.reset();
               p.cell_x = 0.5;
               p.period = 2;
             });
-  with_plan("two-sides", "A periodic channel with a wall at its end.", {"right_wall", "periodic"},
+  with_plan("A periodic channel with a wall at its end.", {"right_wall", "periodic"},
             [](LatticePlan& p) { p.period = 2; });
-  with_plan("lid", "A lid without a bottom.", {"lid", "bottom"}, [](LatticePlan& p) {
+  with_plan("A lid without a bottom.", {"lid", "bottom"}, [](LatticePlan& p) {
     p.bottom = false;
     p.lid = 2;
   });
-  with_plan("corner", "A bottom with a corner.", {"slope jumps", "x = 1"}, [](LatticePlan& p) {
+  with_plan("A bottom with a corner.", {"slope jumps", "x = 1"}, [](LatticePlan& p) {
     p.ground.profile =
         std::make_shared<seiche::PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
   });
 
-  const auto with_settings = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
-                                 Settings settings) {
-    refusals.refused(id, text, words, [&] { Flow flow(layer(water()), splines(), {}, settings); });
+  const auto with_settings = [&](const std::string& text, const std::vector<std::string>& words, Settings settings) {
+    refusals.refused(text, words, [&] { Flow flow(layer(water()), splines(), {}, settings); });
   };
-  with_settings("gravity", "Gravity upwards.", {"gravity", "= -1", "non-negative"}, {.gravity = -1});
-  with_settings("penalty", "A negative penalty.", {"penalty", "= -0.01", "non-negative"}, {.penalty = -0.01});
-  with_settings("density", "Water without a density.", {"density", "= 0", "positive"}, {.density = 0});
-  refusals.refused("fraction", "Inner cells that must hold more than they can.", {"inner_fraction", "= 1.5"},
+  with_settings("Gravity upwards.", {"gravity", "= -1", "non-negative"}, {.gravity = -1});
+  with_settings("A negative penalty.", {"penalty", "= -0.01", "non-negative"}, {.penalty = -0.01});
+  with_settings("Water without a density.", {"density", "= 0", "positive"}, {.density = 0});
+  refusals.refused("Inner cells that must hold more than they can.", {"inner_fraction", "= 1.5"},
                    [] { splines(tank(), {.inner_fraction = 1.5}); });
-  refusals.refused("no-space", "No space of fields.", {"no space"}, [] { Flow flow(layer(water()), nullptr); });
-  refusals.refused("no-field", "A space without fields.", {"no stream function"},
+  refusals.refused("No space of fields.", {"no space"}, [] { Flow flow(layer(water()), nullptr); });
+  refusals.refused("A space without fields.", {"no stream function"},
                    [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
-  refusals.refused("dry", "A layer whose surface is below its bottom.", {"depth", "positive"}, [] {
+  refusals.refused("A layer whose surface is below its bottom.", {"depth", "positive"}, [] {
     Layer dry = water();
     dry.surface = [](double) { return -1.0; };
     layer(dry);
   });
-  refusals.refused("few-rows", "End-corrected masses in five rows.", {"rows", "at least 6"}, [] {
+  refusals.refused("End-corrected masses in five rows.", {"rows", "at least 6"}, [] {
     Layer flat = water();
     flat.rows = 5;
     layer(flat);
   });
-  refusals.refused("velocity", "A velocity that is not a number.", {"nan"}, [] {
+  refusals.refused("A velocity that is not a number.", {"nan"}, [] {
     Flow flow(layer(water()), splines(), [](Point) { return Point{not_a_number, 0}; });
   });
-  const auto with_step = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
-                             double tau) {
-    refusals.refused(id, text, words, [=] {
+  const auto with_step = [&](const std::string& text, const std::vector<std::string>& words, double tau) {
+    refusals.refused(text, words, [=] {
       Flow flow(layer(water()), splines());
       flow.advance(tau);
     });
   };
-  with_step("no-step", "A step of no length.", {"tau", "= 0"}, 0);
-  with_step("backwards", "A step backwards.", {"tau", "-0.1"}, -0.1);
-  with_step("unstable", "A step beyond the stability limit.", {"tau", "= 0.6", "2/sqrt(pi g/h)"}, 0.6);
+  with_step("A step of no length.", {"tau", "= 0"}, 0);
+  with_step("A step backwards.", {"tau", "-0.1"}, -0.1);
+  with_step("A step beyond the stability limit.", {"tau", "= 0.6", "2/sqrt(pi g/h)"}, 0.6);
 }
 
 TEST_CASE("free particles that leave their lattice are a divergence with time and place", "[robustness]") {
@@ -180,22 +175,12 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
   const std::string message = breakdown([&] { flow.advance_to(5, 0.05); });
   INFO(message);
   const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
-  check.that({.id = "left",
-              .text = "The message names the position that was left and the range of the lattice.",
-              .quantity = "said so",
-              .source = "interface of the model"},
-             {.value = named ? 1.0 : 0.0},
-             seiche::evidence::Qualitative{"Divergence that names the lattice's ends",
-                                           "a run that breaks down must say where"});
+  check.holds("The message names the position that was left and the range of the lattice.", {named ? 1.0 : 0.0},
+              Qualitative{"Divergence that names the lattice's ends", "a run that breaks down must say where"});
   // The disc's outermost ring has radius 0.96; its rightmost particle passes 1.5 at t = 0.54 and more.
-  check.that({.id = "time",
-              .text = "The run stops at the time when the drop arrives, not later.",
-              .quantity = "time of the last state",
-              .source = "uniform motion"},
-             {.value = flow.time(), .resolution = "tau = 0.05"},
-             seiche::evidence::Bound{.limit = 0.05,
-                                     .reason = "one step; the outermost ring's radius is sqrt((11^2 + 12^2)/2)/12",
-                                     .expected = 1.5 - std::sqrt((121.0 + 144.0) / 2) / 12});
+  check.holds("The run stops at the time when the drop arrives, not later.", {flow.time()},
+              Bound{0.05, "one step; the outermost ring's radius is sqrt((11^2 + 12^2)/2)/12",
+                    1.5 - std::sqrt((121.0 + 144.0) / 2) / 12});
 }
 
 }  // namespace gauss_particles_input_test

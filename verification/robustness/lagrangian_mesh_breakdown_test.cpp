@@ -14,12 +14,7 @@ namespace lagrangian_mesh_breakdown_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
-using seiche::evidence::Bound;
-using seiche::verification::Breakdown;
-using seiche::verification::Check;
-using seiche::verification::claim_breakdown;
-
-const std::string source = "interface of the model";
+using namespace seiche::verification;
 
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
   return seiche::verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
@@ -41,8 +36,7 @@ TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place"
                 return Point{v.u, v.v};
               },
               {.stepping = stepping});
-    claim_breakdown(check, id, run_until_breakdown(flow, 0.05, 30), "folds", 10, 12);
-    check.measure(id + ": shape of the worst corner before", flow.worst_corner().shape);
+    holds_of_breakdown(check, id, run_until_breakdown(flow, 0.05, 30), "folds", 10, 12);
   };
   stops("one-step", Stepping::one_step);
   stops("conservative", Stepping::conservative);
@@ -59,8 +53,8 @@ TEST_CASE("a node that leaves the curve of its wall stops with time, step and pl
     mesh.sides.right = Wall{
         std::make_shared<GraphCurve>([](double x) { return x - 5; }, one, [](double) { return 0.0; }, 3.9, 5.05, 8)};
     Flow flow(std::move(mesh), [](Point r) { return Point{0.3 * r.x / 4, 0}; }, {.stepping = stepping});
-    claim_breakdown(check, stepping == Stepping::one_step ? "one-step" : "conservative",
-                    run_until_breakdown(flow, 0.05, 10), "left its curve", 5.04, 5.06);
+    holds_of_breakdown(check, stepping == Stepping::one_step ? "one-step" : "conservative",
+                       run_until_breakdown(flow, 0.05, 10), "left its curve", 5.04, 5.06);
   }
 }
 
@@ -75,15 +69,12 @@ TEST_CASE("implicit steps that do not converge stop, and long steps are counted"
   for (int k = 0; k < 3; ++k) still.advance(0.999 * still.stable_step());
   const long below = still.steps_beyond_stability();
   for (int k = 0; k < 2; ++k) still.advance(1.001 * still.stable_step());
-  check.that(
-      {.id = "counted-below", .text = "Steps below the limit are not counted.", .quantity = "steps", .source = source},
-      {.value = static_cast<double>(below)}, Bound{0, "none was longer"});
-  check.that(
-      {.id = "counted", .text = "Steps longer than the bound are counted.", .quantity = "steps", .source = source},
-      {.value = static_cast<double>(still.steps_beyond_stability())},
-      Bound{.limit = 0, .reason = "two were longer", .expected = 2});
+  check.holds("Steps below the limit are not counted.", {static_cast<double>(below)}, Bound{0, "none was longer"});
+  check.holds("Steps longer than the bound are counted.", {static_cast<double>(still.steps_beyond_stability())},
+              Bound{0, "two were longer", 2});
   Flow flow(layer_mesh(layer), {}, {.stepping = Stepping::conservative});
-  claim_breakdown(check, "implicit", run_until_breakdown(flow, 1.05 * flow.stable_step(), 100), "not converged", 0, 6);
+  holds_of_breakdown(check, "implicit", run_until_breakdown(flow, 1.05 * flow.stable_step(), 100), "not converged", 0,
+                     6);
 }
 
 }  // namespace lagrangian_mesh_breakdown_test

@@ -1,7 +1,6 @@
-/// Bad input is rejected by a std::invalid_argument that names what is wrong.
+/// Bad input is refused by a std::invalid_argument that names what is wrong.
 #pragma once
 
-#include <cctype>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,29 +26,22 @@ class Refusals {
  public:
   explicit Refusals(Check& check) : check_(check) {}
 
-  /// Claims that `action` is rejected with a message that contains all of `words`: parameter, value, range.
-  ///
-  /// @param text  the bad input: "A grid without a step."
+  /// `action` is refused with a message that contains all of `words`: parameter, value, range.
   template <class Action>
-  void refused(const std::string& id, const std::string& text, const std::vector<std::string>& words, Action action) {
+  void refused(const std::string& what, const std::vector<std::string>& words, Action action) {
     const std::string message = refusal(action);
-    INFO(id << ": " << message);
+    INFO(message);
     bool named = true;
     std::string wanted;
     for (const std::string& word : words) {
       named = named && message.find(word) != std::string::npos;
       wanted += (wanted.empty() ? "\"" : ", \"") + word + "\"";
     }
-    const std::string input = static_cast<char>(std::tolower(text.front())) + text.substr(1);
-    check_.that(
-        {.id = id,
-         .text = "Input is rejected by name: " + input,
-         .quantity = "rejected by name",
-         .source = "interface of the model"},
-        {.value = named ? 1.0 : 0.0},
-        evidence::Qualitative{"std::invalid_argument whose message contains " + wanted,
-                              "input must be rejected before anything is computed, with what is wrong, its value "
-                              "and what is allowed"});
+    check_.holds(
+        what, {named ? 1.0 : 0.0},
+        evidence::Qualitative{
+            "std::invalid_argument whose message contains " + wanted,
+            "input must be rejected before anything is computed, with what is wrong, its value and what is allowed"});
   }
 
  private:

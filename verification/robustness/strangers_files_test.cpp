@@ -20,7 +20,7 @@
 namespace strangers_files_test {
 
 using namespace seiche;
-using verification::ScratchFolder;
+using namespace seiche::verification;
 
 /// An HDF5 file that `fill` writes by the library's own functions, for what ours cannot.
 template <class Fill>

@@ -13,6 +13,7 @@ namespace wcsph_memory_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
+using namespace seiche::verification;
 
 /// Bytes per particle after some steps of a column in a tank that is mostly empty.
 double memory_of(Settings settings, double& particles) {
@@ -27,7 +28,7 @@ double memory_of(Settings settings, double& particles) {
 }
 
 TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
-  verification::Check check(
+  Check check(
       "wcsph_memory", "Weakly compressible SPH: memory",
       "Memory per particle of a dam break in a large tank after three steps. Needed are, in bytes: the particle 57; "
       "rates 40; its "
@@ -40,14 +41,9 @@ TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
     if (eddies) settings.viscosity = LaminarSps{};
     double particles = 0;
     const double measured = memory_of(settings, particles);
-    check.that({.id = eddies ? "with-eddies" : "without-eddies",
-                .text = "A flow holds no more than its arrays.",
-                .quantity = "memory per particle",
-                .unit = "B",
-                .source = "sum of the arrays"},
-               {.value = measured, .resolution = std::to_string(static_cast<long>(particles)) + " particles"},
-               evidence::Bound{.limit = 1.06 * (57 + 24 + 40 + 64 + 8 + (eddies ? 32 : 0) + (40 + 4 * 45) / lanes),
-                               .reason = "the sum above; a few per cent of room at the end of lists"});
+    check.holds(std::string(eddies ? "with" : "without") + " eddies: A flow holds no more than its arrays.", {measured},
+                Bound{1.06 * (57 + 24 + 40 + 64 + 8 + (eddies ? 32 : 0) + (40 + 4 * 45) / lanes),
+                      "the sum above; a few per cent of room at the end of lists"});
   }
 }
 

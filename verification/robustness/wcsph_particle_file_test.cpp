@@ -19,8 +19,7 @@ namespace wcsph_particle_file_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
-using verification::Check;
-using verification::Refusals;
+using namespace seiche::verification;
 
 Scene scene() {
   return flume({.length = 0.4, .depth = 0.1, .stroke = 0.05, .frequency = 6, .spacing = 0.02}, {.sound_speed = 20});
@@ -82,7 +81,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
       "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads to "
       "an HDF5 dataset of the shape and type it states, values and order included; the same particles give the "
       "same bytes; without close nothing is left.");
-  const seiche::verification::ScratchFolder scratch("seiche_wcsph_particle_file_test");
+  const ScratchFolder scratch("seiche_wcsph_particle_file_test");
   const Particles particles = scene().particles;
   write(scratch.path() / "waves", particles, reversed(particles));
 
@@ -143,35 +142,20 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
     CHECK(names == std::vector<std::string>{"density", "identity", "kind", "pressure", "velocity"});
   }
   const std::string format = "XDMF model and format, version 3";
-  check.that(
-      {.id = "frames", .text = "Both frames of the run are in the file.", .quantity = "frames", .source = format},
-      {.value = static_cast<double>(times.size())}, evidence::Bound{.limit = 0, .reason = "a count", .expected = 2});
+  check.holds("Both frames of the run are in the file.", {static_cast<double>(times.size())}, Bound{0, "a count", 2});
   CHECK(times == std::vector<double>{0, 0.125});
-  check.that({.id = "topology",
-              .text = "Every particle is a vertex of the XDMF topology.",
-              .quantity = "Polyvertex of as many elements as particles",
-              .source = format},
-             {.value = polyvertex ? 1.0 : 0.0},
-             evidence::Qualitative{"attributes of Topology", "what ParaView draws as points"});
-  check.that({.id = "shapes",
-              .text = "Shape and type of every dataset are those that the XDMF states.",
-              .quantity = "mismatches among " + std::to_string(static_cast<int>(items)) + " items",
-              .source = format},
-             {.value = mismatches}, evidence::Bound{.limit = 0, .reason = "ParaView refuses what does not fit"});
-  check.that({.id = "values",
-              .text = "Values come back as they were, in the order of the identities.",
-              .quantity = "values that differ",
-              .source = "interface of the file"},
-             {.value = wrong_values}, evidence::Bound{.limit = 0, .reason = "they are copied"});
+  check.holds("Every particle is a vertex of the XDMF topology.", {polyvertex ? 1.0 : 0.0},
+              Qualitative{"attributes of Topology", "what ParaView draws as points"});
+  check.holds("Shape and type of every dataset are those that the XDMF states.", {mismatches},
+              Bound{0, "ParaView refuses what does not fit"});
+  check.holds("Values come back as they were, in the order of the identities.", {wrong_values},
+              Bound{0, "they are copied"});
 
   write(scratch.path() / "again", reversed(particles), particles);
   const auto bytes = [&](const std::string& name) { return io::read_file(scratch.path() / name); };
-  check.that({.id = "bytes",
-              .text = "The same particles give the same bytes, whatever their order in memory.",
-              .quantity = "files equal",
-              .source = "interface of the file"},
-             {.value = bytes("waves.h5") == bytes("again.h5") ? 1.0 : 0.0},
-             evidence::Qualitative{"comparison of the two files", "results must be comparable by their files"});
+  check.holds("The same particles give the same bytes, whatever their order in memory.",
+              {bytes("waves.h5") == bytes("again.h5") ? 1.0 : 0.0},
+              Qualitative{"comparison of the two files", "results must be comparable by their files"});
 
   {
     ParticleFile abandoned(scratch.path() / "abandoned");
@@ -181,21 +165,17 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
     if (entry.path().filename().string().find("abandoned") != std::string::npos) ++left;
   }
-  check.that({.id = "atomic",
-              .text = "A run that ends before it closes its file leaves none.",
-              .quantity = "files left",
-              .source = "interface of the file"},
-             {.value = static_cast<double>(left)},
-             evidence::Bound{.limit = 0, .reason = "readers never see half a file"});
+  check.holds("A run that ends before it closes its file leaves none.", {static_cast<double>(left)},
+              Bound{0, "readers never see half a file"});
 
   Refusals refusals(check);
   ParticleFile file(scratch.path() / "bad");
   file.frame(1, particles, pressure_of(particles));
-  refusals.refused("times", "Times that do not increase.", {"time = 1", "later than 1"},
+  refusals.refused("Times that do not increase.", {"time = 1", "later than 1"},
                    [&] { file.frame(1, particles, pressure_of(particles)); });
-  refusals.refused("time-nan", "A time that is not a number.", {"time", "nan"},
+  refusals.refused("A time that is not a number.", {"time", "nan"},
                    [&] { file.frame(std::numeric_limits<double>::quiet_NaN(), particles, pressure_of(particles)); });
-  refusals.refused("pressures", "Fewer pressures than particles.", {"1 pressures", "must be as many"},
+  refusals.refused("Fewer pressures than particles.", {"1 pressures", "must be as many"},
                    [&] { file.frame(2, particles, std::vector<double>(1)); });
   CHECK_THROWS_AS(ParticleFile("/proc/nowhere/file"), std::runtime_error);
 }

@@ -18,7 +18,7 @@
 namespace wcsph_resume_test {
 
 using namespace seiche::wcsph;
-using seiche::verification::Check;
+using namespace seiche::verification;
 
 struct Problem {
   std::string id, name;
@@ -97,12 +97,8 @@ TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]
       while (resumed.steps() < steps) resumed.advance();
       if (!same(whole, resumed)) ++different;
     }
-    check.that({.id = problem.id,
-                .text = fmt::format("Resumed flows end in the same bytes ({}).", problem.name),
-                .quantity = fmt::format("of {} resumed flows, those that differ", kept.size()),
-                .source = "a state holds all that the steps read"},
-               {.value = static_cast<double>(different), .resolution = fmt::format("{} steps", steps)},
-               seiche::evidence::Bound{.limit = 0, .reason = "equality of bytes, of counts and of extremes"});
+    check.holds(fmt::format("Resumed flows end in the same bytes ({}).", problem.name),
+                {static_cast<double>(different)}, Bound{0, "equality of bytes, of counts and of extremes"});
   }
 }
 
@@ -161,17 +157,11 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
   for (Flow* flow : {&plain, &asked}) {
     for (int n = 0; n < 40; ++n) flow->advance();
   }
-  check.that({.id = "accepted",
-              .text = fmt::format("Of {} states of other flows none is accepted.", states.size()),
-              .quantity = "states accepted",
-              .source = "flow_state.hpp"},
-             {.value = static_cast<double>(accepted)}, seiche::evidence::Bound{.limit = 0, .reason = "a count"});
-  check.that({.id = "kept",
-              .text = "A rejected state changes nothing, then and 40 steps later.",
-              .quantity = "differing: now, 40 steps later",
-              .source = "flow_state.hpp"},
-             {.value = (kept ? 0.0 : 1.0) + (same(plain, asked) ? 0 : 1)},
-             seiche::evidence::Bound{.limit = 0, .reason = "equality of bytes, of counts and of extremes"});
+  check.holds(fmt::format("Of {} states of other flows none is accepted.", states.size()),
+              {static_cast<double>(accepted)}, Bound{0, "a count"});
+  check.holds("A rejected state changes nothing, then and 40 steps later.",
+              {(kept ? 0.0 : 1.0) + (same(plain, asked) ? 0 : 1)},
+              Bound{0, "equality of bytes, of counts and of extremes"});
 }
 
 }  // namespace wcsph_resume_test

@@ -15,7 +15,6 @@ namespace wcsph_still_tank_test {
 using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::Worst;
-using seiche::evidence::Bound;
 
 constexpr double gravity = 9.81;
 constexpr double width = 1;
@@ -147,7 +146,7 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
                   .quantity = what,
                   .source = source},
                  {.value = value, .resolution = fmt::format("dx = 0.025 m, {} steps", rest[k].steps)},
-                 Bound{.limit = 1.5 * limit, .reason = reason});
+                 Bound{1.5 * limit, reason});
     };
     claim("pressure-all", rest[k].all, printed[k].all);
     claim("pressure-core", rest[k].core, printed[k].core);
@@ -158,13 +157,12 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
               .quantity = "sinking of the centre of mass over the depth",
               .source = "equilibrium"},
              {.value = rest[0].sinking},
-             Bound{.limit = 1e-3, .reason = "regression: 4e-4 in an earlier program; the gap at the walls settles"});
+             Bound{1e-3, "regression: 4e-4 in an earlier program; the gap at the walls settles"});
   check.that({.id = "filter-smooths",
               .text = "The density filter takes most of the noise out of the interior.",
               .quantity = "core error with the filter over that without",
               .source = "Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448"},
-             {.value = rest[2].core / rest[0].core},
-             Bound{.limit = 0.5, .reason = "regression: 0.31 in an earlier program"});
+             {.value = rest[2].core / rest[0].core}, Bound{0.5, "regression: 0.31 in an earlier program"});
 }
 
 TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves the water where it is",
@@ -182,7 +180,7 @@ TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves 
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
     check.that({.id = id, .text = text, .quantity = quantity, .source = antuono}, {.value = value},
-               Bound{.limit = limit, .reason = reason});
+               Bound{limit, reason});
   };
   claim("core", "The interior has the pressure that the uncorrected form gives it.", "core error over rho_0 g H",
         rest[1].core, 1.5 * 1.2e-2, "regression: 1.5 times that of an earlier program for the uncorrected form");
@@ -207,8 +205,7 @@ TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[ro
       check, {{"dynamic", "dynamic walls", {}}, {"extrapolated", "extrapolated walls", extrapolated}}, 0.025, 1, true);
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = adami}, {.value = value},
-               Bound{.limit = limit, .reason = reason});
+    check.that({.id = id, .text = text, .quantity = quantity, .source = adami}, {.value = value}, Bound{limit, reason});
   };
   claim("pressure", "The pressure of the still tank is hydrostatic.", "L2 error over rho_0 g H", rest[1].all, 0.0105,
         "|M - 1| = 1.05 % of the pressure at the bottom, by which the derivative on the lattice is wrong");
