@@ -25,7 +25,7 @@ validation::ConicalIsland island() {
       {.height = 0.045, .spacing = spacing, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
 }
 
-TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation]") {
+TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation][full]") {
   verification::Check check(
       "conical_island_energy", "A wave climbs an island: conservative steps",
       "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, cells "

@@ -74,7 +74,7 @@ std::vector<Basin> basins() {
 
 TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bottom", "[conservation]") {
   Check check("dispersive_plan_energy", "Plan model: energy and volumes to round-off",
-              "A hump is released in a box and sloshes until t = 10, over a level bottom, over a polynomial of degree "
+              "A hump is released in a box and sloshes until t = 5, over a level bottom, over a polynomial of degree "
               "four and over a bump. Volumes and potential energy are polynomials along a step, so that Simpson's "
               "mean of their gradients is exact; what the bottom adds to volumes is made exact along the step. Over "
               "uneven bottoms velocities turn with the bottom's tangent plane, which changes no energy. The energy of "
@@ -82,9 +82,9 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
   const Scheme conservative{.stepping = Stepping::conservative};
   for (const Basin& basin : basins()) {
     for (const double tau : {0.1, 0.25}) {
-      const Defects d = defects(conservative, basin.lattice, basin.settings, tau, 10);
+      const Defects d = defects(conservative, basin.lattice, basin.settings, tau, 5);
       const std::string id = fmt::format("{}-{}", basin.id, tau == 0.1 ? "short" : "long");
-      const double steps = 10 / tau;
+      const double steps = 5 / tau;
       const std::string resolution = fmt::format("h = 0.5, tau = {:g}", tau);
       check.that({.id = id + "-energy",
                   .text = "Energy to round-off over " + basin.text + ".",

@@ -144,7 +144,7 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
 
 TEST_CASE("the plan model returns when its velocities are reversed", "[conservation]") {
   Check check("dispersive_plan_reversible", "Plan model: time reversal",
-              "A hump in a box: 100 steps of 0.1, velocities reversed, 100 steps, velocities reversed. The one-step "
+              "A hump in a box: 50 steps of 0.1, velocities reversed, 50 steps, velocities reversed. The one-step "
               "scheme over a level bottom, and the fully conservative scheme over a bump too: the velocities that the "
               "one-step scheme carries along an uneven bottom move its middle by $O(\\tau^3)$ on the way back. Direct "
               "solver, so that nothing depends on tolerances.");
@@ -160,7 +160,7 @@ TEST_CASE("the plan model returns when its velocities are reversed", "[conservat
     SchemeStepper<Model> stepper(problem.model, way.scheme);
     State state = problem.start;
     const auto run_and_turn = [&] {
-      for (int n = 0; n < 100; ++n) stepper.step(state, 0.1);
+      for (int n = 0; n < 50; ++n) stepper.step(state, 0.1);
       for (double& u : state.u) u = -u;
     };
     run_and_turn();
@@ -170,10 +170,10 @@ TEST_CASE("the plan model returns when its velocities are reversed", "[conservat
                 .text = "Every node comes back (" + way.id + ").",
                 .quantity = "largest difference of a coordinate or velocity",
                 .source = source},
-               {.value = largest_difference(state, problem.start), .resolution = "tau = 0.1, 2 x 100 steps"},
-               Roundoff{.operations = 200,
+               {.value = largest_difference(state, problem.start), .resolution = "tau = 0.1, 2 x 50 steps"},
+               Roundoff{.operations = 100,
                         .scale = way.lattice.x.back(),
-                        .reason = "places up to the box's length are rounded once in each of 200 steps, and what is "
+                        .reason = "places up to the box's length are rounded once in each of 100 steps, and what is "
                                   "added to them is small; sweeps begin anew from the step's beginning"});
     check.measure(way.id + ": largest way", away);
   }

@@ -128,7 +128,7 @@ double largest_difference(const ExactSolution& solution, const Numbers& one, con
   return worst.value();
 }
 
-TEST_CASE("exact solutions do not know units", "[exact]") {
+void claim_units(bool motions) {
   verification::Check check(
       "exact_units", "Exact solutions in other units",
       "Every solution of the catalogue at its defaults, and with all lengths, times and masses multiplied according to "
@@ -137,6 +137,7 @@ TEST_CASE("exact solutions do not know units", "[exact]") {
       "an iteration that ends at a number of metres and a wrong unit "
       "in the catalogue do not survive it.");
   for (const ExactSolution& solution : exact::catalogue()) {
+    if (integrates_motion(solution) != motions) continue;
     Worst worst;
     const Numbers plain = numbers(solution, {1, 1, 1});
     for (const Units& units : {Units{2, 1, 8}, Units{4, 2, 1}, Units{1.0 / 64, 1.0 / 8, 0.25}}) {
@@ -154,6 +155,14 @@ TEST_CASE("exact solutions do not know units", "[exact]") {
                    .operations = 1000,
                    .reason = "some hundreds of roundings, relative; what an iteration or a series leaves is the same"});
   }
+}
+
+TEST_CASE("exact solutions do not know units", "[exact]") {
+  claim_units(false);
+}
+
+TEST_CASE("nor do those that integrate a motion", "[exact][full]") {
+  claim_units(true);
 }
 
 }  // namespace catalogue_units_test

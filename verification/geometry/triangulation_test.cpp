@@ -94,7 +94,7 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
       "triangulation_flips", "Local flips against a full rebuild",
       "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are compared "
       "with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. In one run of 37 "
-      "nodes 1e5 motions of all nodes, in another of 919 nodes a few large ones. Nodes have coordinates that are whole "
+      "nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have coordinates that are whole "
       "multiples of $2^{-28}$: both methods see the same numbers.");
   const auto run = [&](const std::string& id, int columns, int rows, int motions, double part) {
     WanderingBox box(columns, rows, 7);
@@ -128,7 +128,7 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
     check.measure(id + ": flips", static_cast<double>(moving.flips()));
     check.measure(id + ": ways halved", static_cast<double>(moving.bisections()));
   };
-  run("small", 5, 5, 100000, 0.1);
+  run("small", 5, 5, 20000, 0.1);
   run("large", 28, 30, 50, 0.7);
 }
 

@@ -74,7 +74,7 @@ bool same(const Flow& a, const Flow& b) {
 
 TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]") {
   constexpr int steps = 300;
-  constexpr int apart = 13;
+  constexpr int apart = 37;
   Check check("wcsph_resume", "A run that was interrupted",
               fmt::format("Weakly compressible SPH, {} steps. Every {} steps the state is kept, and at the end flows "
                           "that were made anew are resumed from each: in the same order, with the same lists of "
