@@ -264,11 +264,7 @@ void add_score(CLI::App& app, Action& action) {
 
 void add_compare(CLI::App& app, Action& action) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand(
-      "compare",
-      "Compare two sets of results: verdicts, errors, times (exit 1 if a verdict or an error got worse);\n"
-      "one set: the solvers of each case side by side (exit 1 unless all claims are as expected);\n"
-      "with --record: with the baseline (exit 1 if anything changed beyond uncertainty)");
+  CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, or the solvers in one set");
   command->group("Score and compare");
   command->add_option("A", options->before, "Folder with records, the earlier one of two")->required();
   command->add_option("B", options->after, "Folder with the later records; with --record a table");
@@ -284,6 +280,9 @@ void add_compare(CLI::App& app, Action& action) {
   CLI::Option* record = command->add_flag("--record", options->record,
                                           "Compare A with the baseline: table B, or the table of this version");
   command->add_flag("--whole", options->whole, "Treat claims missing from A as changed, with --record")->needs(record);
+  command->footer(
+      "Two sets: exit status 1 if a verdict or an error got worse. One set: 1 unless all claims are as expected. With\n"
+      "--record: 1 if anything changed beyond uncertainty.");
   command->add_option("--tier", options->tier, "Test level, with --record: quick, full or paper")
       ->capture_default_str()
       ->needs(record);
