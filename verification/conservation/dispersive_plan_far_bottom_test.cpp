@@ -50,6 +50,7 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
       "the bottom, which volumes are sums of, has counted to 300 there, while far from the hump markers move by less "
       "than a millionth. The discrete gradient divides by such ways; what it divides must not have the round-off of "
       "the integral, or sweeps never settle.");
+  const std::string source = "Frank (1994), chapter 1 and section 4.2; discrete gradients: McLachlan et al. (1999)";
   check.source(source);
   Flow flow = basin();
   const double energy = flow.energy();

@@ -209,10 +209,10 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
       "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
       "plain scheme loses its energy too fast, with the cubic spline by a factor. Shifting against the gradient "
       "of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
-  check.source(shifting);
   const std::string shifting =
       "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, "
       "Marrone and Zhang, Comput. Methods Appl. Mech. Eng. 315 (2017) 25";
+  check.source(shifting);
   const Vortices vortices{0.01};
   const Settings wide{.kernel = KernelName::wendland_c2, .smoothing = 2};
   Settings moved = wide;
