@@ -7,7 +7,7 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from render import costs, matrix, quantities
+from render import costs, matrix, power, quantities
 from render.experiments import scatter_figure
 from render.records import KINDS, VERDICTS, slug
 
@@ -216,5 +216,5 @@ def case_view(case, drawn, tile_titles):
     tiles = dict.fromkeys(tile for record in case.records for tile in record.tiles)
     return {"case": case, "costs": costs.survey(case.records), "first_looks": first_looks, "figures": figures,
             "tables": tables, "claims_by_id": claims, "parameters": parameters,
-            "measurements": measurements,
+            "measurements": measurements, "power": [power.table(rows) for rows in [power.read().get(case.name)] if rows],
             "tiles": [(tile, tile_titles[tile]) for tile in tiles if tile in tile_titles]}

@@ -172,7 +172,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       .expected = reflected_depth});
   claim_exact_profile(claims.of(&Results::flow), reflected_depth, s.discretisation, s.time);
   claim_states(here.of(&Results::flow), s.states(),
-               s.problem.length() / static_cast<double>(s.discretisation.particles), one_particle);
+               s.problem.length() / static_cast<double>(s.discretisation.particles));
 
   const io::Table printed = values.table("bogomolov_zakharov_zerkal");
   const auto published =

@@ -69,7 +69,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto particles = static_cast<double>(s.finest().particles);
   claim_conservation(claims.of(&Results::flow), s.problem, s.finest(), s.time);
   const auto here = claims.at(s.finest().text());
-  claim_states(here.of(&Results::flow), s.states(), s.problem.length() / particles, one_particle);
+  claim_states(here.of(&Results::flow), s.states(), s.problem.length() / particles);
   here.check(
       "reconstructed_l1_h", "The profile after the collision is the exact one.", "reconstructed L1(h) [m]",
       [particles](const Results& r) -> Measurement {

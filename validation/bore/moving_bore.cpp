@@ -210,8 +210,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
               "the bore is monotone");
   const auto here =
       claims.at(fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step));
-  claim_states(here.of(&Results::flow), s.states(), length / static_cast<double>(s.discretisation.particles),
-               one_particle);
+  claim_states(here.of(&Results::flow), s.states(), length / static_cast<double>(s.discretisation.particles));
   here.from("D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6")
       .check(
           "energy", "Energy falls at exactly the rate of the jump conditions.",

@@ -82,6 +82,7 @@ struct ScoreOptions {
   long threads = 0;                 ///< 0: not said
   std::size_t repeats = 1;          ///< runs of one set-up: so many files for each
   bool template_only = false;
+  bool resolving_power = false;
   std::string baseline;  ///< folder with earlier records
   bool bless = false;    ///< write this score there
   bool json = false;

@@ -49,7 +49,13 @@ std::vector<PrintedColumn> columns_of(const ExactResult& result) {
 
 std::string as_csv(const ExactResult& result) {
   const ExactSolution& solution = *result.solution;
-  std::string text = fmt::format("# {}\n# {}\n", solution.title, solution.citation);
+  std::vector<std::string> scale;
+  for (const auto& p : solution.parameters) {
+    if (p.name == "gravity" || p.name.ends_with("depth"))
+      scale.push_back(fmt::format("{} {} {}", p.name, result.parameters.at(p.name), p.unit));
+  }
+  std::string text = fmt::format("# {}{}{}\n# {}\n", solution.title, scale.empty() ? "" : ": ", fmt::join(scale, ", "),
+                                 solution.citation);
   for (const auto& p : solution.parameters) {
     text += fmt::format("# {} = {} {}\n", p.name, value_of(p, result.parameters.at(p.name)), p.unit);
   }

@@ -12,6 +12,7 @@
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
+#include "validation/scoring/resolving_power.hpp"
 #include "validation/scoring/submitted.hpp"
 
 namespace seiche::command {
@@ -177,8 +178,14 @@ void write_ctest(const ListOptions& options) {
   io::write_file(options.ctest, text + record_tests(program, evidence));
 }
 
-/// Every case that scores others: its tables with their columns, and what to type.
+/// Every case that scores others: its tables with their columns, what to type, and what it can tell.
 void print_scores() {
+  const auto power = validation::recorded_power();
+  const auto print_power = [&](const Case& one, const std::string& table, const std::string& quantity) {
+    const auto rows = power.find(one.name);
+    const std::string told = rows == power.end() ? "" : validation::told_by(rows->second, table, quantity);
+    if (!told.empty()) fmt::print("  {:<12} {}\n", "", told);
+  };
   for (const Case& one : validation::all_cases()) {
     if (!one.submission) continue;
     const std::vector<validation::WantedTable> wanted = one.submission.tables(one.values(Tier::quick));
@@ -190,7 +197,9 @@ void print_scores() {
       }
       fmt::print("  {:<12} {}\n  {:<12} seiche score {} --template{}\n", table.name, fmt::join(columns, ", "), "",
                  one.name, wanted.size() > 1 ? " --table " + table.name : "");
+      for (const validation::WantedQuantity& q : table.quantities) print_power(one, table.name, q.column.name);
     }
+    print_power(one, "", "");
   }
 }
 

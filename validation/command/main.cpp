@@ -2,6 +2,7 @@
 /// commands together.
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,6 +10,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include <omp.h>
@@ -19,14 +21,32 @@
 #include <CLI/CLI.hpp>
 
 #include "reports/evidence/build_facts.hpp"
+#include "seiche/io/text_table.hpp"
 #include "seiche/spelling.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/exact_inputs.hpp"
 #include "validation/command/streams.hpp"
 #include "validation/scoring/solver_files.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::command {
 namespace {
+
+/// A positive number, and of lengths one in another unit than metres: "0.1", "10cm". The text becomes the number alone.
+CLI::Validator positive(const std::string& unit) {
+  return CLI::Validator(
+      [unit](std::string& text) -> std::string {
+        const std::size_t end = std::min(text.size(), text.find_last_of("0123456789.") + 1);
+        const auto number = io::number_in(text.substr(0, end));
+        const auto factor = end == text.size() ? std::optional(1.0) : validation::conversion(text.substr(end), unit);
+        if (!number || !factor || !(*number * *factor > 0) || !std::isfinite(*number * *factor)) {
+          return fmt::format("{}: must be a positive number [{}]", text, unit);
+        }
+        text = fmt::format("{}", *number * *factor);
+        return {};
+      },
+      "", "positive");
+}
 
 /// What is called after parsing: set by the subcommand that was named.
 using Action = std::function<int()>;
@@ -138,7 +158,7 @@ void add_exact(CLI::App& app, Action& action) {
   command
       ->add_option("--width", options->width,
                    "with --write geoclaw: of the strip over which a solution without y is repeated [m]")
-      ->check(CLI::PositiveNumber)
+      ->transform(positive("m"))
       ->capture_default_str();
   command->add_flag("--integrals", options->integrals, "also the scalar results and the numerical uncertainty");
   command->add_flag("--self-test", options->self_test, "by how much the solution misses its own identities, and stop");
@@ -190,7 +210,7 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--config", options->config, "TOML file with parameters");
   command->add_option("--out", options->out, "folder for the record")->capture_default_str();
   command->add_option("--dx", options->cell, "size of your cells or spacing of your particles [m]")
-      ->check(CLI::PositiveNumber);
+      ->transform(positive("m"));
   command
       ->add_option(
           "--sizes", options->sizes,
@@ -198,7 +218,7 @@ void add_score(CLI::App& app, Action& action) {
           "finest is judged; the page tells your order, its error, what reaches 1 % and what that costs")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::PositiveNumber);
+      ->transform(positive("m"));
   command
       ->add_option("--repeats", options->repeats,
                    "runs of the same set-up, as many --data for each: their mean is judged, and their scatter counts "
@@ -209,9 +229,11 @@ void add_score(CLI::App& app, Action& action) {
                    "processor time that your run took; with --sizes one for each, T1,T2,T3")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::PositiveNumber);
+      ->transform(positive("s"));
   command->add_option("--threads", options->threads, "threads that it used")->check(CLI::Range(1L, 100000000L));
   command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
+  command->add_flag("--resolving-power", options->resolving_power,
+                    "print which wrong results the case notices, and from what size on, and stop");
   command->add_option("--table", options->table,
                       "where a case takes several: which one --template shall print, or which one alone is judged");
   CLI::Option* baseline = command->add_option(

@@ -25,6 +25,7 @@
 #include "validation/scoring/first_look.hpp"
 #include "validation/scoring/ladder.hpp"
 #include "validation/scoring/repeats.hpp"
+#include "validation/scoring/resolving_power.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/solver_files.hpp"
 #include "validation/scoring/submitted.hpp"
@@ -108,6 +109,43 @@ int print_template(const Case& one, const std::vector<WantedTable>& wanted, cons
                                    "NAME\n",
                                    one.name, one.title, one.name)));
   return 0;
+}
+
+/// Status 1 where a right result does not pass.
+int print_power(const Case& one, const Values& values, const std::vector<WantedTable>& wanted, bool as_json) {
+  const std::vector<validation::Resolved> rows = validation::resolving_power(one, values);
+  auto json = nlohmann::ordered_json::array();
+  const auto print_shapes = [&](const std::string& table) {
+    for (const validation::Resolved& row : rows) {
+      if (row.table != table || !row.quantity.empty() || !std::isnan(row.smallest)) continue;
+      fmt::print("  {:<14} {}\n", row.change, row.by.empty() ? "passes" : row.by);
+    }
+  };
+  for (const validation::Resolved& row : rows) {
+    json.push_back({{"table", row.table},
+                    {"quantity", row.quantity},
+                    {"change", row.change},
+                    {"smallest", row.smallest},
+                    {"amount", row.amount},
+                    {"unit", row.unit},
+                    {"by", row.by}});
+  }
+  if (as_json) {
+    const bool exact = std::ranges::all_of(
+        wanted, [](const WantedTable& table) { return table.reference_role == evidence::Role::exact; });
+    fmt::print("{}\n", nlohmann::ordered_json{{"exact", exact}, {"changes", json}}.dump(1));
+  } else {
+    fmt::print("{}:{}\n", one.name, validation::told_by(rows, "", ""));
+    print_shapes("");
+    for (const WantedTable& table : wanted) {
+      fmt::print("{}\n", table.name);
+      for (const validation::WantedQuantity& q : table.quantities)
+        fmt::print("  {}\n", validation::told_by(rows, table.name, q.column.name));
+      print_shapes(table.name);
+    }
+  }
+  const auto wrong = [](const validation::Resolved& row) { return row.right_result() && !row.by.empty(); };
+  return std::ranges::any_of(rows, wrong) ? 1 : 0;
 }
 
 /// The distance from what is expected, as a share of it where the limit is less than it: "-0.08 %", "0.3 m".
@@ -391,6 +429,7 @@ int score(const ScoreOptions& options) {
   const Values values = values_for(one, validation::Tier::quick, options.config, options.settings);
   std::vector<WantedTable> wanted = one.submission.tables(values);
   if (options.template_only) return print_template(one, wanted, options.table);
+  if (options.resolving_power) return print_power(one, values, wanted, options.json);
   if (options.data.empty()) throw std::invalid_argument("score: --data FILE is missing (or --template)");
   require_solver_name(options.solver);
   require_format(options);

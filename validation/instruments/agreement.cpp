@@ -23,6 +23,20 @@ double ratio(double numerator, double denominator) {
   return denominator > 0 ? numerator / denominator : unknown;
 }
 
+/// The longest stretch on which the reference stays above a level.
+double longest_above(const Agreement& a, double level) {
+  double longest = 0;
+  double since = unknown;
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    if (!(a.reference[i] >= level))
+      since = unknown;
+    else if (std::isnan(since))
+      since = a.x[i];
+    if (!std::isnan(since)) longest = std::max(longest, a.x[i] - since);
+  }
+  return longest;
+}
+
 /// Correlation of s(x) with r(x - lag), lag in spacings.
 double lagged(std::span<const double> s, std::span<const double> r, long lag) {
   const std::size_t count = s.size() - static_cast<std::size_t>(std::abs(lag));
@@ -157,9 +171,10 @@ Agreement agreement(Curve submitted, Curve reference) {
     return found;
   };
   a.peak = highest(a.submitted).value();
-  a.peak_at = highest(a.submitted).where();
   a.reference_peak = highest(a.reference).value();
-  a.reference_peak_at = highest(a.reference).where();
+  const bool level = longest_above(a, a.reference_peak - 0.01 * range(a.reference)) > 0.1 * (a.x.back() - a.x.front());
+  a.peak_at = level ? unknown : highest(a.submitted).where();
+  a.reference_peak_at = level ? unknown : highest(a.reference).where();
   return a;
 }
 

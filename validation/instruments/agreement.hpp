@@ -15,7 +15,8 @@
 /// | skill           | d = 1 - sum (s_i - r_i)^2 / sum (abs(s_i - m) + abs(r_i - m))^2, m the mean of r_i |
 /// | peak            | largest value and the abscissa where it is first reached, among the points |
 ///
-/// A measure whose denominator is zero is NaN.
+/// A measure whose denominator is zero is NaN, and so is the place of a plateau's peak: where the reference stays
+/// within a hundredth of its range of it over more than a tenth of the way.
 ///
 /// Shift: the lag at which r(x - lag) is best correlated with s(x), positive where s is late or too far along. Both
 /// curves are resampled linearly at as many equally spaced points as there are; for each lag of a whole number of

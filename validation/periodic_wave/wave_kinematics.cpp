@@ -149,7 +149,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const Requirement close{.measure = Measure::largest_error,
                           .criterion = Bound{.limit = values.real("tolerance") * wave.crest_velocity,
                                              .reason = "the case's parameter `tolerance`, of the velocity at the "
-                                                       "crest; by default 5 %, which makes 10 % in a drag"},
+                                                       "crest; by default 3.5 %, which makes 7 % in a drag"},
                           .text = "Over the depth the velocity is that of the exact wave.",
                           .source = source};
   WantedTable table{

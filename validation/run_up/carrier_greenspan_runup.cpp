@@ -78,25 +78,19 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 std::vector<WantedTable> wanted(const Values& values) {
   const Lazy<exact::SolitaryRunup> wave([values] { return wave_of(values); });
   const std::string source = "Synolakis (1987)";
-  return {
-      {.name = "scalars",
-       .quantities = {{.column = {"runup", "m", "largest height of the shoreline above still water"},
-                       .reference = [wave](Place) { return wave->highest().elevation; },
-                       .requirements = {{.measure = Measure::value,
-                                         .criterion =
-                                             Bound{.limit = 0.05,
-                                                   .reason = "tolerance of analytical benchmarks for tsunami models, "
-                                                             "Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 (2007)",
-                                                   .expected = to_be_told(),
-                                                   .relative = true},
-                                         .text = "The run-up is that of the exact solution.",
-                                         .source = source}}}}},
-      {.name = "shoreline",
-       .kind = WantedTable::Kind::series,
-       .abscissa = Column{"t", "s", "time since the crest was at the toe"},
-       .quantities = {{.column = {"eta", "m", "elevation of the shoreline"},
-                       .reference = [wave](Place p) { return wave->shoreline(p.abscissa).elevation; }}},
-       .points = [wave, values](double) { return times_of(values, *wave); }}};
+  const std::function<double()> highest = [wave] { return wave->highest().elevation; };
+  return {{.name = "scalars",
+           .quantities = {wanted_number({"runup", "m", "largest height of the shoreline above still water"}, highest,
+                                        values, "Maximum run-up agrees with the exact solution.", source)}},
+          {.name = "shoreline",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time since the crest was at the toe"},
+           .quantities = {{.column = {"eta", "m", "elevation of the shoreline"},
+                           .reference = [wave](Place p) { return wave->shoreline(p.abscissa).elevation; },
+                           .requirements = {within_tolerance(
+                               Measure::relative_l2, values,
+                               "Elevation of the shoreline agrees with the exact solution at all times.", source)}}},
+           .points = [wave, values](double) { return times_of(values, *wave); }}};
 }
 
 }  // namespace
@@ -112,6 +106,7 @@ Case carrier_greenspan_runup() {
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth before the beach"),
       real("cot_slope", 19.85, "1", {0.1, 1e3}, "cotangent of the beach's angle"),
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      tolerance_parameter(),
   };
   c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};

@@ -61,8 +61,10 @@ std::string verdict_line(const evidence::Record& record) {
 std::string one_line(const JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
   const std::string unit = after_number(claim.claim.unit);
-  return fmt::format("{} {} ({}: off by {:.3g}{}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict),
-                     claim.claim.id, j.measured - j.expected, unit, j.limit, unit);
+  const double off = j.measured - j.expected;
+  return fmt::format("{} {} ({}: {}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict), claim.claim.id,
+                     std::isfinite(off) ? fmt::format("off by {:.3g}{}", off, unit) : "not found in the result",
+                     j.limit, unit);
 }
 
 /// The curve that misses its reference by most, over the reference.
@@ -119,7 +121,13 @@ bool is_comparison(const JudgedClaim& claim) {
   return std::holds_alternative<evidence::Uncertainty>(claim.criterion);
 }
 
-std::string whose_line(const JudgedClaim& claim, bool exact, const std::optional<Ladder>& ladder) {
+/// Nothing is left to look at: all that the case asks was judged, and no change of the file would explain its errors.
+bool all_right(const evidence::Record& record, const std::vector<Finding>& findings,
+               const std::optional<Ladder>& ladder) {
+  return record.as_declared() && record.left_out().empty() && findings.empty() && not_numerical(ladder) == nullptr;
+}
+
+std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std::optional<Ladder>& ladder) {
   const evidence::Judgement& j = claim.judgement;
   if (j.verdict == Verdict::error) return "the file's: what was measured is no number";
   if (is_comparison(claim)) {
@@ -133,7 +141,7 @@ std::string whose_line(const JudgedClaim& claim, bool exact, const std::optional
     if (j.verdict == Verdict::inconclusive) return "cannot be told: " + j.note;
     return fmt::format("nobody's: within the uncertainties of the data and of your result, {:.3g} together", j.limit);
   }
-  if (j.verdict == Verdict::pass) return "within every limit";
+  if (j.verdict == Verdict::pass) return all ? "within every limit" : "within the limits of what was judged";
   if (j.verdict == Verdict::inconclusive) return "cannot be told: " + j.note;
   if (!exact) return "your solver's or the data's: this limit knows no uncertainty of the data";
   if (!ladder) return "your solver's or its set-up's, for the reference is exact: three sizes tell which";
@@ -144,9 +152,9 @@ std::string whose_line(const JudgedClaim& claim, bool exact, const std::optional
 }
 
 std::string next_line(const evidence::Record& record, const JudgedClaim& claim, const std::vector<Finding>& findings,
-                      const std::optional<Ladder>& ladder, bool exact) {
+                      const std::optional<Ladder>& ladder, bool all, bool exact) {
   const evidence::Judgement& j = claim.judgement;
-  if (j.verdict == Verdict::pass) {
+  if (j.verdict == Verdict::pass && all) {
     return ladder ? "nothing is to be mended" : "three sizes or more (--sizes) tell your order and what 1 % costs";
   }
   for (const JudgedClaim& one : record.claims()) {
@@ -241,8 +249,9 @@ FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& su
     const bool exact = std::all_of(wanted.begin(), wanted.end(), [](const WantedTable& table) {
       return table.reference_role == evidence::Role::exact;
     });
-    look.emplace_back("whose it is", whose_line(*claim, exact, ladder));
-    look.emplace_back("next step", next_line(record, *claim, findings, ladder, exact));
+    const bool all = all_right(record, findings, ladder);
+    look.emplace_back("whose it is", whose_line(*claim, all, exact, ladder));
+    look.emplace_back("next step", next_line(record, *claim, findings, ladder, all, exact));
   }
   return look;
 }

@@ -56,6 +56,33 @@ Compared known_points(Curve submitted, Curve reference) {
   return points;
 }
 
+/// Mean of a piecewise linear curve over a stretch about x, cut at its ends.
+class Smoothed {
+ public:
+  explicit Smoothed(Compared points) : points_(std::move(points)), integral_{0} {
+    for (std::size_t i = 1; i < points_.x.size(); ++i) {
+      integral_.push_back(integral_.back() +
+                          0.5 * (points_.x[i] - points_.x[i - 1]) * (points_.r[i] + points_.r[i - 1]));
+    }
+  }
+  [[nodiscard]] double at(double x, double width) const {
+    const double from = std::max(x - width / 2, points_.x.front());
+    const double to = std::min(x + width / 2, points_.x.back());
+    return to > from ? (integral(to) - integral(from)) / (to - from) : linear_at({points_.x, points_.r}, x);
+  }
+
+ private:
+  [[nodiscard]] double integral(double x) const {
+    const auto above = std::upper_bound(points_.x.begin(), points_.x.end() - 1, x) - points_.x.begin();
+    const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above, 1)) - 1;
+    const double here = linear_at({points_.x, points_.r}, x);
+    return integral_[k] + 0.5 * (x - points_.x[k]) * (here + points_.r[k]);
+  }
+
+  Compared points_;
+  std::vector<double> integral_;
+};
+
 /// The number in [-reach, reach] that leaves least; of several that leave nearly the same the one nearest to zero, as
 /// periodic curves have. @param left  NaN where it says nothing
 double best_near_zero(double reach, const std::function<double(double)>& left) {
@@ -161,6 +188,12 @@ void try_fitted(Search& search, Curve submitted) {
   fit(Kind::slow, 0.25, [=](double f) -> Changed {
     return [=](double x) { return linear_at(submitted, first + (1 + f) * (x - first)); };
   });
+  // What the reference loses by smoothing is added to the curve.
+  fit(Kind::smeared, 0.25, [=, smooth = Smoothed(points), r = points](double w) -> Changed {
+    return [=, width = std::abs(w) * range](double x) {
+      return linear_at(submitted, x) + linear_at({r.x, r.r}, x) - smooth.at(x, width);
+    };
+  });
   const double middle = sum / n;
   fit(Kind::dying, 3, [=](double b) -> Changed {
     return [=](double x) { return middle + (linear_at(submitted, x) - middle) * std::exp(b * (x - first) / range); };
@@ -251,6 +284,8 @@ std::string Misreading::words(const std::string& unit, const std::string& abscis
                          amount > 0 ? "slower" : "faster", 1 + amount);
     case Kind::scaled:
       return fmt::format("fits the reference divided by {:.4g}: its amplitude is wrong", amount);
+    case Kind::smeared:
+      return fmt::format("is the reference smeared over {:.2g} % of its length: too coarse, or too viscous", percent);
     case Kind::dying:
       return fmt::format("{} along the way: by a factor of {:.3g} from beginning to end",
                          amount > 0 ? "dies away" : "grows", std::exp(-amount));

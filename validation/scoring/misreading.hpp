@@ -10,10 +10,12 @@
 ///     x_first)) abscissa   s(f x), f = 1000, 100, 60 or one over them                              scaled    s(x)/f
 ///                                                                                        dying     m + (s(x) - m)
 ///                                                                                        exp(b z)
+///                                                                                        smeared    s(x) + r - r_w
 ///
-/// with m the mean of r and z from 0 to 1 along it. The numbers on the right are fitted: |d| up to a quarter of the
-/// range, f of `slow` within a quarter of 1, |b| up to 3. What counts is the misfit, the root of the mean of
-/// (s_i - r_i)^2 over the reference's points that s covers. A change explains it when
+/// with m the mean of r, z from 0 to 1 along it, and r_w the mean of r over w of the range about x. The numbers on the
+/// right are fitted: |d| up to a quarter of the range, f of `slow` within a quarter of 1, w up to a quarter, |b| up
+/// to 3. What counts is the misfit, the root of the mean of (s_i - r_i)^2 over the reference's points that s covers. A
+/// change explains it when
 ///
 /// - the misfit is more than a hundredth of the reference's range: less is what solvers differ by;
 /// - ten points or more are compared, of which the change leaves three quarters covered;
@@ -33,7 +35,7 @@
 namespace seiche::validation {
 
 struct Misreading {
-  enum class Kind { unit, inverted, backwards, abscissa, level, shift, slow, scaled, dying };
+  enum class Kind { unit, inverted, backwards, abscissa, level, shift, slow, scaled, dying, smeared };
   Kind kind = Kind::level;
   double amount = 0;  ///< f, c, d or b above; 0 where there is none
   double left = 0;    ///< of the misfit, when it is undone

@@ -61,9 +61,9 @@ std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
 
 void judge(const JudgedSteadyFlow& flow, const Submitted& submitted, const SolverFacts& facts,
            evidence::Record& record) {
-  const double cell = judged_cell(flow.length, cells, facts);
+  const double cell = judged_cell(submitted, flow.length, cells, facts);
   const ProfilePoints points = submitted_points(submitted, 0, flow.length, cell);
-  const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, points.x.size());
+  const std::string resolution = resolution_of(points, cell, facts);
   for (const Required& one : requirements(flow, cell)) {
     record.check(one.claim, {.value = one.measured(points), .resolution = resolution}, one.bound);
   }

@@ -166,7 +166,7 @@ ExactSolution dispersive_standing_entry() {
       .parameters = {{"amplitude", "m", 0.05, 1e-12, 1e6, "first harmonic of the elevation"},
                      wavelength_parameter(),
                      depth_parameter(1, 1e6),
-                     gravity_parameter(1),
+                     gravity_parameter(),
                      {"alpha", "1", 1.0 / 3, 1e-6, 10, "factor of the vertical kinetic energy"},
                      {"gamma", "1", 0, 0, 10, "added potential energy of slopes, below alpha"},
                      {"weight_exponent", "1", 2, -10, 10, "that energy is weighted with this power of the depth"}},

@@ -31,9 +31,8 @@ inline const Coordinate height_y{"y", "m", none_given,
                                  "height above the undisturbed level; the surface where none is given"};
 inline const Coordinate wavenumber_k{"k", "1/m", none_given, "wavenumber; that of the wavelength where none is given"};
 
-/// Gravity with the default of the solution's literature: 1 where everything is scaled, 9.81 for channels.
-inline Parameter gravity_parameter(double default_value) {
-  return {"gravity", "m/s^2", default_value, 1e-6, 1e6, "acceleration of gravity"};
+inline Parameter gravity_parameter() {
+  return {"gravity", "m/s^2", 9.81, 1e-6, 1e6, "acceleration of gravity; 1 where everything is scaled"};
 }
 inline Parameter depth_parameter(double default_value, double maximum) {
   return {"depth", "m", default_value, 1e-9, maximum, "depth of the water at rest"};

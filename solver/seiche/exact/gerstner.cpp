@@ -188,7 +188,7 @@ ExactSolution gerstner_entry() {
           "x = a - e^{kb} sin(ka - omega t)/k, y = b + e^{kb} cos(ka - omega t)/k, omega^2 = g k, p = g (b0 - b) + g "
           "(e^{2kb} - e^{2k b0})/(2k)",
       .parameters = {wavelength_parameter(),
-                     gravity_parameter(1),
+                     gravity_parameter(),
                      {"top", "m", -0.5, -1e6, 0, "label b of the surface; 0 is the cusped wave"}},
       .inputs = {position_x, height_y, time_t},
       .outputs = {{"eta", "m", "surface elevation"},

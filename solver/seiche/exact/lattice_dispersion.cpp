@@ -359,7 +359,7 @@ const Parameter tuned{"tuned", "1", 0, 0, 1, "vertical inertia of surface nodes"
 template <class Law, class Make>
 ExactSolution law_entry(const std::string& name, const std::string& title, const std::string& citation,
                         const std::string& formula, const std::vector<Parameter>& own, Make make) {
-  std::vector<Parameter> parameters{wavelength_parameter(), depth_parameter(1, 1e6), gravity_parameter(1)};
+  std::vector<Parameter> parameters{wavelength_parameter(), depth_parameter(1, 1e6), gravity_parameter()};
   parameters.insert(parameters.end(), own.begin(), own.end());
   parameters.push_back({"time_step", "s", 0, 0, 1e6, "time step of the scheme; 0: continuous in time"});
   parameters.push_back({"scheme", "1", 0, 0, 1, "scheme in time", {"one_step", "conservative"}});

@@ -280,7 +280,7 @@ ExactSolution plan_manufactured_entry() {
           "w t), H = d/J, b = x_tt + g grad H + (alpha/H) grad(H^2 D^2 H)",
       .parameters = {{"amplitude", "m", 0.15, -1e6, 1e6, "of the motion, at most 0.3 length/pi"},
                      depth_parameter(1, 1e6),
-                     gravity_parameter(1),
+                     gravity_parameter(),
                      {"length", "m", std::numbers::pi, 1e-9, 1e6, "side of the basin"},
                      {"frequency", "1/s", 1.3, 1e-9, 1e6, "angular frequency of the motion"},
                      {"alpha", "1", 1.0 / 3, 1e-6, 10, "factor of the vertical kinetic energy, 1/3 for Green-Naghdi"}},

@@ -97,7 +97,7 @@ ExactSolution released_column_entry() {
       .formula = "p/(rho g) = H - y - sum 2/(H k^2) cos(k y) cosh(k x)/cosh(k L), k = (n + 1/2) pi/H",
       .parameters = {{"length", "m", 2, 1e-6, 1e6, "of the column, from the wall to the free face"},
                      {"height", "m", 1, 1e-6, 1e6, "of the column"},
-                     gravity_parameter(1),
+                     gravity_parameter(),
                      {"density", "kg/m^3", 1, 1e-6, 1e6, "of the water"}},
       .inputs = {{"x", "m", 0, "from the wall, up to length"}, {"y", "m", 0, "above the floor, up to height"}},
       .outputs = {{"p", "Pa", "pressure"}},

@@ -197,7 +197,7 @@ ExactSolution serre_cnoidal_entry() {
       .parameters = {{"height", "m", 0.2, 1e-9, 1e6, "from trough to crest"},
                      wavelength_parameter(),
                      depth_parameter(1, 1e6),
-                     gravity_parameter(1)},
+                     gravity_parameter()},
       .inputs = {position_x, time_t},
       .outputs = {{"eta", "m", "surface elevation above the mean level"},
                   {"u", "m/s", "horizontal velocity, mean over the depth"}},

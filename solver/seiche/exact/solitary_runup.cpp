@@ -233,7 +233,7 @@ ExactSolution solitary_runup_entry() {
       .parameters = {{"amplitude", "m", 0.019, 1e-9, 1e6, "crest height of the incident wave"},
                      depth_parameter(1, 1e6),
                      {"cot_slope", "1", 19.85, 0.1, 1e3, "cotangent of the beach's angle"},
-                     gravity_parameter(1)},
+                     gravity_parameter()},
       .inputs = {{"t", "s", 0, "time, 0 when the crest is at the toe of the beach"}},
       .outputs = {{"eta", "m", "elevation at the initial shoreline, linear theory"}},
       .scalars = {{"runup", "m", "highest shoreline, of linear and nonlinear theory alike",

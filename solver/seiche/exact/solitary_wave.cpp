@@ -457,7 +457,7 @@ ExactSolution solitary_entry() {
           "sin(theta)/q, q = exp(tau); f = F (1 - dW/dz) inside by a quotient of Cauchy sums",
       .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "crest above still water, up to 0.8331 depth"},
                      depth_parameter(1, 1e6),
-                     gravity_parameter(1)},
+                     gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
       .outputs = {{"eta", "m", "surface elevation"},
                   {"u", "m/s", "horizontal velocity"},

@@ -153,7 +153,7 @@ ExactSolution standing_entry() {
       .parameters = {{"amplitude", "m", 0.05, 1e-12, 1e6, "coefficient of cos(k x) at first order"},
                      wavelength_parameter(),
                      depth_parameter(1, infinite),
-                     gravity_parameter(9.81)},
+                     gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
       .outputs = {{"eta", "m", "surface elevation"},
                   {"phi", "m^2/s", "velocity potential"},

@@ -491,7 +491,7 @@ ExactSolution stokes_entry() {
                      depth_parameter(infinite, infinite),
                      {"conformal_depth", "m", 0, 0, infinite,
                       "discharge under the wave over its speed; where positive it takes the place of depth"},
-                     gravity_parameter(1)},
+                     gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
       .outputs = {{"eta", "m", "surface elevation above the mean level"},
                   {"u", "m/s", "horizontal velocity"},

@@ -26,7 +26,7 @@ std::string command_of(const JudgedStates& states) {
 
 void judge(const JudgedStates& states, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
   const auto& [solution, since, start, end, cells] = states;
-  const double cell = judged_cell(states.length(), cells, facts);
+  const double cell = judged_cell(submitted, states.length(), cells, facts);
   const ProfilePoints points = submitted_points(submitted, start, end, cell);
   const RiemannErrors errors = riemann_errors(solution, since, points);
   record.measure("l1_h", errors.depth);
@@ -37,8 +37,12 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
   record.measure("front_position_exact", judged.front.position);
   if (judged.is_jump) record.measure("front_width", front_width(points.cells(), judged.front));
 
-  const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, points.x.size());
-  for (const RiemannRequirement& one : riemann_requirements(solution, since, states.length(), cell)) {
+  const std::string resolution = resolution_of(points, cell, facts);
+  for (const RiemannRequirement& one : riemann_requirements(solution, since, start, end, cell)) {
+    if (one.id == "front" && !points.cover(judged.front.position)) {
+      record.leave_out({claim_of(one), "the points do not reach the front"});
+      continue;
+    }
     record.check(claim_of(one), {.value = errors.*one.error, .resolution = resolution}, one.bound);
   }
 }
@@ -56,9 +60,9 @@ Submission submission_of(const std::function<JudgedStates(const Values&)>& state
                                evidence::Record& record) { judge(states_of(values), submitted, facts, record); }};
 }
 
-void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, const Smearing& smearing) {
+void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, double viscosity) {
   for (const RiemannRequirement& one :
-       riemann_requirements(states.solution, states.since, states.length(), cell, smearing)) {
+       riemann_requirements(states.solution, states.since, states.start, states.end, cell, viscosity)) {
     const Amount& limit = one.bound.limit;
     claims
         .only_if(!(limit.value() > limit.cap()),

@@ -30,10 +30,7 @@ std::vector<WantedTable> wanted_states(const JudgedStates& states);
 /// judged_cell() and submitted_points() do.
 Submission submission_of(const std::function<JudgedStates(const Values&)>& states_of);
 
-/// A scheme that keeps a jump within one particle: the lines from its mean to those beside it smear it over three.
-inline constexpr Smearing one_particle{.cells_wide = 3};
-
-/// The same claims of a flow of our own. @param cell  [m]
-void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, const Smearing& smearing);
+/// The same claims of a flow of our own. @param cell  [m]; viscosity: see riemann_requirements()
+void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, double viscosity = 1);
 
 }  // namespace seiche::validation

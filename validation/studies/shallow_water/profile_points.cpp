@@ -72,13 +72,20 @@ ProfilePoints submitted_points(const Submitted& submitted, double start, double 
   return {x, group.values.at("h"), group.values.at("u")};
 }
 
-double judged_cell(double length, long cells, const SolverFacts& facts) {
-  const double cell = facts.cell.value_or(length / static_cast<double>(cells));
+double judged_cell(const Submitted& submitted, double length, long cells, const SolverFacts& facts) {
+  const std::vector<double>& x = submitted.at("profile").front().abscissa;
+  const double apart = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+  const double cell = facts.cell.value_or(std::min(apart, length / static_cast<double>(cells)));
   if (cell > length / 4) {
     throw std::invalid_argument(
         fmt::format("--dx {:g} is out of range: must be at most {:g}, a quarter of the channel", cell, length / 4));
   }
   return cell;
+}
+
+std::string resolution_of(const ProfilePoints& points, double cell, const SolverFacts& facts) {
+  return fmt::format("cells of {:.4g} m{}, {} points", cell, facts.cell ? "" : " (--dx says otherwise)",
+                     points.x.size());
 }
 
 MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact) {

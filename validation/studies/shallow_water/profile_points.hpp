@@ -16,6 +16,7 @@ struct ProfilePoints {
 
   /// The same as cells around the points.
   [[nodiscard]] Profile cells() const;
+  [[nodiscard]] bool cover(double place) const { return place >= x.front() && place <= x.back(); }
 };
 
 /// The table of points that is asked for: depth h and velocity u at the centres of so many cells of a channel.
@@ -32,9 +33,13 @@ Submitted submitted_profile(const Profile& profile);
 /// cells: such points show less than the solver knows, and cannot be judged for it
 ProfilePoints submitted_points(const Submitted& submitted, double start, double end, double cell);
 
-/// Size of the cells that limits are for: the solver's own, or as many over the channel as the case asks for.
+/// Size of the cells that limits are for: the solver's own; where it does not say, the mean distance of its points, and
+/// at most as large as with as many cells over the channel as the case asks for.
 /// @throws std::invalid_argument for cells of more than a quarter of the channel
-double judged_cell(double length, long cells, const SolverFacts& facts);
+double judged_cell(const Submitted& submitted, double length, long cells, const SolverFacts& facts);
+
+/// "cells of 0.125 m, as the points are apart (--dx says otherwise), 400 points".
+std::string resolution_of(const ProfilePoints& points, double cell, const SolverFacts& facts);
 
 /// Means over the length that the points cover.
 struct MeanErrors {

@@ -18,6 +18,8 @@ struct JudgedFront {
   Front front;
   bool is_jump = false;
 };
+/// Whether there is a jump, or a dry side that the water has an end on.
+bool has_front(const exact::Riemann& solution);
 JudgedFront judged_front(const exact::Riemann& solution, double time);
 
 /// Where a computed profile has its front: the jump, or the end of the water at a dry front. Cells have no end of the
@@ -29,7 +31,8 @@ double judged_position(const exact::Riemann& solution, const JudgedFront& judged
 struct RiemannErrors : MeanErrors {
   double volume = 0;    ///< integral of h less the exact one [m^2]
   double momentum = 0;  ///< of h u [m^3/s]
-  double front = 0;     ///< position of the jump less the exact one [m]; NaN where there is none
+  double front = 0;     ///< position of the jump, or of the end of the water, less the exact one [m]; NaN without one
+  double celerity = 0;  ///< the depth is nearest to the exact one of the time (1 + celerity) t
 };
 RiemannErrors riemann_errors(const exact::Riemann& solution, double time, const ProfilePoints& points);
 
@@ -40,15 +43,10 @@ struct RiemannRequirement {
   evidence::Bound bound;
 };
 
-/// How a scheme of first order smears the waves.
-struct Smearing {
-  double cells_wide = 8;  ///< cells over which a jump is spread
-  double viscosity = 1;   ///< over that of Rusanov's flux, (|u| + c) dx/2
-};
-
 /// What is required of a solver with cells of this size, whatever points it prints.
-/// @param length  of the channel [m]
-std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solution, double time, double length,
-                                                     double cell, const Smearing& smearing = {});
+/// @param start, end  of the channel [m]
+/// @param viscosity   over that of Rusanov's flux, (|u| + c) dx/2
+std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solution, double time, double start,
+                                                     double end, double cell, double viscosity = 1);
 
 }  // namespace seiche::validation

@@ -173,7 +173,7 @@ ExactSolution simple_wave_entry() {
                      {"amplitude", "m", 0.2, -1e6, 1e6, "height of the hump, above -still_depth"},
                      {"centre", "m", 6, -1e9, 1e9, "middle of the hump at t = 0"},
                      {"length", "m", 6, 1e-9, 1e9, "length of the hump"},
-                     gravity_parameter(9.81)},
+                     gravity_parameter()},
       .inputs = {position_x, time_t},
       .outputs = depth_and_velocity,
       .scalars = {{"breaking_time", "s", "when the wave becomes vertical; no solution from then on",

@@ -1,0 +1,403 @@
+#include "validation/scoring/resolving_power.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/data_folder.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/scoring/score.hpp"
+#include "validation/scoring/submitted.hpp"
+#include "validation/scoring/units.hpp"
+
+namespace seiche::validation {
+namespace {
+
+constexpr double first_size = 0.0005;
+constexpr int doublings = 10;
+constexpr int bisections = 4;
+constexpr double kept_of_truncated = 0.6;
+
+/// Piecewise linear, its ends held.
+double held_at(const SubmittedGroup& group, const std::string& quantity, double x) {
+  const std::vector<double>& at = group.abscissa;
+  return linear_at({at, group.values.at(quantity)}, std::clamp(x, at.front(), at.back()));
+}
+
+/// Of the references that are asked for again and again.
+std::vector<WantedTable> remembering(std::vector<WantedTable> tables) {
+  for (WantedTable& table : tables) {
+    for (WantedQuantity& quantity : table.quantities) {
+      const auto kept = std::make_shared<std::map<std::pair<double, double>, double>>();
+      quantity.reference = [kept, reference = quantity.reference](Place p) {
+        const auto [found, fresh] = kept->try_emplace({p.group, p.abscissa});
+        if (fresh) found->second = reference(p);
+        return found->second;
+      };
+    }
+  }
+  return tables;
+}
+
+std::vector<double> groups_of(const WantedTable& table) {
+  return table.group ? *table.groups : std::vector<double>{0};
+}
+
+/// The reference's points with so many more between two neighbours; of two, with every second one alone for -1.
+std::vector<double> denser(const std::vector<double>& points, int between) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (between < 0 && k % 2 == 1 && k + 1 < points.size()) continue;
+    all.push_back(points[k]);
+    if (k + 1 == points.size()) break;
+    for (int i = 1; i <= between; ++i) all.push_back(std::lerp(points[k], points[k + 1], i / (between + 1.0)));
+  }
+  return all;
+}
+
+/// The reference as a file; `dry`: with no value where it has no depth.
+io::Table file_of(const WantedTable& table, int between, bool dry = false) {
+  io::Table file{.source = table.name, .names = {}, .units = {}, .columns = {}, .lines = {}, .unusable = {}};
+  for (const Column& column : columns_of(table)) {
+    file.names.push_back(column.name);
+    file.units.emplace_back();
+    file.columns.emplace_back();
+  }
+  for (const double group : groups_of(table)) {
+    const std::vector<double> points = table.abscissa ? denser(table.points(group), between) : std::vector<double>{0};
+    for (const double x : points) {
+      std::size_t k = 0;
+      if (table.group) file.columns[k++].push_back(group);
+      if (table.abscissa) file.columns[k++].push_back(x);
+      const WantedQuantity& first = table.quantities.front();
+      const bool no_water = dry && first.column.name == "h" && first.reference({group, x}) == 0;
+      for (const WantedQuantity& quantity : table.quantities) {
+        file.columns[k++].push_back(no_water ? std::numeric_limits<double>::quiet_NaN()
+                                             : quantity.reference({group, x}));
+      }
+    }
+  }
+  return file;
+}
+
+Submitted reference_of(const std::vector<WantedTable>& tables, int between, bool dry = false) {
+  Submitted all;
+  for (const WantedTable& table : tables) {
+    Understanding understood;
+    for (auto& [name, groups] : submitted_from({file_of(table, between, dry)}, {table}, understood)) all[name] = groups;
+  }
+  return all;
+}
+
+/// Whether any value is another one.
+bool differ(const Submitted& a, const Submitted& b) {
+  for (const auto& [table, groups] : a) {
+    const std::vector<SubmittedGroup>& others = b.at(table);
+    if (groups.size() != others.size()) return true;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (groups[g].abscissa != others[g].abscissa) return true;
+      for (const auto& [name, y] : groups[g].values) {
+        const double hair = 1e-9 * worst(y);
+        const std::vector<double>& z = others[g].values.at(name);
+        for (std::size_t k = 0; k < y.size(); ++k) {
+          if (!(std::abs(y[k] - z[k]) <= hair)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+class Battery {
+ public:
+  Battery(const Case& one, const Values& values)
+      : case_(one), values_(values), tables_(remembering(one.submission.tables(values))) {
+    for (const WantedTable& table : tables_) {
+      for (const WantedQuantity& quantity : table.quantities) facts_.uncertainty[quantity.column.name] = {};
+      if (table.abscissa) facts_.uncertainty[table.abscissa->name] = {};
+    }
+    truth_ = reference_of(tables_, 0);
+    constexpr int finely = 7;
+    fine_ = reference_of(tables_, finely);
+  }
+
+  std::vector<Resolved> run() {
+    passes("truth", [this] { return truth_; });
+    passes("half density", [this] { return reference_of(tables_, -1); });
+    passes("double density", [this] { return reference_of(tables_, 1); });
+    passes("dry NaN", [this] { return reference_of(tables_, 0, true); });
+    for (const WantedTable& table : tables_) {
+      for (const WantedQuantity& quantity : table.quantities) sizes_of(table, quantity.column);
+      shapes_of(table);
+    }
+    gravity();
+    return std::move(rows_);
+  }
+
+ private:
+  /// What a curve becomes at x, of its finely printed reference.
+  using Change = std::function<double(const SubmittedGroup& fine, double x)>;
+  using OfSize = std::function<Submitted(double size)>;
+
+  /// What notices; empty: nothing does.
+  [[nodiscard]] std::string noticed(const Submitted& submitted) const {
+    evidence::Record record;
+    record.solver = "changed";
+    try {
+      score(tables_, submitted, facts_.uncertainty, record);
+      if (case_.submission.judge) case_.submission.judge(values_, submitted, facts_, record);
+    } catch (const std::invalid_argument&) {
+      return "rejected";
+    }
+    const auto& claims = record.claims();
+    const auto found = std::ranges::find_if(claims, [](const auto& claim) { return !claim.as_declared(); });
+    return found == claims.end() ? std::string() : found->claim.id;
+  }
+
+  void passes(const std::string& change, const std::function<Submitted()>& submitted) {
+    std::string by = "rejected";
+    try {
+      by = noticed(submitted());
+    } catch (const std::invalid_argument&) {  // of the reader
+    }
+    rows_.push_back({.table = {}, .quantity = {}, .change = change, .by = by});
+  }
+
+  [[nodiscard]] Submitted with(const WantedTable& table, const std::string& quantity, const Change& change) const {
+    Submitted changed = truth_;
+    std::vector<SubmittedGroup>& groups = changed.at(table.name);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const SubmittedGroup& fine = fine_.at(table.name)[g];
+      std::vector<double>& y = groups[g].values.at(quantity);
+      for (std::size_t k = 0; k < y.size(); ++k) y[k] = change(fine, table.abscissa ? groups[g].abscissa[k] : 0);
+    }
+    return changed;
+  }
+
+  /// The size from which on a change is noticed, and by what.
+  [[nodiscard]] std::pair<double, std::string> smallest(const OfSize& changed) const {
+    double below = 0;
+    double size = first_size;
+    std::string by = noticed(changed(size));
+    for (int k = 0; k < doublings && by.empty(); ++k) {
+      below = size;
+      size *= 2;
+      by = noticed(changed(size));
+    }
+    if (by.empty()) return {std::numeric_limits<double>::quiet_NaN(), by};
+    for (int k = 0; k < bisections && below > 0; ++k) {
+      const double middle = std::sqrt(below * size);
+      const std::string here = noticed(changed(middle));
+      (here.empty() ? below : size) = middle;
+      if (!here.empty()) by = here;
+    }
+    return {size, by};
+  }
+
+  /// @param scale  of a size of 1, in the row's unit
+  void add(Resolved row, double scale, const OfSize& changed, bool both_signs = true) {
+    if (!differ(changed(0.1), changed(0))) return;
+    std::tie(row.smallest, row.by) = smallest(changed);
+    if (both_signs && !row.by.empty()) {
+      const auto [size, by] = smallest([&](double s) { return changed(-s); });
+      if (!(size <= row.smallest)) std::tie(row.smallest, row.by) = std::pair(size, by);
+    }
+    row.amount = scale * row.smallest;
+    rows_.push_back(row);
+  }
+
+  void sizes_of(const WantedTable& table, const Column& quantity) {
+    const std::string& name = quantity.name;
+    const auto row = [&](const std::string& change, const std::string& unit) {
+      return Resolved{.table = table.name, .quantity = name, .change = change, .unit = unit};
+    };
+    const auto of_size = [&](const std::function<double(const SubmittedGroup&, double x, double s)>& change) -> OfSize {
+      return [this, &table, name, change](double s) {
+        return with(table, name, [&](const SubmittedGroup& fine, double x) { return change(fine, x, s); });
+      };
+    };
+    Largest high;
+    Smallest low;
+    for (const SubmittedGroup& group : truth_.at(table.name)) {
+      for (const double y : group.values.at(name)) {
+        high.add(y);
+        low.add(y);
+      }
+    }
+    if (!table.abscissa) {
+      const auto value = [name](const SubmittedGroup& group) { return group.values.at(name).front(); };
+      add(row("amplitude", "1"), 1,
+          of_size([=](const SubmittedGroup& g, double, double s) { return value(g) * (1 + s); }));
+      // Of a number that should be zero.
+      if (high.value() == 0 && low.value() == 0)
+        add(row("datum", quantity.unit), 1,
+            of_size([=](const SubmittedGroup& g, double, double s) { return value(g) + s; }));
+      return;
+    }
+    const std::string& along = table.abscissa->unit;
+    const auto length = [](const SubmittedGroup& g) { return g.abscissa.back() - g.abscissa.front(); };
+    const double range = high.value() - low.value();
+    const double longest = length(fine_.at(table.name).front());
+    add(row("amplitude", "1"), 1,
+        of_size([=](const SubmittedGroup& g, double x, double s) { return held_at(g, name, x) * (1 + s); }));
+    add(row("datum", quantity.unit), range,
+        of_size([=](const SubmittedGroup& g, double x, double s) { return held_at(g, name, x) + s * range; }));
+    add(row("shift", along), longest,
+        of_size([=](const SubmittedGroup& g, double x, double s) { return held_at(g, name, x - s * length(g)); }));
+    add(row("dilation", "1"), 1, of_size([=](const SubmittedGroup& g, double x, double s) {
+          return held_at(g, name, g.abscissa.front() + (1 + s) * (x - g.abscissa.front()));
+        }));
+    add(row("smoothed", along), longest, of_size([=](const SubmittedGroup& g, double x, double s) {
+          constexpr int samples = 32;
+          double sum = 0;
+          for (int k = 0; k < samples; ++k) sum += held_at(g, name, x + s * length(g) * ((k + 0.5) / samples - 0.5));
+          return sum / samples;
+        }),
+        false);
+  }
+
+  /// Without size. Of several ways to do it, the first that is not noticed counts.
+  void add(const WantedTable& table, const std::string& change, const std::vector<Submitted>& ways) {
+    Resolved row{.table = table.name, .quantity = {}, .change = change, .by = "same"};
+    for (const Submitted& one : ways) {
+      if (!differ(one, truth_)) continue;
+      row.by = noticed(one);
+      if (row.by.empty()) break;
+    }
+    if (!ways.empty()) rows_.push_back(row);
+  }
+
+  void shapes_of(const WantedTable& table) {
+    const std::vector<SubmittedGroup>& right = truth_.at(table.name);
+    /// The truth with some groups replaced by what `change` makes of them.
+    const auto groups = [&](std::size_t from, std::size_t to, const std::function<void(SubmittedGroup&)>& change) {
+      Submitted changed = truth_;
+      for (std::size_t g = from; g < to; ++g) change(changed.at(table.name)[g]);
+      return changed;
+    };
+    std::vector<Submitted> exchanged;
+    for (std::size_t g = 0; g + 1 < right.size(); ++g) {
+      Submitted changed = truth_;
+      std::vector<SubmittedGroup>& both = changed.at(table.name);
+      for (const auto& [to, from] : {std::pair{g, g + 1}, std::pair{g + 1, g}}) {
+        for (auto& [name, y] : both[to].values) {
+          for (std::size_t k = 0; k < y.size(); ++k) {
+            const SubmittedGroup& other = right[from];
+            y[k] = table.abscissa ? held_at(other, name, both[to].abscissa[k]) : other.values.at(name).front();
+          }
+        }
+      }
+      exchanged.push_back(changed);
+    }
+    if (table.quantities.size() > 1) {
+      exchanged.push_back(groups(0, right.size(), [&](SubmittedGroup& group) {
+        std::swap(group.values.at(table.quantities[0].column.name), group.values.at(table.quantities[1].column.name));
+      }));
+    }
+    add(table, "exchanged", exchanged);
+    if (!table.abscissa) return;
+    const auto stand = [](SubmittedGroup& group) {
+      for (auto& [name, y] : group.values) std::fill(y.begin(), y.end(), y.front());
+    };
+    add(table, "reversed", {groups(0, right.size(), [](SubmittedGroup& group) {
+          for (auto& [name, y] : group.values) std::reverse(y.begin(), y.end());
+        })});
+    add(table, "still", {groups(0, right.size(), stand)});
+    add(table, "truncated", {groups(0, right.size(), [](SubmittedGroup& group) {
+          const double end = std::lerp(group.abscissa.front(), group.abscissa.back(), kept_of_truncated);
+          const auto kept = std::ranges::upper_bound(group.abscissa, end) - group.abscissa.begin();
+          group.abscissa.resize(static_cast<std::size_t>(kept));
+          for (auto& [name, y] : group.values) y.resize(group.abscissa.size());
+        })});
+    std::vector<Submitted> dead;
+    for (std::size_t g = 0; g < right.size() && right.size() > 1; ++g) dead.push_back(groups(g, g + 1, stand));
+    add(table, "dead", dead);
+  }
+
+  void gravity() {
+    const auto& declared = values_.declared();
+    if (std::ranges::find(declared, "gravity", &Parameter::name) == declared.end()) return;
+    const double right = values_.real("gravity");
+    const auto changed = [&](double s) {
+      Values other = values_;
+      other.set("gravity", Value(right * (1 + s)));
+      const std::vector<WantedTable> tables = case_.submission.tables(other);
+      Submitted all = truth_;
+      for (const WantedTable& table : tables) {
+        for (SubmittedGroup& group : all.at(table.name)) {
+          for (const WantedQuantity& quantity : table.quantities) {
+            std::vector<double>& y = group.values.at(quantity.column.name);
+            for (std::size_t k = 0; k < y.size(); ++k) {
+              const double there = quantity.reference({group.value, table.abscissa ? group.abscissa[k] : 0});
+              y[k] = std::isnan(there) ? 0 : there;
+            }
+          }
+        }
+      }
+      return all;
+    };
+    add({.table = {}, .quantity = {}, .change = "gravity", .unit = "m/s^2"}, right, changed);
+  }
+
+  const Case& case_;
+  const Values& values_;
+  std::vector<WantedTable> tables_;
+  SolverFacts facts_;
+  Submitted truth_;
+  Submitted fine_;  ///< the reference between the template's points, too
+  std::vector<Resolved> rows_;
+};
+
+}  // namespace
+
+std::vector<Resolved> resolving_power(const Case& one, const Values& values) {
+  return Battery(one, values).run();
+}
+
+std::string told_by(const std::vector<Resolved>& rows, const std::string& table, const std::string& quantity) {
+  std::vector<std::string> told, untold;
+  for (const Resolved& row : rows) {
+    if (row.table != table || row.quantity != quantity || std::isnan(row.smallest) != row.by.empty()) continue;
+    if (row.by.empty()) {
+      untold.push_back(row.change);
+    } else if (row.unit == "1") {
+      told.push_back(fmt::format("{:.2g} % of {}", 100 * row.smallest, row.change));
+    } else {
+      told.push_back(fmt::format("{:.2g}{} of {}", row.amount, after_number(row.unit), row.change));
+    }
+  }
+  if (told.empty() && untold.empty()) return {};
+  return fmt::format(
+      "{} {}{}{}", quantity, told.empty() ? "" : "tells ", fmt::join(told, ", "),
+      untold.empty() ? "" : fmt::format("{}does not tell {}", told.empty() ? "" : "; ", fmt::join(untold, ", ")));
+}
+
+std::map<std::string, std::vector<Resolved>> recorded_power() {
+  std::map<std::string, std::vector<Resolved>> cases;
+  std::ifstream file(data_folder("record") / "resolving_power.csv");
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> words;
+    std::istringstream fields(line);
+    for (std::string word; std::getline(fields, word, ',');) words.push_back(word);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    cases[words.at(0)].push_back({words.at(1), words.at(2), words.at(3), io::number_in(words.at(4)).value_or(none),
+                                  io::number_in(words.at(5)).value_or(none), words.at(6), words.at(7)});
+  }
+  return cases;
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,84 @@
+// The front of a collapsing column whose clock is wrong: what is fitted to it.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "validation/dam_break/submitted_front.hpp"
+#include "verification/check.hpp"
+
+namespace front_fit_test {
+
+using namespace seiche;
+using namespace seiche::validation;
+using evidence::Bound;
+using evidence::Qualitative;
+using verification::Check;
+
+TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
+  Check check("front_fit", "Shift and rate of a front",
+              "Points of a known front, read from a clock that is late and slow: both are found, and the stated "
+              "uncertainty of the front is carried to its rate.");
+  const auto front = [](double T) { return 1 + T * T / (1 + 0.55 * T); };
+  std::vector<double> T, X;
+  for (int k = 0; k <= 2000; ++k) {
+    T.push_back(0.005 * k);
+    X.push_back(front(T.back()));
+  }
+  ColumnFront data{.uncertainty = 0.05, .time_uncertainty = 0.05};
+  constexpr double shift = 0.17;
+  constexpr double rate = 1.054;
+  for (int k = 2; k <= 15; ++k) {
+    data.T.push_back(0.55 * k);
+    data.X.push_back(front(rate * (data.T.back() - shift)));
+  }
+  const FrontFit fit = front_fit({T, X}, data, 100, 0.02);
+  const auto close = [&](const std::string& id, double value, double expected) {
+    check.that(
+        {.id = id, .text = "It is found.", .quantity = id, .source = "definition of the fit"}, {.value = value},
+        Bound{.limit = 1e-5,
+              .reason = "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
+                        "0.005^2/4 = 6e-6",
+              .expected = expected});
+  };
+  close("shift", fit.shift, shift);
+  close("rate", fit.rate, rate);
+  // From T = 1.2 on, where X = 1.87: the first two of the points may be before that, and say nothing.
+  const std::vector<double> late_T(T.begin() + 240, T.end());
+  const std::vector<double> late_X(X.begin() + 240, X.end());
+  const FrontFit late = front_fit({late_T, late_X}, data, 100, 0.02);
+  close("late-shift", late.shift, shift);
+  close("late-rate", late.rate, rate);
+  const FrontFit exact = front_fit({T, X}, data, 100, 0.0);
+  const FrontFit twice = front_fit({T, X}, data, 100, 0.04);
+  check.that({.id = "uncertainty",
+              .text = "Twice the uncertainty of the front is twice that of its rate.",
+              .quantity = "ratio",
+              .source = "linear propagation"},
+             {.value = *twice.rate_numerical / *fit.rate_numerical},
+             Bound{.limit = 1e-12, .reason = "round-off", .expected = 2});
+  check.that({.id = "certain",
+              .text = "A front that is known exactly adds none.",
+              .quantity = "numerical uncertainty of the rate",
+              .source = "linear propagation"},
+             {.value = *exact.rate_numerical}, Bound{.limit = 0, .reason = "nothing was stated to be uncertain"});
+  check.that({.id = "unstated",
+              .text = "Where nothing is stated nothing is known.",
+              .quantity = "an uncertainty is given",
+              .source = "linear propagation"},
+             {.value = front_fit({T, X}, data, 100, std::nullopt).rate_numerical ? 1.0 : 0.0},
+             Qualitative{"an uncertainty", "none was stated", false});
+  // An X that is wrong by 0.02 with the sign of the weights moves the rate by as much as is said, to first order.
+  check.that({.id = "bound",
+              .text = "It bounds what the front being a constant 0.02 too far does.",
+              .quantity = "change of the rate over its bound",
+              .source = "triangle inequality"},
+             {.value =
+                  [&] {
+                    std::vector<double> farther = X;
+                    for (double& x : farther) x += 0.02;
+                    return std::abs(front_fit({T, farther}, data, 100, 0.02).rate - fit.rate) / *fit.rate_numerical;
+                  }()},
+             Bound{.limit = 1, .reason = "a bound of errors of every sign, to first order"});
+}
+
+}  // namespace front_fit_test
