@@ -136,8 +136,8 @@ std::vector<WantedTable> wanted(const Values& values) {
   };
   const std::vector<Requirement> close{
       {.measure = Measure::largest_error,
-       .criterion = Bound{.limit = values.real("tolerance") * 2 * values.real("amplitude"),
-                          .reason = "the case's parameter `tolerance`, of the height of the cosine; by default 3.5 %, "
+       .criterion = Bound{.limit = values.real("tolerance") * values.real("amplitude"),
+                          .reason = "the case's parameter `tolerance`, of the amplitude; by default 3.5 %, "
                                     "less than the jet grows between the instants asked for"},
        .text = "The surface is that of potential flow.",
        .source = source}};

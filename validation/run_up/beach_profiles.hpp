@@ -1,5 +1,6 @@
 /// Surfaces of solitary waves on Synolakis' beach 1 : 19.85, and how far two of them are from each other; what of his
-/// exact solution for A = 0.019 is asked of others, who are judged by the same claims as our own model.
+/// exact solution for A = 0.019 is asked of others, who are judged by the same claims as our own model, some within
+/// narrower limits.
 ///
 /// Lengths in depths, times in sqrt(d/g) since the crest was arccosh(sqrt 20)/sqrt(3 A/4) before the toe; x from the
 /// shoreline at rest, positive offshore.
