@@ -18,8 +18,6 @@ SOURCE = pathlib.Path(os.environ.get("SEICHE_SOURCE", pathlib.Path(__file__).res
 RECORD = SOURCE / "reports/record/resolving_power.csv"
 NAMES = ("case", "table", "quantity", "change", "smallest", "amount", "unit", "by", "commit")
 RIGHT = ("truth", "half density", "double density", "dry NaN")
-# What no claim can detect, and why.
-BLIND = {}
 
 
 def printed(*words):
@@ -51,15 +49,16 @@ class ResolvingPower(unittest.TestCase):
         self.assertEqual([row for exact, rows in self.cases.values() for row in rows if wrong(exact, row)], [])
 
     def test_right_results_pass_however_they_are_printed(self):
-        self.none(lambda _, row: row["change"] in RIGHT and row["by"])
+        # Half of a measured record's samples may not hold its peak.
+        self.none(lambda exact, row: row["change"] in RIGHT and row["by"] and (exact or row["change"] != "half density"))
 
     def test_a_twentieth_of_the_amplitude_is_detected_beside_every_exact_solution(self):
         self.none(lambda exact, row: exact and row["change"] == "amplitude"
                   and not (row["by"] and float(row["smallest"]) <= 0.05))
 
-    def test_what_is_wrong_altogether_is_detected(self):
-        self.none(lambda _, row: row["table"] and not row["quantity"]
-                  and bool(row["by"]) == ((row["case"], row["table"], row["change"]) in BLIND))
+    def test_what_is_wrong_altogether_is_detected_beside_every_exact_solution(self):
+        """Beside measurements what is not detected is in the evidence of record."""
+        self.none(lambda exact, row: exact and row["table"] and not row["quantity"] and not row["by"])
 
     def test_the_evidence_of_record_says_the_same(self):
         def key(row):

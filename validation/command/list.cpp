@@ -186,10 +186,21 @@ void print_scores() {
     const std::string told = rows == power.end() ? "" : validation::told_by(rows->second, table, quantity);
     if (!told.empty()) fmt::print("  {:<12} {}\n", "", told);
   };
+  // A case whose data cannot tell a fifth of an amplitude says so.
+  const auto dull = [&](const Case& one) {
+    std::string quantities;
+    const auto rows = power.find(one.name);
+    if (rows == power.end()) return quantities;
+    for (const validation::Resolved& row : rows->second) {
+      if (row.change == "amplitude" && !(row.smallest <= 0.2))
+        quantities += fmt::format("{}{}", quantities.empty() ? "; cannot tell 20 % of " : ", ", row.quantity);
+    }
+    return quantities;
+  };
   for (const Case& one : validation::all_cases()) {
     if (!one.submission) continue;
     const std::vector<validation::WantedTable> wanted = one.submission.tables(one.values(Tier::quick));
-    fmt::print("{}: {}\n", one.name, one.title);
+    fmt::print("{}: {}{}\n", one.name, one.title, dull(one));
     for (const validation::WantedTable& table : wanted) {
       std::vector<std::string> columns;
       for (const validation::Column& column : validation::columns_of(table)) {

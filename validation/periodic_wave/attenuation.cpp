@@ -131,7 +131,13 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
            .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
                            .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
                            .requirements = {within_tolerance(Measure::amplitude_ratio, values,
-                                                             "The wave has its height.", attenuation_source, 1)}}},
+                                                             "The wave has its height.", attenuation_source, 1),
+                                            {.measure = Measure::shift,
+                                             .criterion = Bound{.limit = per_wavelength * values.real("length") *
+                                                                         static_cast<double>(values.integer("periods")),
+                                                                .reason = per_wavelength_reason + ", over all of them"},
+                                             .text = "The wave is at its place at every instant.",
+                                             .source = attenuation_source}}}},
            .groups = times,
            .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
            .exact =

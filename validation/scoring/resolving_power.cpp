@@ -103,6 +103,15 @@ Submitted reference_of(const std::vector<WantedTable>& tables, int between, bool
   return all;
 }
 
+/// NaN where another gravity knows nothing: after a wave broke, at an instant that is not asked for.
+double reference_or_none(const WantedQuantity& quantity, Place place) {
+  try {
+    return quantity.reference(place);
+  } catch (const std::logic_error&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 /// Whether any value is another one.
 bool differ(const Submitted& a, const Submitted& b) {
   for (const auto& [table, groups] : a) {
@@ -342,8 +351,8 @@ class Battery {
           for (const WantedQuantity& quantity : table.quantities) {
             std::vector<double>& y = group.values.at(quantity.column.name);
             for (std::size_t k = 0; k < y.size(); ++k) {
-              const double there = quantity.reference({group.value, table.abscissa ? group.abscissa[k] : 0});
-              y[k] = std::isnan(there) ? 0 : there;
+              const double there = reference_or_none(quantity, {group.value, table.abscissa ? group.abscissa[k] : 0});
+              y[k] = std::isnan(there) ? (k > 0 ? y[k - 1] : 0) : there;
             }
           }
         }
@@ -371,7 +380,8 @@ std::vector<Resolved> resolving_power(const Case& one, const Values& values) {
 std::string told_by(const std::vector<Resolved>& rows, const std::string& table, const std::string& quantity) {
   std::vector<std::string> told, untold;
   for (const Resolved& row : rows) {
-    if (row.table != table || row.quantity != quantity || std::isnan(row.smallest) != row.by.empty()) continue;
+    const bool other = row.table != table || row.quantity != quantity || row.right_result();
+    if (other || std::isnan(row.smallest) != row.by.empty()) continue;
     if (row.by.empty()) {
       untold.push_back(row.change);
     } else if (row.unit == "1") {

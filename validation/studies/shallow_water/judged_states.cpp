@@ -38,7 +38,7 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
   if (judged.is_jump) record.measure("front_width", front_width(points.cells(), judged.front));
 
   const std::string resolution = resolution_of(points, cell, facts);
-  for (const RiemannRequirement& one : riemann_requirements(solution, since, start, end, cell)) {
+  for (const RiemannRequirement& one : riemann_requirements(solution, since, start, end, cell, points.apart())) {
     if (one.id == "front" && !points.cover(judged.front.position)) {
       record.leave_out({claim_of(one), "the points do not reach the front"});
       continue;
@@ -62,7 +62,7 @@ Submission submission_of(const std::function<JudgedStates(const Values&)>& state
 
 void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, double viscosity) {
   for (const RiemannRequirement& one :
-       riemann_requirements(states.solution, states.since, states.start, states.end, cell, viscosity)) {
+       riemann_requirements(states.solution, states.since, states.start, states.end, cell, 0, viscosity)) {
     const Amount& limit = one.bound.limit;
     claims
         .only_if(!(limit.value() > limit.cap()),

@@ -63,7 +63,8 @@ ProfilePoints submitted_points(const Submitted& submitted, double start, double 
   }
   Largest apart;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) apart.add(x[i + 1] - x[i]);
-  if (!(apart.value() <= 2 * cell)) {
+  constexpr double rounding = 1e-9;
+  if (!(apart.value() <= (2 + rounding) * cell)) {
     throw std::invalid_argument(
         fmt::format("column x: points up to {:.3g} m apart, must be at most two cells of {:.3g} m: print more points, "
                     "or say how large your cells are by --dx",

@@ -16,6 +16,8 @@ struct ProfilePoints {
 
   /// The same as cells around the points.
   [[nodiscard]] Profile cells() const;
+  /// Mean distance of neighbours.
+  [[nodiscard]] double apart() const { return (x.back() - x.front()) / static_cast<double>(x.size() - 1); }
   [[nodiscard]] bool cover(double place) const { return place >= x.front() && place <= x.back(); }
 };
 

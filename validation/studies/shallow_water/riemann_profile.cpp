@@ -102,8 +102,8 @@ ProfilePoints by_rusanov(const exact::Riemann& solution, double time, double sta
   return points;
 }
 
-/// What the points lose that show a jump between two of them: half a cell of it.
-RiemannErrors lost_between_points(const exact::Riemann& solution, double time, double length, double cell) {
+/// What the points lose that show a jump between two of them: half of that distance.
+RiemannErrors lost_between_points(const exact::Riemann& solution, double time, double length, double apart) {
   RiemannErrors lost;
   for (const auto& [wave, outer] :
        {std::pair{solution.left_wave(), solution.left()}, std::pair{solution.right_wave(), solution.right()}}) {
@@ -111,13 +111,13 @@ RiemannErrors lost_between_points(const exact::Riemann& solution, double time, d
     const State star = solution.star();
     const double depth = std::abs(outer.depth - star.depth);
     const double discharge = std::abs(outer.depth * outer.velocity - star.depth * star.velocity);
-    lost.depth += cell / 4 * depth / length;
-    lost.discharge += cell / 4 * discharge / length;
-    lost.volume += cell / 2 * depth;
-    lost.momentum += cell / 2 * discharge;
+    lost.depth += apart / 4 * depth / length;
+    lost.discharge += apart / 4 * discharge / length;
+    lost.volume += apart / 2 * depth;
+    lost.momentum += apart / 2 * discharge;
   }
-  lost.front = cell / 2;
-  lost.celerity = cell / 2 / way(solution, time);
+  lost.front = apart / 2;
+  lost.celerity = apart / 2 / way(solution, time);
   return lost;
 }
 
@@ -247,18 +247,18 @@ RiemannErrors riemann_errors(const exact::Riemann& solution, double time, const 
 }
 
 std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solution, double time, double start,
-                                                     double end, double cell, double viscosity) {
+                                                     double end, double cell, double apart, double viscosity) {
   const double length = end - start;
   const double deepest = std::max({solution.left().depth, solution.right().depth, solution.star().depth});
   const double rounding = 1e-12 * deepest;
   const double finest = std::max(cell, length / most_cells);
   const RiemannErrors lost = riemann_errors(solution, time, by_rusanov(solution, time, start, end, finest, viscosity));
-  const RiemannErrors between = lost_between_points(solution, time, length, finest);
+  const RiemannErrors between = lost_between_points(solution, time, length, std::max(finest, apart));
   const MeanErrors untouched = errors_of_the_initial_state(solution, time, length);
   const std::string reason = fmt::format(
       "what Rusanov's scheme, of first order and the most viscous in use, loses on cells of {:.3g} m{}, or what points "
-      "so far apart lose that show a jump between two of them, half a cell of it",
-      finest, viscosity > 1 ? fmt::format(" with {:.3g} times its viscosity", viscosity) : "");
+      "{:.3g} m apart lose that show a jump between two of them, half of that distance",
+      finest, viscosity > 1 ? fmt::format(" with {:.3g} times its viscosity", viscosity) : "", std::max(finest, apart));
   const auto limit = [&](double RiemannErrors::*error, double least) {
     const double here = std::abs(lost.*error);
     return std::max({std::isnan(here) ? 0 : here, between.*error, least});

@@ -45,8 +45,9 @@ struct RiemannRequirement {
 
 /// What is required of a solver with cells of this size, whatever points it prints.
 /// @param start, end  of the channel [m]
+/// @param apart       distance of the points, where that is more
 /// @param viscosity   over that of Rusanov's flux, (|u| + c) dx/2
 std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solution, double time, double start,
-                                                     double end, double cell, double viscosity = 1);
+                                                     double end, double cell, double apart = 0, double viscosity = 1);
 
 }  // namespace seiche::validation
