@@ -50,7 +50,7 @@ Check::Check(const std::string& name, const std::string& title, const std::strin
   record_.article = article;
   assertions_ = {"assertions",
                  "Assertions",
-                 "Each is judged as a claim is; a presence is 1.",
+                 "Each is evaluated as a claim is; a presence is 1.",
                  {{"holds", ""}, {"measured", ""}, {"expected", ""}, {"limit", ""}, {"criterion", ""}, {"reason", ""}},
                  {},
                  {}};
@@ -62,7 +62,7 @@ Check::~Check() {
   try {
     if (!assertions_.rows.empty()) {
       record_.check({.id = "assertions",
-                     .text = record_.title + ": all of the table of assertions hold.",
+                     .text = record_.title + ": all assertions of the table hold.",
                      .quantity = "largest part of a limit that is used",
                      .source = "table of assertions"},
                     {.value = used_.value()},

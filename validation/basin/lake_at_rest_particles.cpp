@@ -106,7 +106,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (double& u : speed) {
     if (u < 1e-18) u = 1e-18;  // the axis is logarithmic
   }
-  exhibit.figure("velocity", "Largest velocity against time", "It stays at round-off.")
+  exhibit.figure("velocity", "Largest velocity against time", "The velocity stays at round-off.")
       .panel({.x = "t [s]", .y = "max |u| [m/s]", .log_y = true})
       .line("particles", r.time, speed, Role::computed);
   std::vector<double> x;

@@ -243,7 +243,7 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
       fmt::format("{} x {}{} cells, {} steps", options.columns, options.rows,
                   options.layers > 0 ? fmt::format(" x {}", options.layers) : "", findings.steps);
   record.check({.id = "copies",
-                .text = "What several processes hold of a node is the same, bit by bit.",
+                .text = "The copies that several processes hold of a node are bitwise equal.",
                 .quantity = "largest difference between copies",
                 .source = "decomposition of the lattice"},
                {.value = findings.rim_difference, .resolution = resolution},

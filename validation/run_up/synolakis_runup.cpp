@@ -95,7 +95,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto limit = [](const Results& r) { return r.consistent.limit().extrapolated; };
   const auto refined = claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated",
                                              0.5 / std::pow(2.0, static_cast<double>(values.integer("levels") - 1))));
-  refined.check("runup", "The largest run-up agrees with the exact solution of the shallow-water equations.",
+  refined.check("runup", "The maximum run-up agrees with the exact solution of the shallow-water equations.",
                 "run-up [depth]", limit,
                 Bound{.limit = 0.05, .reason = benchmark, .expected = exact_runup(), .relative = true});
 

@@ -292,19 +292,19 @@ void claims(const Values& values, const Claims<Results>& all) {
       claims.known_failure(claim, measured, criterion, {.value = 0, .width = 0, .reason = reason});
     }
   };
-  claims.check(does("frank-run-up", "Frank's model carries A = 0.5 to its largest run-up.", source),
+  claims.check(does("frank-run-up", "Frank's model carries A = 0.5 to its maximum run-up.", source),
                fate_of("frank", 0.5, &Fate::reached), reaches);
   not_expected(does("frank-reflection", "Frank's model carries A = 0.5 through the reflection.", source),
                fate_of("frank", 0.5, &Fate::through), goes,
                "the sheet at the wall falls freely and crumples; nothing resists node motions that change no area");
-  not_expected(does("frank-high", "Frank's model carries A = 0.6 to its largest run-up.", source),
+  not_expected(does("frank-high", "Frank's model carries A = 0.6 to its maximum run-up.", source),
                fate_of("frank", 0.6, &Fate::reached), reaches,
                "a surface node feels the pressure half a cell below it; in the thin sheet that lets the node next to "
                "the wall cross the wall's line");
   const std::string own = "not in the thesis";
   claims.check(does("barrier", "With the corner barrier, the run at H/h = 0.5 completes without mesh tangling.", own),
                fate_of("barrier", 0.5, &Fate::through), goes);
-  claims.check(does("hourglass", "With the hourglass potential, kappa_0 = 1, A = 0.6 reaches its largest run-up.", own),
+  claims.check(does("hourglass", "With the hourglass potential, kappa_0 = 1, A = 0.6 reaches its maximum run-up.", own),
                fate_of("hourglass_1", 0.6, &Fate::reached), reaches);
   claims.check(
       does("all", "With barrier, hourglass potential and wide columns at the wall, the run at H/h = 0.6 completes.",

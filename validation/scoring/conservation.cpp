@@ -174,7 +174,7 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
     }
     evidence::Claim claim{
         .id = "conserved-" + name,
-        .text = limits != nullptr ? limits->text : fmt::format("The {} is kept.", name),
+        .text = limits != nullptr ? limits->text : fmt::format("The {} is conserved within its limit.", name),
         .quantity = fmt::format("largest {} of the {} over its first value",
                                 limits != nullptr && limits->growth_alone ? "growth" : "change", name),
         .source = source};

@@ -288,7 +288,7 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
   std::vector<std::string> columns;
   for (const WantedQuantity& quantity : table.quantities) columns.push_back(quantity.column.name);
   record.check({.id = table.name + "-coverage",
-                .text = fmt::format("The table {} is submitted.", table.name),
+                .text = fmt::format("The table {} is part of the submission.", table.name),
                 .quantity = "share of the reference points within the submitted ones",
                 .source = "what the case asks for"},
                {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},

@@ -222,7 +222,7 @@ void claim_one_curve(const Claims<Results>& claims) {
 }
 
 void claim_fold(const Claims<Family>& claims) {
-  claims.known_failure("fold", "The highest hump leaves no corner folded on cells one depth wide.",
+  claims.known_failure("fold", "The highest hump leaves no corner inverted on cells one depth wide.",
                        "end of the run [sqrt(depth/g)]",
                        [](const Family& coarse) { return coarse.waves.back().track.time.back(); },
                        Bound{.limit = 1e-9,

@@ -71,7 +71,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
              Bound{steps * shared.condition * tolerance * speed(reference),
                    fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", shared.condition, speed(reference))});
   check.that({.id = "copies",
-              .text = "What several processes hold of a node is the same, bit by bit.",
+              .text = "The copies that several processes hold of a node are bitwise equal.",
               .quantity = "largest difference between copies",
               .source = "decomposition of the lattice"},
              {.value = shared.rim_difference, .resolution = resolution}, Bound{0, "copies are copied"});

@@ -77,7 +77,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
                      .reason = "the residual at which the iteration stops lies anywhere within the factor of "
                                "one iteration below the tolerance"});
     check.that({.id = "copies-" + problem.id,
-                .text = "What several processes hold of a node is the same, bit by bit.",
+                .text = "The copies that several processes hold of a node are bitwise equal.",
                 .quantity = "largest difference between copies",
                 .source = source},
                {.value = rim.value(), .resolution = resolution}, Bound{0, "copies are copied"});
@@ -153,7 +153,7 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
                                  "may still change, 1e-11 of U each time",
                                  shared.condition)});
     check.that({.id = "copies-" + problem.id,
-                .text = "What several processes hold of a node is the same, bit by bit.",
+                .text = "The copies that several processes hold of a node are bitwise equal.",
                 .quantity = "largest difference between copies"},
                {.value = shared.rim_difference, .resolution = resolution}, Bound{0, "copies are copied"});
   }

@@ -103,7 +103,7 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   } catch (const std::invalid_argument& refused) {
     zero = refused.what();
   }
-  is("zero", "A change over zero cannot be judged where it would be.", zero, "column energy: is 0 at t = 0");
+  is("zero", "A change relative to zero cannot be scored.", zero, "column energy: is 0 at t = 0");
 }
 
 }  // namespace conservation_test

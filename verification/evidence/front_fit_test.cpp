@@ -34,7 +34,11 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   const FrontFit fit = front_fit({T, X}, data, 100, 0.02);
   const auto close = [&](const std::string& id, double value, double expected) {
     check.that(
-        {.id = id, .text = "It is found.", .quantity = id, .source = "definition of the fit"}, {.value = value},
+        {.id = id,
+         .text = "The planted " + id + " of the front is found.",
+         .quantity = id,
+         .source = "definition of the fit"},
+        {.value = value},
         Bound{.limit = 1e-5,
               .reason = "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
                         "0.005^2/4 = 6e-6",
@@ -51,25 +55,25 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   const FrontFit exact = front_fit({T, X}, data, 100, 0.0);
   const FrontFit twice = front_fit({T, X}, data, 100, 0.04);
   check.that({.id = "uncertainty",
-              .text = "Twice the uncertainty of the front is twice that of its rate.",
+              .text = "Twice the uncertainty of the front gives twice the uncertainty of its rate.",
               .quantity = "ratio",
               .source = "linear propagation"},
              {.value = *twice.rate_numerical / *fit.rate_numerical},
              Bound{.limit = 1e-12, .reason = "round-off", .expected = 2});
   check.that({.id = "certain",
-              .text = "A front that is known exactly adds none.",
+              .text = "A front that is known exactly adds no uncertainty.",
               .quantity = "numerical uncertainty of the rate",
               .source = "linear propagation"},
              {.value = *exact.rate_numerical}, Bound{.limit = 0, .reason = "nothing was stated to be uncertain"});
   check.that({.id = "unstated",
-              .text = "Where nothing is stated nothing is known.",
+              .text = "Where no uncertainty is stated, none is returned.",
               .quantity = "an uncertainty is given",
               .source = "linear propagation"},
              {.value = front_fit({T, X}, data, 100, std::nullopt).rate_numerical ? 1.0 : 0.0},
              Qualitative{"an uncertainty", "none was stated", false});
   // An X that is wrong by 0.02 with the sign of the weights moves the rate by as much as is said, to first order.
   check.that({.id = "bound",
-              .text = "It bounds what the front being a constant 0.02 too far does.",
+              .text = "The stated bound covers the change of the rate by a front 0.02 too far.",
               .quantity = "change of the rate over its bound",
               .source = "triangle inequality"},
              {.value =

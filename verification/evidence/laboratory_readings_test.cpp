@@ -278,7 +278,7 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
                Bound{.limit = 0, .reason = reason});
   };
   none("own", "The measured records meet every claim of their own experiment.", own, "nothing is off");
-  none("thinned", "Every second sample of the measured records can be judged.", halved,
+  none("thinned", "Every second sample of the measured records can be scored.", halved,
        "half of the samples are no error");
   none("scaled", "The measured records times 1.4 do not pass.", scaled, "no ceiling is above 0.4");
   none("vague", "The measured records times 1.2 with a stated uncertainty of a tenth of the range do not pass.", vague,

@@ -232,7 +232,7 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
                    "plain scheme is wrong by a third to a factor",
                    1});
   check.that({.id = "velocity",
-              .text = "The velocity field is that of the vortices.",
+              .text = "The velocity field agrees with the exact vortices.",
               .quantity = "L2 of the velocity error over the initial speed, after one decay time"},
              {.value = shifted.velocity_error, .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.02, "as at Re = 10, where the plain scheme keeps the vortices"});

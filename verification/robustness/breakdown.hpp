@@ -49,13 +49,13 @@ inline void holds_of_breakdown(Check& check, const std::string& run, const Break
   const auto holds = [&](const std::string& what, bool value, const std::string& detector, const std::string& reason) {
     check.holds(run + ": " + what, {value ? 1.0 : 0.0}, evidence::Qualitative{detector, reason});
   };
-  holds("The run stops and says why.", breakdown.message.find(word) != std::string::npos,
+  holds("The run stops and states the cause.", breakdown.message.find(word) != std::string::npos,
         "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
-  holds("It says when.", breakdown.says_when, "time and steps of the state before the failing step",
-        "the message must lead to the cause");
-  holds("It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
+  holds("The message states time and step of the last valid state.", breakdown.says_when,
+        "time and steps of the state before the failing step", "the message must lead to the cause");
+  holds("The message states the position of the failure.", breakdown.place >= leftmost && breakdown.place <= rightmost,
         "place where the failure is known to begin", "the message must lead to the cause");
-  holds("The state is that of before the failing step.", breakdown.kept,
+  holds("The state before the failing step is kept.", breakdown.kept,
         "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
 }
 
