@@ -348,7 +348,6 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   const validation::ConicalIsland island({.height = 0.181, .spacing = 0.7});
   RezonedFlow flow = island.rezoned_flow();
   const double water = sum(flow.flow().model().first_volumes());
-  const double energy = flow.energy();
   Worst spilt;
   bool whole = true;
   try {
