@@ -143,7 +143,6 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
   model.settle({0, 0}, moved, after);
   const PlanBottom& bottom = *model.lattice().bottom;
   Worst normal_part, axis_part, length, wall_energy, through_wall;
-  Smallest turned;
   for (std::size_t k = 0; k < n; ++k) {
     const auto from = normal_at(bottom, state.q, k);
     const auto to = normal_at(bottom, moved, k);
@@ -151,7 +150,6 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
     const std::array v{after[k], after[n + k], after[2 * n + k]};
     if (k > columns) {
       const auto axis = cross(from, to);
-      turned.add(std::sqrt(dot(axis, axis)));
       normal_part.add(dot(v, to) - dot(u, from));
       axis_part.add(dot(v, axis) - dot(u, axis));
       length.add(dot(v, v) - dot(u, u));
