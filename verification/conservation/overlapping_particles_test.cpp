@@ -49,34 +49,6 @@ void claim_kept(Check& check, const std::string& what, const Flow& flow,
   }
 }
 
-TEST_CASE("a free blob of overlapping particles keeps mass, momenta and energy", "[conservation]") {
-  Check check("overlapping_particles_invariants", "Free blob of overlapping particles: invariants",
-              "239 particles of a disc, no gravity, sheared, turned and bent by their first velocity, for 50 steps of "
-              "0.02. Energy is kept without stabilisation; with it, what it took is booked to the last digit. Whatever "
-              "the shape of the particles, and while most steps change who is near whom.");
-  struct Variant {
-    std::string id, what;
-    Settings settings;
-  };
-  const std::vector<std::pair<std::string, std::string>> all{
-      {"mass", "mass"}, {"momentum", "momentum"}, {"angular_momentum", "angular-momentum"}, {"Energy", "Energy"}};
-  for (const Variant& v :
-       {Variant{"smoothed", "Smoothed", {}}, Variant{"ball", "Balls", {.shape = Shape::ball, .support = 1.6}},
-        Variant{"stabilised", "Stabilised, with what was booked", {.stabilisation = 0.1}}}) {
-    Flow flow = moving_blob(v.settings);
-    flow.advance_to(1, 0.02, [&] { flow.observe(); });
-    claim_kept(check, v.what, flow, all);
-    if (v.settings.stabilisation > 0) {
-      check.that({.id = "takes",
-                  .text = "The stabilisation takes energy, and some of it.",
-                  .quantity = "part of the energy that is booked",
-                  .source = source},
-                 {.value = flow.stabilisation_loss() > 1e-6 * flow.energy() ? 1.0 : 0.0},
-                 Qualitative{"more than a millionth", "otherwise the balance would show nothing"});
-    }
-  }
-}
-
 TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
   Check check(
       "overlapping_particles_fall", "Free fall of overlapping particles",
