@@ -78,8 +78,8 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
                       "a speed of 16, rounded, taken out within half a step of "
                       "1/100, over gradients m/h^3 = 7 and pivots of 1/100"});
   check.that(
-      {.id = "Energy", .text = "Energy of the falling drop is conserved to round-off.", .quantity = "largest defect"},
-      {.value = flow.ledger().largest_defect("Energy")}, Roundoff{2000, 400, "kinetic energy at the end: pi 16^2/2"});
+      {.id = "energy", .text = "Energy of the falling drop is conserved to round-off.", .quantity = "largest defect"},
+      {.value = flow.ledger().largest_defect("energy")}, Roundoff{2000, 400, "kinetic energy at the end: pi 16^2/2"});
 }
 
 TEST_CASE("masses in control volumes drift by the square of the step", "[conservation]") {
@@ -139,8 +139,8 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
   };
   same("half", "Half of the disc above a wall.", above);
   same("quarter", "A quarter of the disc in a corner moves as the whole disc.", corner);
-  claim_kept(check, "Above the wall", above, {{"Energy", "Energy"}, {"momentum_x", "Momentum-along-it"}});
-  claim_kept(check, "In the corner", corner, {{"Energy", "Energy"}});
+  claim_kept(check, "Above the wall", above, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
+  claim_kept(check, "In the corner", corner, {{"energy", "Energy"}});
 }
 
 TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservation]") {
@@ -153,7 +153,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
       staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}), 0.1, 5);
   Flow drop(rows, [](Point r) { return Point{0.5 + 0.2 * r.y, 0}; }, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
   drop.advance_to(0.4, 0.01, [&] { drop.observe(); });
-  claim_kept(check, "Drop on a floor", drop, {{"Energy", "Energy"}, {"momentum_x", "Momentum-along-it"}});
+  claim_kept(check, "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
   check.that(
       {.id = "pushes",
        .text = "The floor carries some of the weight.",

@@ -117,11 +117,9 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
     });
     double mean = 0;
     for (const double top : tops) mean += top / static_cast<double>(tops.size());
-    const auto [low, high] = std::minmax_element(tops.begin(), tops.end());
     const double speed = slope(times, places);
     const std::string id = fmt::format("{}-layers", expected.layers);
     panel.line(id, all_times, all_tops, Role::data);
-    const std::string digits = "regression: computed once by an earlier program for the same equations";
     check.holds(id + ": mean amplitude.", {mean},
                 Bound{0.0005,
                       "four digits, and the choice of the curve through the crest, which lies up to "
