@@ -175,8 +175,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       .reason = "eight rounded operations per step, and per particle the jump has passed",
                       .expected = reflected_depth});
   claim_exact_profile(flow, reflected_depth, s.discretisation, s.time);
-  claim_as_written(figure.of(&ParticleFigure::as_written), values, s.problem, s.discretisation, s.time,
-                   reflected_depth - s.reflection().incident().ahead().depth, &s.front);
+  claim_as_written(figure.of(&ParticleFigure::as_written), values, "bzz-fig-15", s.problem, s.discretisation, s.time,
+                   reflected_depth - s.reflection().incident().ahead().depth, &s.front, {{"width", 3}});
   claim_states(flow.at(s.discretisation.text()), s.states(),
                s.problem.length() / static_cast<double>(s.discretisation.particles));
 

@@ -209,7 +209,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   claim_exact_profile(flow, s.bore.behind().depth, s.discretisation, s.time);
   claim_single_particle(flow, s.front);
-  claim_as_written(figure.of(&ParticleFigure::as_written), values, s.problem, s.discretisation, s.time,
+  claim_as_written(figure.of(&ParticleFigure::as_written), values, "bzz-fig-12", s.problem, s.discretisation, s.time,
                    s.front.behind - s.front.ahead, &s.front);
   claim_range(flow, s.front.ahead, s.front.behind, s.discretisation, s.time, "the bore is monotone");
   const std::string resolution =

@@ -166,13 +166,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
     };
   };
   const std::string detector = "a difference above its change from the next coarser lattice";
-  claims.check("steeper", "With the stress of unresolved eddies the front is steeper: it hangs over earlier.",
-               "it does", more([](const SphPlunged& run) { return -run.hangs_over; }),
-               Qualitative{.detector = detector, .reason = "the publication shows it in figure 6"});
-  claims.check("larger-cavity", "With the stress of unresolved eddies the cavity is larger.", "it is",
-               more([](const SphPlunged& run) { return std::isnan(run.touches) ? 0.0 : run.cavity.value(); }),
-               Qualitative{.detector = detector, .reason = "the publication shows it in figure 6"});
-  claims.check(
+  const Qualitative shown{.detector = detector, .reason = "the publication shows it in figure 6"};
+  const std::string elsewhere =
+      "the publication gives neither its flume nor the phase in which its flap starts; here the wave breaks 0.15 T "
+      "earlier than in its frames, ";
+  claims.known_failure("steeper", "With the stress of unresolved eddies the front is steeper: it hangs over earlier.",
+                       "it does", more([](const SphPlunged& run) { return -run.hangs_over; }), shown,
+                       {.value = 0, .reason = elsewhere + "with and without the stress at the same hundredth of T"});
+  claims.known_failure(
+      "larger-cavity", "With the stress of unresolved eddies the cavity is larger.", "it is",
+      more([](const SphPlunged& run) { return std::isnan(run.touches) ? 0.0 : run.cavity.value(); }), shown,
+      {.value = 0,
+       .reason = elsewhere + "and the air that it encloses is a few spacings wide, less than lattices tell"});
+  claims.known_failure(
       "touch-down", "Without the stress of unresolved eddies the jet touches down at 0.46 T.",
       "time after the first period [T]",
       [](const Results& r) -> Measurement {
@@ -183,7 +189,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
       },
       Bound{.limit = 0.04,
             .reason = "half of the time between two frames of the publication",
-            .expected = frames.back() - 1});
+            .expected = frames.back() - 1},
+      {.value = 0.31, .width = 0.06, .reason = elsewhere + "by 0.10 T later if its clock starts a quarter earlier"});
 }
 
 void show_model(evidence::Exhibit& exhibit, const Model& model, const Runs& runs) {

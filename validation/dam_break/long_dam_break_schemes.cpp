@@ -13,6 +13,7 @@ one (`time_step` sets one for all).
 of its Courant number Lax-Friedrichs, whose viscosity is $\Delta x^2/\tau$, smears the bore over forty cells.
 */
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -68,17 +69,26 @@ struct Results {
 void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const auto published = claims.only_if(values.as_published("bzz-fig-24"), "of the cells and steps of the figure");
-  for (const std::string scheme : {"lax_friedrichs", "maccormack", "roe"}) {
+  const std::map<std::string, double> misses{{"lax_friedrichs", 1.09375}, {"maccormack", 4.84422}, {"roe", 2.76299}};
+  for (const auto& [scheme, missed] : misses) {
     for (const std::string& particles : {std::string("H2"), as_written}) {
-      published.at(fmt::format("{}; {}", s.by(particles).text(), s.by(scheme).text()))
-          .from("section 8 of the paper")
-          .check(
-              fmt::format("{}-nearer-than-{}", particles, scheme),
-              fmt::format("Mean depths of particles ({}) are nearer to the exact profile than those of {}.", particles,
-                          scheme),
-              "cell L1(h) over that of the difference scheme",
-              [=](const Results& r) { return r.error(particles) / r.error(scheme); },
-              Bound{.limit = 1, .reason = "the paper says so of its figures 24 and 25; equal errors would give 1"});
+      const auto both = published.at(fmt::format("{}; {}", s.by(particles).text(), s.by(scheme).text()));
+      const evidence::Claim claim{
+          .id = fmt::format("{}-nearer-than-{}", particles, scheme),
+          .text = fmt::format("Mean depths of particles ({}) are nearer to the exact profile than those of {}.",
+                              particles, scheme),
+          .quantity = "cell L1(h) over that of the difference scheme",
+          .source = "section 8 of the paper"};
+      const auto ratio = [=, scheme = scheme](const Results& r) { return r.error(particles) / r.error(scheme); };
+      const Bound nearer{.limit = 1, .reason = "the paper says so of its figures 24 and 25; equal errors would give 1"};
+      if (particles == as_written) {
+        both.known_failure(claim, ratio, nearer,
+                           {.value = missed,
+                            .width = 0.01 * missed,
+                            .reason = "by this reading of the text the plateau is 4 % too low and the bore 4 m ahead"});
+      } else {
+        both.check(claim, ratio, nearer);
+      }
     }
   }
   published.at(s.by("muscl").text())

@@ -45,8 +45,8 @@ void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const C
   const auto flow = claims.of(&ParticleFigure::flow).at(s.discretisation.text());
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   claim_single_particle(flow, s.front);
-  claim_as_written(claims.of(&ParticleFigure::as_written), values, s.problem, s.discretisation, s.time, 1 - setup.ratio,
-                   &s.front);
+  claim_as_written(claims.of(&ParticleFigure::as_written), values, setup.atlas.front(), s.problem, s.discretisation,
+                   s.time, 1 - setup.ratio, &s.front, setup.misses);
   claim_range(flow, setup.ratio, 1, s.discretisation, s.time, "maximum principle of the two fields");
   flow.only_if(values.as_published(setup.atlas.front()), "of the particles and steps of the figure")
       .from("Stoker, Water Waves (1957), 10.8")

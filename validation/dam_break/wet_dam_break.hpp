@@ -16,6 +16,7 @@ struct WetDamBreak {
   std::vector<double> times;                       ///< shown, the last is judged [s]
   std::vector<std::string> schemes = all_schemes;  ///< compared at the same resolution
   std::vector<std::string> atlas;
+  std::map<std::string, double> misses;  ///< by the rearrangement as written
 };
 
 /// Parameters of every one of these cases, with the figure's resolution as standard.

@@ -11,7 +11,8 @@ taken here.
 
 **What to look at.** The bore stays in one particle. What error remains sits at the corners of the fan, where the
 particles have expanded to two and a half times their first width, and in the position of the bore, which the start
-leaves a quarter of a cell behind. The rearrangement as written has a plateau 2 to 4 % too deep, and its bore is late.
+leaves a quarter of a cell behind. The rearrangement as written has a plateau 5 % too
+low.
 */
 #include "validation/dam_break/wet_dam_break.hpp"
 
@@ -19,7 +20,7 @@ namespace seiche::validation::cases::wet_dam_break_shallow {
 namespace {
 
 WetDamBreak setup() {
-  return {.ratio = 0.1, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-22"}};
+  return {.ratio = 0.1, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-22"}, .misses = {{"width", 21}}};
 }
 
 }  // namespace

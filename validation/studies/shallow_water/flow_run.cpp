@@ -111,40 +111,44 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
                              "two sums over N particles, N times that size, count as N^2 such operations each"});
 }
 
-void claim_as_written(const Claims<FlowRun>& all, const Values& values, const FlowProblem& problem,
-                      const Discretisation& discretisation, double time, double range, const Front* front,
-                      const std::optional<evidence::KnownFailure>& off) {
+void claim_as_written(const Claims<FlowRun>& all, const Values& values, const std::string& tile,
+                      const FlowProblem& problem, const Discretisation& discretisation, double time, double range,
+                      const Front* front, const std::map<std::string, double>& misses) {
   Discretisation d = discretisation;
   d.scheme = as_written;
-  const double width = problem.length() / static_cast<double>(d.particles);
   const auto claims = all.only_if(values.text("rearrangement") == as_written, "of the rearrangement as written")
                           .from("section 3 of the paper")
                           .at(d.text());
   claim_conservation(claims, problem, d, time, "_as_written");
-  claims.check(
-      "cell_l1_h_as_written", "By the rearrangement as written mean depths are within a particle of the exact profile.",
-      "cell L1(h) [m]", [](const FlowRun& flow) { return flow.errors.cell.depth.l1; },
+  const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity, auto measure,
+                         const Bound& bound) {
+    const auto published = claims.only_if(values.as_published(tile), "of the particles and steps of the figure");
+    const auto missed = misses.find(id);
+    if (missed == misses.end()) {
+      published.check(id + "_as_written", "By the rearrangement as written " + text, quantity, measure, bound);
+    } else {
+      published.known_failure(
+          id + "_as_written", "By the rearrangement as written " + text, quantity, measure, bound,
+          {.value = missed->second,
+           .width = 0.01 * std::abs(missed->second),
+           .reason = "the text leaves the pressure at a shared side and equal densities open; by this reading the "
+                     "states beside a jump miss its conditions by up to 5 %, and its speed with them"});
+    }
+  };
+  check(
+      "cell_l1_h", "mean depths are within a particle of the exact profile.", "cell L1(h) [m]",
+      [](const FlowRun& flow) { return flow.errors.cell.depth.l1; },
       Bound{.limit = range / static_cast<double>(d.particles),
             .reason = "a profile moved by the width of one of N particles differs by the range of depths over N in the "
                       "mean"});
   if (front == nullptr) return;
-  const evidence::Claim place{.id = "front_as_written",
-                              .text = "By the rearrangement as written the jump is in its place, to one particle.",
-                              .quantity = "position of the jump less the exact one",
-                              .unit = "m",
-                              .source = "section 3 of the paper"};
-  const auto error = [front = *front](const FlowRun& flow) {
-    return front_position(flow.profile(), front) - front.position;
-  };
-  const Bound particle{.limit = width, .reason = "the particles' first width: one holds the jump"};
-  if (off) {
-    claims.known_failure(place, error, particle, *off);
-  } else {
-    claims.check(place, error, particle);
-  }
-  claims.check(
-      "width_as_written", "By the rearrangement as written the jump is one particle wide.",
-      "particles between 5 % and 95 % of the jump",
+  check(
+      "front", "the jump is in its place, to one particle.", "position of the jump less the exact one [m]",
+      [front = *front](const FlowRun& flow) { return front_position(flow.profile(), front) - front.position; },
+      Bound{.limit = problem.length() / static_cast<double>(d.particles),
+            .reason = "the particles' first width: one holds the jump"});
+  check(
+      "width", "the jump is one particle wide.", "particles between 5 % and 95 % of the jump",
       [front = *front](const FlowRun& flow) { return front_width(flow.profile(), front); },
       Bound{.limit = 1, .reason = "the paper hands the jump from one particle to the next"});
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -48,11 +48,12 @@ Parameter rearrangement();
 /// The flow by the rearrangement as written; without frames where the parameter leaves it out.
 FlowRun compute_as_written(const Values& values, const FlowProblem& problem, const Discretisation& discretisation,
                            const std::vector<double>& times);
-/// Momentum, mean depths and, where there is one, the place and width of the jump by the rearrangement as written; ids
-/// with the suffix "_as_written". @param range  of depths [m]  @param off  of a jump that is not in its place
-void claim_as_written(const Claims<FlowRun>& claims, const Values& values, const FlowProblem& problem,
-                      const Discretisation& discretisation, double time, double range, const Front* front,
-                      const std::optional<evidence::KnownFailure>& off = {});
+/// Conservation, mean depths and, where there is one, the place and width of the jump by the rearrangement as written;
+/// ids with the suffix "_as_written". @param range  of depths [m]  @param misses  what is measured by claims, without
+/// the suffix, that the figure's run is known to miss
+void claim_as_written(const Claims<FlowRun>& claims, const Values& values, const std::string& tile,
+                      const FlowProblem& problem, const Discretisation& discretisation, double time, double range,
+                      const Front* front, const std::map<std::string, double>& misses = {});
 
 /// More steps than a run to `time` takes, which shows at most ten times: the largest number of operations that counts.
 double most_steps(const FlowProblem& problem, const Discretisation& discretisation, double time);

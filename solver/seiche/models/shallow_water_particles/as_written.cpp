@@ -36,7 +36,7 @@ AsWritten::AsWritten(const Particles& initial, Ends ends, double gravity)
       throw std::invalid_argument("end of a row as written; allowed: Wall, Piston, Free, Vacuum");
     }
   }
-  impulse_ = momentum();
+  impulse_.add(momentum());
 }
 
 std::optional<double> AsWritten::end_velocity(bool right, double time) const {
@@ -46,9 +46,9 @@ std::optional<double> AsWritten::end_velocity(bool right, double time) const {
 }
 
 double AsWritten::momentum() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < size(); ++i) sum += row_.mass[i] * row_.velocity[i];
-  return sum;
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < size(); ++i) sum.add(row_.mass[i] * row_.velocity[i]);
+  return sum.value();
 }
 
 std::vector<double> AsWritten::edges() const {
@@ -130,7 +130,7 @@ void AsWritten::advance(double tau) {
   follow(ends_.left, 0, at_left);
   follow(ends_.right, n - 1, at_right);
   std::swap(row_, row);
-  impulse_ += impulse;
+  impulse_.add(impulse);
   time_ += tau;
   ++steps_;
 }

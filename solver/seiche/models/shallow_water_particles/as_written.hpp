@@ -25,6 +25,7 @@
 #include <optional>
 #include <vector>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/models/shallow_water_particles/ends.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 
@@ -46,7 +47,7 @@ class AsWritten {
   [[nodiscard]] double velocity(std::size_t i) const { return row_.velocity[i]; }
   [[nodiscard]] double mass(std::size_t i) const { return row_.mass[i]; }
   /// Momentum less the initial one and the impulses of the ends [m^3/s].
-  [[nodiscard]] double momentum_defect() const { return momentum() - impulse_; }
+  [[nodiscard]] double momentum_defect() const { return momentum() - impulse_.value(); }
   /// Sides of the rectangles from left to right.
   [[nodiscard]] std::vector<double> edges() const;
 
@@ -64,7 +65,7 @@ class AsWritten {
   Row row_;
   Ends ends_;
   double gravity_;
-  double impulse_ = 0;  ///< and the initial momentum
+  CompensatedSum impulse_;  ///< and the initial momentum
   double time_ = 0;
   long steps_ = 0;
 };
