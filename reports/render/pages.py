@@ -119,10 +119,8 @@ def overview(cases, broken, problems):
     for record in records:
         surprises += [(record, claim) for claim in record.claims if claim.unexpected]
         declared += [(record, claim) for claim in record.claims if claim.declared_failure]
-    bar = [(verdict, unexpected, count[verdict, unexpected])
-           for unexpected in (False, True) for verdict in VERDICTS if count[verdict, unexpected]]
     return {
-        "claims": len(claims), "cases": len(cases), "records": len(records), "count": count, "bar": bar,
+        "claims": len(claims), "records": len(records), "count": count,
         "surprises": surprises, "declared": declared,
         "crashed": [record for record in records if record.status == "error"],
         "broken": broken, "problems": problems,

@@ -7,7 +7,6 @@ FIGURE = "cost"
 COLUMNS = ("model", "size of", "size", "error", "uncertainty", "processor time", "energy", "momentum", "lasted",
            "asked", "broke by")
 WORDS = ("model", "size of", "broke by")
-EXACT = 1e-9                # a change below it is round-off
 ALSO = ("stokes_models", "mach_reflection_models")      # cases that set several models side by side in their own way
 
 

@@ -2,23 +2,22 @@
 
     /usr/bin/python3 reports/render/tests/test_first_screen.py
 """
-import html
 import json
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from render import matrix, pdf  # noqa: E402
+from render import matrix  # noqa: E402
+from render.tests.test_phone import BROWSER, found_by  # noqa: E402
 from render.tests.test_report import claim, record, render  # noqa: E402
 from render.tests.test_side_by_side import row, table  # noqa: E402
 
-CASES, TESTS, GROUPS = 130, 430, 11      # as many as the suite has
+CASES, TESTS, GROUPS = 128, 430, 11      # as many as the suite has
 PAGES, INDEX_BYTES, INDEX_NODES, SEARCH_BYTES = 180, 120_000, 2_500, 250_000
 SHEET_BYTES, ALL_BYTES = 200_000, 25_000_000
 WHOLE = pathlib.Path(os.environ.get("SEICHE_EVIDENCE", "build/release/evidence")) / "report/index.html"
@@ -116,15 +115,9 @@ class FirstScreen(unittest.TestCase):
             self.assertEqual(sum(f'<details class="test" id="{name}.seiche"' in page for page in pages.values()), 1, name)
         self.assertIn('href="../verification/room_0-2.html"', pages["room_0.html"])
 
-    @unittest.skipUnless(pdf.find_browser(), "no Chromium: search, filters and order are not tried")
+    @unittest.skipUnless(BROWSER, "no Chromium: search, filters and order are not tried")
     def test_what_a_reader_does_is_answered(self):
-        with tempfile.TemporaryDirectory() as folder:
-            steps = pathlib.Path(folder, "steps.html")
-            steps.write_text(STEPS.replace("INDEX", (self.report / "index.html").as_uri()), encoding="utf-8")
-            said = subprocess.run([pdf.find_browser(), *pdf.FLAGS, "--allow-file-access-from-files", "--dump-dom",
-                                   "--virtual-time-budget=60000", f"--user-data-dir={folder}/user", steps.as_uri()],
-                                  capture_output=True, text=True, timeout=300, check=True).stdout
-        found = json.loads(html.unescape(re.search(r'<pre id="found">(.*?)</pre>', said, re.DOTALL)[1]))
+        found = found_by(STEPS.replace("INDEX", (self.report / "index.html").as_uri()))
         for width, high in SCREENS.items():
             self.assertLessEqual(found[str(width)], high)
         self.assertEqual(found["errors"], [])

@@ -46,17 +46,22 @@ addEventListener("load", () => {{
 BROWSER = pdf.find_browser()
 
 
-def measured(report, pages):
-    """{page: {"width": of its content, "broken": names of parameters that stand on two lines}}"""
-    frames = "".join(f'<iframe title="{page}" src="{html.escape((report / page).as_uri())}" '
-                     f'style="width:{WIDTH}px;height:900px;border:0"></iframe>' for page in pages)
+def found_by(script):
+    """What a page with a script leaves in its element `found`, as JSON."""
     with tempfile.TemporaryDirectory() as folder:
-        harness = pathlib.Path(folder, "frames.html")
-        harness.write_text(FRAMES.format(frames=frames), encoding="utf-8")
+        page = pathlib.Path(folder, "script.html")
+        page.write_text(script, encoding="utf-8")
         said = subprocess.run([BROWSER, *pdf.FLAGS, "--allow-file-access-from-files", "--dump-dom",
-                               f"--user-data-dir={folder}/user", harness.as_uri()], capture_output=True, text=True,
-                              timeout=300, check=True).stdout
+                               "--virtual-time-budget=60000", f"--user-data-dir={folder}/user", page.as_uri()],
+                              capture_output=True, text=True, timeout=300, check=True).stdout
     return json.loads(html.unescape(re.search(r'<pre id="found">(.*?)</pre>', said, re.DOTALL)[1]))
+
+
+def measured(report, pages):
+    """{page: {"width": of its content, "broken": names on two lines, "faint": text that cannot be read}}"""
+    return found_by(FRAMES.format(frames="".join(
+        f'<iframe title="{page}" src="{html.escape((report / page).as_uri())}" '
+        f'style="width:{WIDTH}px;height:900px;border:0"></iframe>' for page in pages)))
 
 
 @unittest.skipUnless(BROWSER, "no Chromium: how wide pages are on a phone is not measured")
