@@ -215,7 +215,7 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
                "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they fold "
                "the mesh")
       .check("not-the-step" + suffix,
-             "With half the time step, and with the conservative scheme, it tangles at the same time.",
+             "With half the time step, and with the conservative scheme, the mesh tangles at the same time.",
              "largest difference of the times of the fold [sqrt(H/g)]", &Wave::spread,
              Bound{.limit = 0.1 * 2 * std::numbers::pi / tank_of(values).law().frequency(wavenumber),
                    .reason = "a tenth of the wave's period. Were it the error of the time step, of order tau^2, half "
@@ -228,7 +228,7 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
   claims.from("Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679 (hourglass control)")
       .check(
           "carries-with-hourglass" + suffix,
-          fmt::format("With the hourglass potential it carries it, to t = {:g}.", values.real("time")),
+          fmt::format("With the hourglass potential the mesh carries the wave to t = {:g}.", values.real("time")),
           "the mesh does not fold", [](const Wave& wave) { return wave.with.fold ? 0.0 : 1.0; },
           Qualitative{.detector = "a corner's triangle with negative area",
                       .reason = "the potential gives those motions a frequency, so that they are no longer driven at "
@@ -255,15 +255,14 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
   const std::string hirt = "C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
   claims.from(hirt).check(
       "carries-rezoned" + suffix,
-      fmt::format("Where columns that lean are put upright again the mesh carries it, to t = {:g}.",
-                  values.real("time")),
+      fmt::format("With rezoned columns the mesh carries the wave to t = {:g}.", values.real("time")),
       "the mesh does not fold", [](const Wave& wave) { return wave.rezoned.fold ? 0.0 : 1.0; },
       Qualitative{.detector = "a corner's triangle with negative area",
                   .reason = "water under a wave of this height has a surface of one elevation at every place: upright "
                             "columns cannot fold"});
   const double periods = values.real("time") * tank_of(values).law().frequency(wavenumber) / (2 * std::numbers::pi);
   claims.from(hirt).check(
-      "taken-by-rezoning" + suffix, "Rezoning takes little of its energy.",
+      "taken-by-rezoning" + suffix, "Rezoning takes little of the wave's energy.",
       "energy taken over the first one, in a period",
       [periods](const Wave& wave) {
         const Flow& flow = *wave.rezoned.flow;

@@ -232,7 +232,7 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
       claim("order", "within a metre of the jump the depth converges as it can there.", "observed order of cell L1(h)"),
       [](const Settling& r) { return r.order(&Errors::jump_depth); }, first);
   claims.check(
-      claim("discharge", "the discharge converges.", "observed order of L1(q)"),
+      claim("discharge", "the discharge converges at first order.", "observed order of L1(q)"),
       [](const Settling& r) { return r.order(&Errors::jump_discharge); }, first);
   claims.check(
       claim("discharge-below", "below it the discharge is what comes in.", "mean |q/q_in - 1|"),
