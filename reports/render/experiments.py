@@ -19,6 +19,7 @@ from markupsafe import Markup
 from render.marks import Mark, mark
 
 TABLE = "laboratory-readings"
+COLUMNS = 8      # of that table: another version's is left out
 LEAST = 3       # pairs of which a bias and a scatter are given
 SIZE, LEFT, BOTTOM = 250.0, 46.0, 34.0
 
@@ -85,7 +86,8 @@ def survey(records):
 
 def tables(record):
     """Those of readings that a solver has answered: a record of the data alone has no solver in its title."""
-    return [table for table in record.tables if table["id"] == TABLE and table["title"]]
+    return [table for table in record.tables if table["id"] == TABLE and table["title"]
+            and all(len(row) == COLUMNS for row in table["rows"])]
 
 
 def of_readings(record, pattern):
