@@ -64,6 +64,9 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
         const double noise = gauge ? (calibration + slow.at(curve.x[i])) / std::numbers::sqrt2 : normal();
         record.values[part.quantity.name].push_back((1 + amplitude * part.input) * curve.y[i] + noise * curve.u[i]);
       }
+      // A clock moves no end of a record into what is judged.
+      record.abscissa.front() = std::min(record.abscissa.front(), curve.x.front());
+      record.abscissa.back() = std::max(record.abscissa.back(), curve.x.back());
       records[part.name].push_back(std::move(record));
     }
   }
