@@ -62,8 +62,9 @@ Scored scored(const std::string& name, const std::function<void(Submitted&)>& ch
     facts.uncertainty[quantity.column.name] = {.value = stated, .relative = true};
     if (table.abscissa) facts.uncertainty[table.abscissa->name] = {};
     for (const double group : table.groups->empty() ? std::vector<double>{0} : *table.groups) {
-      SubmittedGroup record{.value = group, .abscissa = table.points(group), .values = {}};
-      for (const double x : record.abscissa) {
+      SubmittedGroup record{.value = group, .abscissa = {}, .values = {}};
+      if (table.points) record.abscissa = table.points(group);
+      for (const double x : table.points ? record.abscissa : std::vector<double>{0}) {
         record.values[quantity.column.name].push_back(quantity.reference({group, x}));
       }
       submitted[table.name].push_back(std::move(record));
