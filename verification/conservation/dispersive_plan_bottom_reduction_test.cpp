@@ -116,7 +116,7 @@ Difference difference(const Slope& slope, std::size_t rows, Stepping stepping, b
 TEST_CASE("waves of the plan model over a bottom uneven along one axis are those of the one-dimensional model",
           "[conservation]") {
   Check check(
-      "dispersive_plan_bottom_reduction", "Plan model over slopes: waves along one axis",
+      "dispersive_plan_bottom_reduction", "Two-dimensional horizontal model over slopes: waves along one axis",
       "Water of equal depth 1 over a slope of 1:50, and over one that is bent, runs down with a jet of 0.2 in it, in a "
       "channel of 30 depths with walls all around, 60 columns, 100 steps of 0.2. One and three rows of the plan model, "
       "along x and along y, and the one-dimensional model give the same places, elevations and velocities; nothing "

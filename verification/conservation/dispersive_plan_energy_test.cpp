@@ -71,7 +71,7 @@ std::vector<Basin> basins() {
 }
 
 TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bottom", "[conservation]") {
-  Check check("dispersive_plan_energy", "Plan model: energy and volumes to round-off",
+  Check check("dispersive_plan_energy", "Two-dimensional horizontal model: energy and volumes to round-off",
               "A hump is released in a box and sloshes until t = 5, over a level bottom, over a polynomial of degree "
               "four and over a bump. Volumes and potential energy are polynomials along a step, so that Simpson's "
               "mean of their gradients is exact; what the bottom adds to volumes is made exact along the step. Over "
@@ -96,7 +96,7 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
 }
 
 TEST_CASE("energy and volumes of the one-step scheme in plan err by the square of the step", "[conservation][full]") {
-  Check check("dispersive_plan_energy_order", "Plan model: energy of the one-step scheme",
+  Check check("dispersive_plan_energy_order", "Two-dimensional horizontal model: energy of the one-step scheme",
               "A hump of 0.3 in a box until t = 200 over a level bottom, and a hump of 0.15 beside a bump until t = "
               "30. The energy errs by a bounded amount that shrinks with $\\tau^2$, and does not drift; so do the "
               "volumes of the cells. Over the bump this holds because velocities are carried along with the bottom's "

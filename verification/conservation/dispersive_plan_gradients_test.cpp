@@ -121,7 +121,7 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
 }
 
 TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[conservation]") {
-  Check check("dispersive_plan_gradients", "Plan model: gradients",
+  Check check("dispersive_plan_gradients", "Two-dimensional horizontal model: gradients",
               "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all "
               "volumes, over a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, "
               "against central differences with steps of 1e-4. Volumes over a level bottom and the energy are "

@@ -123,7 +123,7 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
 }
 
 TEST_CASE("the plan model returns when its velocities are reversed", "[conservation]") {
-  Check check("dispersive_plan_reversible", "Plan model: time reversal",
+  Check check("dispersive_plan_reversible", "Two-dimensional horizontal model: time reversal",
               "A hump in a box: 50 steps of 0.1, velocities reversed, 50 steps, velocities reversed. The one-step "
               "scheme over a level bottom, and the fully conservative scheme over a bump too: the velocities that the "
               "one-step scheme carries along an uneven bottom move its middle by $O(\\tau^3)$ on the way back. Direct "
@@ -153,7 +153,7 @@ TEST_CASE("the plan model returns when its velocities are reversed", "[conservat
 }
 
 TEST_CASE("the plan model's volumes have no rates at the middle of a step", "[conservation]") {
-  Check check("dispersive_plan_residual", "Plan model: linearised constraints",
+  Check check("dispersive_plan_residual", "Two-dimensional horizontal model: linearised constraints",
               "The mean velocity of a step, $\\tilde u$, changes no volume at the step's middle: $J(\\tilde q) \\tilde "
               "u = 0$ to the solver's tolerance, relative to the right-hand side of its system.");
   for (const double tolerance : {1e-6, 1e-10}) {

@@ -65,7 +65,7 @@ plan::Flow plan_flow(std::size_t rows, Stepping stepping, bool along_y, double g
 
 TEST_CASE("waves of the plan model along one axis are those of the one-dimensional model", "[conservation]") {
   Check check(
-      "dispersive_plan_reduction", "Plan model: waves along one axis",
+      "dispersive_plan_reduction", "Two-dimensional horizontal model: waves along one axis",
       "A jet of 0.4 in still water of a channel of 30 depths, 60 columns, 100 steps of 0.2, with walls all around. "
       "One, two and four rows of the plan model, along x and along y, and the one-dimensional model give the same "
       "places, elevations and velocities to round-off; nothing moves across the channel. The surface is level at the "

@@ -79,7 +79,7 @@ const Roundoff rounded{.operations = 100 * cells * cells,
                        .reason = "about a hundred operations a cell on places of the box's size"};
 
 TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]") {
-  Check check("plan_remap", "Remap of the plan model: what it keeps",
+  Check check("plan_remap", "Remap of the two-dimensional horizontal model: what it keeps",
               "16 x 16 cells over a level bottom 1 m deep, waves of 0.2 m and velocities of 1 m/s; "
               "nodes move by up to a third of a cell, those of the sides along them.");
   check.source(source);
@@ -133,7 +133,7 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
 }
 
 TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]") {
-  Check check("plan_remap_thin", "Remap of the plan model: rough and thin water",
+  Check check("plan_remap_thin", "Remap of the two-dimensional horizontal model: rough and thin water",
               "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities "
               "of 1 m/s at random; nodes move by up to a third of a cell.");
   Lattice rough = box(0);

@@ -54,7 +54,7 @@ double stiffness(const PlanTank& tank) {
 }
 
 TEST_CASE("the plan model's linearised matrices have the eigenvalues of the closed form", "[dispersion]") {
-  Check check("dispersion_dispersive_plan_symbol", "Dispersion of the plan model: eigenvalues",
+  Check check("dispersion_dispersive_plan_symbol", "Dispersion of the two-dimensional horizontal model: eigenvalues",
               "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: "
               "the acceleration that the linearised forces and constraints give a mode is $-\\omega^2$ "
               "times the mode itself, with $\\omega$ of the closed form. No run, no time step, no "
@@ -86,7 +86,7 @@ TEST_CASE("the plan model's linearised matrices have the eigenvalues of the clos
 
 TEST_CASE("standing waves in plan have the frequencies of the closed form", "[dispersion]") {
   Check check(
-      "dispersion_dispersive_plan", "Dispersion of the plan model: runs",
+      "dispersion_dispersive_plan", "Dispersion of the two-dimensional horizontal model: runs",
       "Standing waves of some 1e-9 of the depth in boxes of square and of oblong cells, from one half-wave to nearly "
       "the shortest. The one-step scheme is linear for them: $\\omega$ follows from three successive amplitudes, by "
       "least squares over the run, free of its time step.");

@@ -305,7 +305,7 @@ std::vector<Asked> all_asked() {
 }
 
 TEST_CASE("foreign flows are judged in all that is asked for", "[evidence]") {
-  Check check("foreign_flow_scores", "Wrong flows are told",
+  Check check("foreign_flow_scores", "Wrong flows are detected",
               "Of every case that asks others for a flow: the reference passes at the template's points and at four "
               "times as many; what never moved, is late or seen from the other side does not, and neither does what is "
               "zero, turned or in centimetres in a single one of its quantities.");

@@ -288,7 +288,7 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
 
 TEST_CASE("a record of a laboratory in the wrong place is told, a common shift of time is not held against it",
           "[evidence]") {
-  Check check("laboratory_scores", "Wrong records of gauges are told",
+  Check check("laboratory_scores", "Wrong records of gauges are detected",
               "The measured records are submitted with one thing changed.");
   const auto each = [](Submitted& all, const std::function<void(SubmittedGroup&)>& change) {
     for (auto& [name, groups] : all) {

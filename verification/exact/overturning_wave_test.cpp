@@ -163,7 +163,7 @@ void draw(Check& check, const OverturningWave& wave, const std::map<double, Poin
 }
 
 TEST_CASE("a steep wave over a bottom overturns and touches down as the reference does", "[exact][full]") {
-  Check check("exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
+  Check check("exact_overturning_finite_depth", "Overturning wave over a flat bottom, until the jet meets the surface",
               "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "
               "linear wave. The surface "
               "is compared with an earlier computation of ours at seven times, up to 0.49 linear periods; "

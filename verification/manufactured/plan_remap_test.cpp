@@ -60,7 +60,7 @@ Errors errors(std::size_t n) {
 }
 
 TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
-  Check check("plan_remap_order", "Remap of the plan model: order",
+  Check check("plan_remap_order", "Remap of the two-dimensional horizontal model: order",
               "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
               "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
               "at the new nodes.");

@@ -196,7 +196,7 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
 }
 
 TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robustness]") {
-  Check check("dirichlet_mesh_breakdown", "A jet folds the outline of the Dirichlet mesh",
+  Check check("dirichlet_mesh_breakdown", "A jet tangles the outline of the Dirichlet mesh",
               "A free patch whose two ends are thrown at each other: nodes of the outline meet. No flip helps; the run "
               "stops and names the triangle, with the state of before.");
   Flow flow(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),

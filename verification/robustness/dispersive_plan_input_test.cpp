@@ -41,7 +41,7 @@ class ShortBottom final : public PlanBottom {
 };
 
 TEST_CASE("bad lattices and settings of the plan model are refused with name, value and range", "[robustness]") {
-  Check check("dispersive_plan_input", "Bad input of the plan model",
+  Check check("dispersive_plan_input", "Bad input of the two-dimensional horizontal model",
               "A lattice of 4 x 3 cells with one thing wrong at a time: its rectangle, its nodes, its sides, its "
               "bottom, its settings, its steps.");
   Refusals refusals(check);
@@ -142,7 +142,7 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
 }
 
 TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]") {
-  Check check("dispersive_plan_stability", "Plan model: steps beyond stability",
+  Check check("dispersive_plan_stability", "Two-dimensional horizontal model: steps beyond stability",
               "The longest stable step is at least 2/omega of the fastest mode, $\\omega < \\sqrt{g/(\\alpha H)}$, "
               "whatever the cells. Longer steps are a warning, not an error: small waves may not notice.");
   Flow flow(rectangular_lattice({.begin = 0, .end = 1, .south = 0, .north = 1, .columns = 20, .rows = 20}));

@@ -21,7 +21,7 @@ Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
 }
 
 TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place", "[robustness]") {
-  Check check("lagrangian_mesh_fold", "A high wave folds the mesh at a wall",
+  Check check("lagrangian_mesh_fold", "A high wave inverts the mesh at a wall",
               "A solitary wave of height 0.6 is reflected by a vertical wall. Surface nodes beside the wall overtake "
               "the wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
   const exact::SolitaryWave wave(0.6);
