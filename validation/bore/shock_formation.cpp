@@ -96,7 +96,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double known = values.table("regression_shock_formation").column("front_position")[0];
   here.only_if(s.gravity == 9.81 && s.speed == 1.5, "the position is known for 9.81 m/s^2 and 1.5 m/s")
       .check(
-          "front", "The bore is where a very fine run has it.", "position of the bore [m]",
+          "front", "The position of the bore agrees with a very fine run.", "position of the bore [m]",
           [](const Results& r) -> Measurement {
             return {.value = r.positions.back(), .uncertainty = r.convergence().uncertainty};
           },

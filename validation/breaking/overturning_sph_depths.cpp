@@ -172,11 +172,12 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
                   .reason = "a rim known to half a spacing in each of both: as for a round hole of the same area",
                   .expected = 1};
   landed.check(
-      claim("cavity", "The stress of unresolved eddies leaves the air that the jet shuts off as it is.",
+      claim("cavity", "The air that the jet shuts off does not change with the stress of unresolved eddies.",
             "of laminar water"),
       [over](const Results& r) { return over(r.laminar, r.stress); }, rim);
   const evidence::Claim standard =
-      claim("cavity-standard", "Artificial viscosity leaves it as it is.", "with artificial viscosity");
+      claim("cavity-standard", "The air that the jet shuts off does not change with artificial viscosity.",
+            "with artificial viscosity");
   const auto over_standard = [over](const Results& r) { return over(r.turns.front().run, r.stress); };
   if (full_as_it_stands(values)) {
     landed.known_failure(standard, over_standard, rim,

@@ -67,7 +67,7 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
   claims.from(source).check(
-      "vertical-tangent", "The front is first vertical when it is in potential flow.",
+      "vertical-tangent", "The time of the first vertical front agrees with potential flow.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
       Bound{.limit = finest.cell / (2 * speed) + finest.tau,
@@ -85,7 +85,7 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
   const double phase = finest.tau * finest.tau / 24;
   const double interpolation = std::pow(finest.cell, 3) / 24;
   claims.from(source).check(
-      "exact-work", "The pressure does the work that it does on potential flow.", "work, relative difference",
+      "exact-work", "The work of the pressure agrees with its work on potential flow.", "work, relative difference",
       [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
       Bound{.limit = phase + interpolation,
             .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the error of "

@@ -110,7 +110,7 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
   const auto nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
   claims.from("Frank (1994), formulas 4 to 7")
       .check(
-          "momentum", "The water's horizontal momentum changes by the forces of the walls and of the bottom.",
+          "momentum", "Horizontal momentum of the water changes by the forces of the walls and the bottom.",
           "largest defect of a step's balance [rho g depth^2]",
           [s, nodes](const Results& r) -> Measurement {
             Worst defect;

@@ -270,8 +270,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   const io::Table heights = values.table("martin_moyce_1952_square_height");
   compared.only_if(column.aspect == 1, "the height was measured behind a square column")
       .check(
-          "height", "With the same shift, the water at the wall sinks as the measured one.", "rms difference of H/a",
-          [heights](const Results& r) { return height_off(r, heights); },
+          "height", "With the same shift, the water height at the wall agrees with the measurement.",
+          "rms difference of H/a", [heights](const Results& r) { return height_off(r, heights); },
           Bound{.limit = 2 * std::hypot(0.03, 0.03 * 0.25),
                 .reason = "two standard uncertainties of a point, in H and in T, along which H falls by 0.25 a unit"});
 }

@@ -108,8 +108,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       .width = 5e-7,
                       .reason = "a cubic equation gives 0.138270; the printed value is a reading from Stoker's graph"});
   claims.from("section 7 of the paper")
-      .check("critical-percent", "The critical ratio is the 13.8 % of the same sentence.", "critical depth ratio",
-             &Results::critical_ratio,
+      .check("critical-percent", "The critical depth ratio is the 13.8 % that Stoker (1957) prints.",
+             "critical depth ratio", &Results::critical_ratio,
              Bound{.limit = 5e-4, .reason = "half a unit of the last printed digit", .expected = 0.138});
 }
 

@@ -117,7 +117,7 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, boo
   };
   claims.only_if(enough, "spacings of a twentieth of the column delay the front by a tenth of sqrt(a/g)")
       .from(data.citation)
-      .check("shift", "The measured square column is late by what its diaphragm explains.",
+      .check("shift", "The measured front of the square column lags by the delay expected of its diaphragm.",
              "shift of the time origin, in sqrt(a/g)", fitted(&ShiftedFront::shift), release_delay());
   claims.from(data.citation)
       .check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",

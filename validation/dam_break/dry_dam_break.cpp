@@ -95,7 +95,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double end = times.back();
   const double front = s.ritter.front(end);
   const auto here = claims.at(s.discretisation.text());
-  here.check("front", "The dry front is exactly where Ritter's solution has it.", "front position [m]", &Results::front,
+  here.check("front", "The position of the dry front equals Ritter's solution exactly.", "front position [m]",
+             &Results::front,
              Roundoff{.operations = std::pow(end / s.discretisation.time_step / 4, 2),
                       .scale = front,
                       .reason = "two roundings per step, of the increment and of the position, each by at most half an "

@@ -209,7 +209,7 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                                                "shift and rate; a gravity a tenth too small makes 0.054, a front a "
                                                "twentieth too fast 0.048"});
   record.check({.id = "shift",
-                .text = data.measured ? "The experiment is late by what its release explains, or not at all."
+                .text = data.measured ? "The measured front lags by no more than the delay expected of its release."
                                       : "The other computation starts at the same time.",
                 .quantity = "shift of the time origin, in the unit of T",
                 .source = data.citation},

@@ -112,7 +112,7 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "particles")
       .check(
-          "particles-rim", "Free particles have the rim where it should be.",
+          "particles-rim", "The drop outline of the free particles agrees with the exact ellipse.",
           "rms distance from the exact places [radius]", error_of_finest,
           Bound{.limit = 0.01 / static_cast<double>(values.integer("rings")),
                 .reason =

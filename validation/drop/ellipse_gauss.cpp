@@ -180,7 +180,7 @@ Results compute(const Run& run) {
 void claim_accuracy(const SetUp& s, const Claims<Results>& claims) {
   const double strain = s.gradient.norm() / std::numbers::sqrt2;
   claims.check(
-      "places", "The particles are where they should be.", "rms distance from the exact places [radius]",
+      "places", "The particle positions agree with the exact drop.", "rms distance from the exact places [radius]",
       [](const Results& r) { return r.splines.rms; },
       Bound{std::pow(strain * s.tau, 2),
             "second order: the square of strain rate times step, in radii; Frank's projection scheme, of first order, "

@@ -191,7 +191,7 @@ void claim_accuracy(const SetUp& s, const Claims<Results>& all) {
                                      .only_if(s.usual(), otherwise);
   const double deformed = s.strain() * s.end;
   claims.check(
-      "places", "The particles are where they should be, but for about a spacing.",
+      "places", "The particle positions agree with the exact drop to about one spacing.",
       "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
       Bound{s.spacing * deformed,
             "a spacing that the surface is not known by, and strains as the drop is strained: first order"});

@@ -158,14 +158,15 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
           },
           Bound{.limit = 0, .reason = "one solve per step against two", .expected = 0.5});
   claims.at(range).check(
-      "accuracy", "At equal steps the error is smaller than RK2's.", "largest error ratio, scheme / RK2",
+      "accuracy", "The error at equal steps is smaller than RK2's.", "largest error ratio, scheme / RK2",
       [largest_ratio](const Curves& curves) {
         return largest_ratio(
             curves, [](const WorkPrecision& rk2, const WorkPrecision&, std::size_t i) { return rk2.error[i]; });
       },
       Bound{1, "better means less than 1"});
   claims.at(range).check(
-      "accuracy-at-equal-cost", "At equal numbers of solves it is smaller still.", "largest error ratio, scheme / RK2",
+      "accuracy-at-equal-cost", "The error at equal numbers of solves is smaller than RK2's.",
+      "largest error ratio, scheme / RK2",
       [largest_ratio](const Curves& curves) {
         return largest_ratio(curves, [](const WorkPrecision& rk2, const WorkPrecision& own, std::size_t i) {
           return error_at(rk2, own.solves[i]);

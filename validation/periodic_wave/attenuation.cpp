@@ -136,7 +136,7 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
                                              .criterion = Bound{.limit = per_wavelength * values.real("length") *
                                                                          static_cast<double>(values.integer("periods")),
                                                                 .reason = per_wavelength_reason + ", over all of them"},
-                                             .text = "The wave is at its place at every instant.",
+                                             .text = "The phase of the wave is right at every instant.",
                                              .source = attenuation_source}}}},
            .groups = times,
            .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
@@ -176,7 +176,7 @@ void judge_waves(const Values& values, const Submitted& submitted, const SolverF
                {.value = rates.decay, .resolution = resolution},
                Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
   record.check({.id = "phase",
-                .text = "The wave travels at its speed.",
+                .text = "The speed of the wave agrees with the exact celerity.",
                 .quantity = "lead of the phase in a wavelength",
                 .unit = "wavelengths",
                 .source = attenuation_source},

@@ -197,7 +197,8 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
   const double excess = wave.phase_speed() / linear - 1;
   judge(claims.only_if(excess > 0.01, "the wave is so low that its height adds less than 1 per cent to its speed"),
         {.id = s.named("phase"),
-         .text = fmt::format("{}: it travels at its speed, but for what the steps make it lead.", s.name()),
+         .text =
+             fmt::format("{}: the speed agrees with the exact celerity, but for the lead of the time steps.", s.name()),
          .quantity = "lead of the phase per period",
          .unit = "wavelengths",
          .source = source},

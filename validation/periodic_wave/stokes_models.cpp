@@ -201,7 +201,8 @@ void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
                     .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
                               "what the equations do"});
   };
-  ends("dispersive-error", "Against the Euler equations the dispersive model ends where its equations do.",
+  ends("dispersive-error",
+       "The error of the dispersive model against the Euler equations converges to the error of its equations.",
        "rms error over the height", "1", &Ladder::error, equations_apart(waves));
   ends("dispersive-phase",
        "The phase lag of the dispersive model behind the Euler wave is the celerity deficit of its equations.",
@@ -232,7 +233,8 @@ void claims(const Values& values, const Claims<Results>& all) {
             [](const Ladder& ladder) { return ladder.lead.back(); },
             Bound{.limit = limit * excess, .reason = why, .expected = expected});
   };
-  speed(particles, "particles-phase", "Particles lag by what their steps make them lag.", -turn * turn / 12, 0.02,
+  speed(particles, "particles-phase", "The phase lag of the particles is the lag of their time steps.",
+        -turn * turn / 12, 0.02,
         "a fiftieth of what its height adds to the wave's speed; expected: -(omega tau)^2/12, the lag of the discrete "
         "gradient");
   const std::string distinguished =

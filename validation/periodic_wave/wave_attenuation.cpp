@@ -194,7 +194,7 @@ void claim_particles(const Claims<Results>& claims, const Values& values) {
   const double turn = 2 * std::numbers::pi / steps;
   claim_height(claims, "particles", "Free particles keep the height of the wave.");
   claims.check(
-      "particles-phase", "Free particles lag by what their steps make them lag.",
+      "particles-phase", "The phase lag of the free particles is the lag of their time steps.",
       "lead of the phase in a wavelength, the worst of three waves, beside what is expected [wavelengths]",
       [turn](const Results& r) {
         return worst_over_heights(r, "particles", [&](const Course& one) { return one.rates.lead + turn * turn / 12; });
@@ -217,7 +217,7 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
   const double viscous = viscous_decay(wave_of(values.real("height"), length), spacing);
   const auto decay = [](const Results& r) { return finest(r, "sph").rates.decay; };
   claims.from(attenuation_source)
-      .known_failure("sph-height", "SPH keeps the height of the wave.",
+      .known_failure("sph-height", "The wave height in SPH is constant.",
                      "what a wavelength takes from the height of the highest wave", decay,
                      Bound{.limit = per_wavelength, .reason = per_wavelength_reason},
                      {.value = 0.08,
@@ -244,7 +244,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const StokesWave steepest = wave_of(values.real("height"), length);
   claim_particles(all.at(fmt::format("{} cells to a wavelength", values.integer("cells"))), values);
   const Claims<Results> mesh = all.at(fmt::format("{} rows", values.integer("rows")));
-  claim_height(mesh, "mesh", "The Lagrangian mesh keeps the height of the wave.");
+  claim_height(mesh, "mesh", "The wave height on the Lagrangian mesh is constant.");
   mesh.from(attenuation_source)
       .check(
           "mesh-phase", "The phase error of the Lagrangian mesh is below 0.5 % of a wavelength per wavelength.",
@@ -254,7 +254,7 @@ void claims(const Values& values, const Claims<Results>& all) {
           },
           Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
   const Claims<Results> dispersive = all.at(fmt::format("{} markers to a wavelength", values.integer("markers")));
-  claim_height(dispersive, "dispersive", "The dispersive model keeps the height of its wave.");
+  claim_height(dispersive, "dispersive", "The wave height of the dispersive model is constant.");
   dispersive.from("Serre (1953); Schwartz (1974)")
       .check(
           "dispersive-phase",

@@ -163,7 +163,7 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
       Qualitative{.detector = "no failure until the reflected wave has left",
                   .reason = "below 0.479 cot^(-10/9) no bore forms"});
   claims.check(
-      "stated", "A run that stops says when and where, and its last state is sound.", "all do",
+      "stated", "A run that stops reports time and position, and its last state is sound.", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return !one.fate.through(); },

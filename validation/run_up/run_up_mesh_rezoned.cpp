@@ -163,7 +163,8 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
                                 "to seven digits"});
   claims.only_if(rows >= fine, "four rows are too few for an order: 16 rows and more")
       .check(
-          "order-" + climb.id(), fmt::format("{}: it converges to it with order {:g}.", climb.title(), climb.order()),
+          "order-" + climb.id(),
+          fmt::format("{}: the run-up converges to the Euler equations with order {:g}.", climb.title(), climb.order()),
           "order in the size of the cells",
           [climb, exact](const Results& all) {
             const Climbed& one = find(all, climb.id());

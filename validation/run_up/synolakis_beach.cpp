@@ -262,7 +262,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 "energy cannot carry the bore"});
   const auto closure = claims.at("h = 0.125, breaking, friction");
   closure.check(
-      "closure-follows", "With breaking and friction it is followed up the beach and down again, until t = 80.",
+      "closure-follows", "With breaking and friction the wave is followed up the beach and down again, until t = 80.",
       "runs to the end", [](const Results& r) { return r.closure.stopped ? 0.0 : 1.0; },
       Qualitative{.detector = "markers cross or the water is gone before t = 80",
                   .reason = "the front is a bore of finite width, and the tongue is slowed down"});

@@ -221,7 +221,8 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
                 .reason = "from the change from mesh to mesh, of use up to 5 % of the load; the exact one to 1e-10"});
     if (!load.converges) continue;
     known.check(
-        "load-" + load.id + "-order", fmt::format("The largest {} converges to it with order 2.", load.name),
+        "load-" + load.id + "-order",
+        fmt::format("The largest {} converges to the Euler equations with order 2.", load.name),
         "order in the size of the cells",
         [load, exact](const Results& r) {
           return evidence::observed_order(r.all.spacing, r.all.errors(load.values, exact));
@@ -253,7 +254,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       .reason = "from the change from mesh to mesh, of use up to 5 % of 2 A; the exact value to "
                                 "1.1e-5, and where no table has it, computed: up to A = 0.6 it is less than 3 A"});
   known.check(
-      "order", "The run-up converges to it with order 2.", "order in the size of the cells",
+      "order", "The run-up converges to the Euler equations with order 2.", "order in the size of the cells",
       [](const Results& r) { return evidence::observed_order(r.all.spacing, r.errors()); }, second_order(climb));
   claim_loads(values, climb, claims);
 }

@@ -321,7 +321,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       },
       Bound{.limit = 0, .reason = "no corner is below the shape at which it acts until the water falls"});
   claims.check(
-      "stated", "A run without the barrier that stops says when and where, before its mesh is out of the tank.",
+      "stated", "A run without the barrier that stops reports time and position, before its mesh leaves the tank.",
       "share that do",
       [](const Results& r) {
         Count inside;

@@ -123,7 +123,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const double k = wave.decay_rate();
   const double turn = k * 0.15 / static_cast<double>(values.integer("particles"));
   claims_of(all, "particles")
-      .check("particles-surface", "Free particles are off by less than what their steps make them lag.",
+      .check("particles-surface", "The error of the free particles is below the lag of their time steps.",
              "rms error of the surface over the height", error_of_finest,
              Bound{.limit = turn * turn / 12 * values.real("way") * std::tan(wave.maximum_slope()) / wave.amplitude(),
                    .reason = "the discrete gradient lags by (k c tau)^2/12 of its way, k the rate of decay of the "
@@ -148,7 +148,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
       .from("Serre (1953); exact wave")
-      .check("dispersive-surface", "The dispersive model ends where its equations do.",
+      .check("dispersive-surface", "The error of the dispersive model converges to the error of its equations.",
              "rms error of the surface over the height", error_of_finest,
              Bound{.limit = 0.1 * apart,
                    .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "

@@ -234,7 +234,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                  "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"});
   limit.from(water).check(
       "critical-wavelength-with-weight",
-      fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", like_water().weight_exponent),
+      fmt::format("With gamma = 1/15 and the weight s = {:.3f} the critical wavelength equals water's.",
+                  like_water().weight_exponent),
       "critical wavelength/H", &Results::critical_with_weight, root_within(of_water));
   limit.check(
       "no-critical-wavelength",

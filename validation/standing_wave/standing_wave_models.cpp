@@ -116,7 +116,7 @@ double equations_apart(const Values& values) {
 void claim_swing(const Claims<Contest>& all, const Named& model, double turn) {
   claims_of(all, model.id)
       .from("Frank (1994), chapter 1; potential turned into kinetic energy")
-      .check(model.id + "-swing", fmt::format("The energy changes by what the steps make it swing: {}.", model.name),
+      .check(model.id + "-swing", fmt::format("The energy error is the oscillation of the time steps: {}.", model.name),
              "change over the energy", energy_of_finest,
              Bound{.limit = 0.1 * turn * turn / 4,
                    .reason = "the scheme keeps K (1 - (omega tau)^2/4) + P of a linear wave, hence that swing from "
@@ -143,7 +143,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
       .from("Tadjbakhsh and Keller (1960); averaged Lagrangian of the model's equations")
-      .check("dispersive-surface", "The dispersive model is off by what its equations' wave is late or early.",
+      .check("dispersive-surface", "The error of the dispersive model is the phase error of its equations.",
              "rms error of the surface over the amplitude", error_of_finest,
              Bound{.limit = 0.1 * apart,
                    .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second order in "

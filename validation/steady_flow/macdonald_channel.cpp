@@ -119,8 +119,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(values.integer("particles") >= 70,
                "from fewer than 70 particles on the rise of the depth, not the inlet, decides the error")
       .check(
-          "discharge",
-          "The discharge converges to the same everywhere, the faster the farther the inlet's error is behind.",
+          "discharge", "The discharge converges to a uniform value, the faster the farther from the inlet.",
           "observed order of L1(q)", [](const Results& r) { return r.order(&Settled::discharge_error); },
           Order{1.5, 0.5, "between the first order of the section at the inlet and the second of the rest"});
   claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of([](const Results& r) -> const Profile& {
@@ -131,7 +130,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("N = {}", finest))
       .from("conservation law of mass")
       .check(
-          "mass", "Mass is what it was, plus inflow, less outflow.", "mass less the booked mass [m^2]",
+          "mass", "Mass changes by inflow minus outflow alone.", "mass less the booked mass [m^2]",
           [](const Results& r) { return r.finest().mass_defect; },
           open_ends_roundoff({.length = channel.length(),
                               .depth = channel.at(channel.length()).depth,

@@ -221,7 +221,7 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
               "observed order of cell L1(h)"),
         [](const Settling& r) { return r.order(&Errors::depth); }, second);
     claims.check(
-        claim("discharge", "so does the discharge to the same everywhere.", "observed order of L1(q)"),
+        claim("discharge", "the discharge converges to a uniform value.", "observed order of L1(q)"),
         [](const Settling& r) { return r.order(&Errors::discharge); }, second);
     return;
   }
@@ -229,13 +229,13 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
                     "first order at a jump: errors as large as the jump on as many particles as it is wide, whatever "
                     "their number; its place between particles changes it by a few tenths"};
   claims.check(
-      claim("order", "within a metre of the jump the depth converges as it can there.", "observed order of cell L1(h)"),
+      claim("order", "within a metre of the jump the depth converges at first order.", "observed order of cell L1(h)"),
       [](const Settling& r) { return r.order(&Errors::jump_depth); }, first);
   claims.check(
       claim("discharge", "the discharge converges at first order.", "observed order of L1(q)"),
       [](const Settling& r) { return r.order(&Errors::jump_discharge); }, first);
   claims.check(
-      claim("discharge-below", "below it the discharge is what comes in.", "mean |q/q_in - 1|"),
+      claim("discharge-below", "below the jump the discharge equals the inflow.", "mean |q/q_in - 1|"),
       [](const Settling& r) { return r.errors.back().below_jump_discharge.value(); },
       Bound{.limit = 0.01,
             .reason = "what passes the jump makes waves; one per cent is what a measuring weir knows of a discharge"});
@@ -254,7 +254,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       judged_flow(regime, values), regime.flow.bump().length / static_cast<double>(finest),
                       regime.name + "-judged-");
     here.check(
-        regime.name + "-mass", fmt::format("{}: mass is what it was, plus inflow, less outflow.", regime.name),
+        regime.name + "-mass", fmt::format("{}: mass changes by inflow minus outflow alone.", regime.name),
         "mass less the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
         open_ends_roundoff({.length = regime.flow.bump().length,
                             .depth = depth,

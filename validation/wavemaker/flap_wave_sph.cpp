@@ -200,7 +200,7 @@ void claim_loss(const Claims<Results>& claims, const Theory& linear, const Value
   const auto few = claims.only_if(values.text("kernel") == "cubic_spline" && values.real("smoothing") <= 1.3,
                                   "it is said of the publication's kernel and of its number of neighbours");
   few.check(
-      "loss", "With the publication's 21 neighbours they lose height.", "more than nonlinearity explains",
+      "loss", "Waves computed with the publication's 21 neighbours lose height.", "more than nonlinearity explains",
       [nonlinear](const Results& r) -> Measurement {
         return {.value = r.loss(r.runs.back()) > nonlinear ? 1.0 : 0.0, .resolution = r.runs.back().resolution()};
       },
@@ -210,7 +210,8 @@ void claim_loss(const Claims<Results>& claims, const Theory& linear, const Value
   const double wider = 1.7 / values.real("smoothing");
   few.only_if(values.real("smoothing") >= 1.25, "shells of fewer neighbours do not go with the area of the support")
       .check(
-          "cheap", fmt::format("What gives it back stays cheap ({}).", more_neighbours.name),
+          "cheap",
+          fmt::format("The cost of the wider kernel, which restores the height, stays low ({}).", more_neighbours.name),
           "pairs of neighbours evaluated in the run, over those as set",
           [](const Results& r) -> Measurement {
             return {.value = static_cast<double>(r.wide.back().extremes.interactions) /
@@ -276,7 +277,8 @@ void claim_design(const Claims<Results>& all, const FlapDesign& design) {
                "part of the design height 1.02 m that the second wave lacks", lower(2),
                Bound{.limit = said / 2, .reason = "\"about\", read as to within half of it", .expected = said});
   claims.check(
-      "second-from-start", "Counted from the start of the flap it is not: the publication's clock is the other one.",
+      "second-from-start",
+      "Counted from the start of the flap, the second wave lacks more: the publication counts from another instant.",
       "the second wave lacks more",
       [at = lower(1)](const Results& r) -> Measurement {
         Measurement m = at(r);

@@ -143,7 +143,7 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
                       "mean"});
   if (front == nullptr) return;
   check(
-      "front", "the jump is in its place, to one particle.", "position of the jump less the exact one [m]",
+      "front", "the position of the bore is exact to one particle.", "position of the jump less the exact one [m]",
       [front = *front](const FlowRun& flow) { return front_position(flow.profile(), front) - front.position; },
       Bound{.limit = problem.length() / static_cast<double>(d.particles),
             .reason = "the particles' first width: one holds the jump"});
@@ -156,7 +156,7 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
 void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
   claims.from("the hand-over of section 3 of the paper")
       .check(
-          "width", "The jump lies inside a single particle.", "particles between 5 % and 95 % of the jump",
+          "width", "The width of the bore is a single particle.", "particles between 5 % and 95 % of the jump",
           [front](const FlowRun& flow) -> Measurement {
             return {.value = front_width(flow.profile(), front), .resolution = flow.discretisation.text()};
           },
