@@ -286,7 +286,7 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
        &RiemannErrors::momentum,
        {.limit = limit(&RiemannErrors::momentum, rounding * length), .reason = reason}},
       {"celerity",
-       "Waves have travelled as far as in the exact solution.",
+       "The distance that waves have travelled agrees with the exact solution.",
        "share of the time by which the depth is nearest to that of a later instant",
        "1",
        &RiemannErrors::celerity,
