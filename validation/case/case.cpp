@@ -55,7 +55,8 @@ void Case::check_published() const {
     for (const std::string& parameter : named) {
       const auto is_it = [&](const Parameter& p) { return p.name == parameter; };
       if (std::none_of(parameters.begin(), parameters.end(), is_it))
-        throw std::logic_error(fmt::format("{}: published set {} names no parameter {}", name, set.name(), parameter));
+        throw std::logic_error(
+            fmt::format("{}: as-published set {} names no parameter {}", name, set.name(), parameter));
     }
     try {
       static_cast<void>(values(set));

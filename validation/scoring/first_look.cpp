@@ -143,7 +143,7 @@ std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std
     return fmt::format("none: within the uncertainties of the data and of your result, {:.3g} together", j.limit);
   }
   if (j.verdict == Verdict::pass)
-    return all ? "none, all errors are within their limits" : "within the limits of what was judged";
+    return all ? "none, all errors are within their limits" : "none within the limits of what was scored";
   if (j.verdict == Verdict::inconclusive) return "undecided: " + j.note;
   if (!exact) return "your solver's or the data's: this limit does not include an uncertainty of the data";
   if (!ladder) return "your solver's or its set-up's, as the reference is exact: three cell sizes (--sizes) show which";
