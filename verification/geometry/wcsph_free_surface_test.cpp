@@ -211,12 +211,6 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
               .source = "curvature moves the level 1/2 by a part of h^2/R"},
              observed_order(spacings, means),
              Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
-  check.that({.id = "disc-scatter",
-              .text = "The scatter of the disc's area with its place follows the number of lattice points in the disc.",
-              .quantity = "order of the standard deviation",
-              .source = remainder},
-             observed_order(spacings, scatters),
-             Order{1.5, 0.5, "R^(1/2) dx^2/R^2; six radii, whose remainders fluctuate by tens of per cent"});
   check.that({.id = "disc-centre",
               .text = "The centre of the disc converges with order 1.5.",
               .quantity = "order of the rms error",
