@@ -68,9 +68,6 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
       keeps("momentum",
             worst(std::array{ledger.entry("momentum_x").largest_defect, ledger.entry("momentum_y").largest_defect}), 1);
       keeps("angular-momentum", ledger.entry("angular_momentum_z").largest_defect, 12);
-      const auto& energy = ledger.entry("energy");
-      for (const char* name : {"momentum_x", "momentum_y", "angular_momentum_z"}) {
-      }
     }
     PlanProblem problem = free_blob(stands, {.solver = SolverMethod::banded});
     const InvariantsLedger ledger = run(problem, {.stepping = Stepping::conservative});
