@@ -4,7 +4,7 @@ import math
 
 from markupsafe import Markup, escape
 
-from render.marks import mark
+from render.marks import axes, mark
 
 TABLE = "ladder"                # of a record: a row per size, from coarse to fine; the errors, and the times if stated
 WIDTH, HEIGHT, LEFT, BOTTOM = 330.0, 210.0, 58.0, 40.0
@@ -90,19 +90,7 @@ def figure(costs):
         share = (math.log10(value) - low) / (high - low)
         return LEFT + WIDTH * share if axis == 0 else HEIGHT * (1 - share)
 
-    parts = [f'<path d="M{LEFT} 0V{HEIGHT}H{LEFT + WIDTH}" fill="none" stroke="currentColor" stroke-width=".6"/>']
-    for axis in (0, 1):
-        for tick in _ticks(*spans[axis]):
-            at = place(tick, axis)
-            where = (f'x="{at:.1f}" y="{HEIGHT + 15}" text-anchor="middle"' if axis == 0 else
-                     f'x="{LEFT - 5}" y="{at + 4:.1f}" text-anchor="end"')
-            line = f"M{at:.1f} {HEIGHT}v3" if axis == 0 else f"M{LEFT} {at:.1f}h-3"
-            parts.append(f'<path d="{line}" stroke="currentColor" stroke-width=".6"/>'
-                         f'<text {where} font-size="12">{tick:g}</text>')
-    parts.append(f'<text x="{LEFT + WIDTH / 2}" y="{HEIGHT + 34}" text-anchor="middle" font-size="13">'
-                 f'{escape(costs.cost)}</text>'
-                 f'<text x="12" y="{HEIGHT / 2}" text-anchor="middle" font-size="13" '
-                 f'transform="rotate(-90 12 {HEIGHT / 2})">error of {escape(costs.quantity)}</text>')
+    parts = axes(LEFT, WIDTH, HEIGHT, place, spans, costs.cost, f"error of {costs.quantity}")
     for number, curve in enumerate(costs.curves):
         own = mark(number)
         places = [(place(x, 0), place(y, 1)) for x, y in curve.points]
@@ -118,10 +106,3 @@ def figure(costs):
     return Markup(f'<svg class="costs" viewBox="{box}" width="400" role="img" aria-label="error of '
                   f'{escape(costs.quantity)} against {escape(costs.cost)}" fill="currentColor">{"".join(parts)}</svg>'
                   f'<p class="costs">{key}</p>')
-
-
-def _ticks(low, high):
-    """1, 2 and 5 times powers of ten, or the powers alone over more than two decades."""
-    steps = (1,) if high - low > 2 else (1, 2, 5)
-    return [step * 10.0**power for power in range(math.floor(low), math.ceil(high) + 1) for step in steps
-            if low <= math.log10(step * 10.0**power) <= high]

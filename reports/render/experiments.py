@@ -14,14 +14,14 @@ import fnmatch
 import math
 import statistics
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
-from render.marks import Mark, mark
+from render.marks import Mark, axes, mark
 
 TABLE = "laboratory-readings"
 COLUMNS = 8      # of that table: another version's is left out
 LEAST = 3       # pairs of which a bias and a scatter are given
-SIZE, LEFT, BOTTOM = 250.0, 46.0, 34.0
+SIZE, LEFT, BOTTOM = 250.0, 58.0, 40.0
 
 
 @dataclasses.dataclass
@@ -136,30 +136,22 @@ def scatter_figure(lines):
     values = [value for pair in pairs for value in (pair.measured, pair.computed)]
     low, high = math.log10(min(values)) - 0.1, math.log10(max(values)) + 0.1
 
-    def place(value):
-        return SIZE * (math.log10(value) - low) / (high - low)
-
-    def point(pair):
-        return LEFT + place(pair.measured), SIZE - place(pair.computed)
+    def place(value, axis):
+        at = SIZE * (math.log10(value) - low) / (high - low)
+        return SIZE - at if axis else LEFT + at
 
     relative = math.sqrt(math.fsum((pair.uncertainty / pair.measured) ** 2 for pair in pairs) / len(pairs))
     offset = SIZE * math.log10(1 + 2 * relative) / (high - low)
-    parts = [f'<path d="M{LEFT} 0V{SIZE}H{LEFT + SIZE}" fill="none" stroke="currentColor" stroke-width=".6"/>',
-             f'<path d="M{LEFT} {SIZE}L{LEFT + SIZE} 0" stroke="currentColor" stroke-width=".8"/>']
+    parts = axes(LEFT, SIZE, SIZE, place, [(low, high)] * 2, "measured", "computed")
+    parts.append(f'<path d="M{LEFT} {SIZE}L{LEFT + SIZE} 0" stroke="currentColor" stroke-width=".8"/>')
     for shift in (offset, -offset):
         parts.append(f'<path d="M{LEFT + max(shift, 0):.1f} {SIZE + min(shift, 0):.1f}L{LEFT + SIZE + min(shift, 0):.1f} '
                      f'{max(shift, 0):.1f}" stroke="currentColor" stroke-width=".5" stroke-dasharray="3 3"/>')
-    for power in range(math.ceil(low), math.floor(high) + 1):
-        at = place(10.0 ** power)
-        text = f"{10.0 ** power:g}"
-        parts.append(f'<text x="{LEFT + at:.1f}" y="{SIZE + 14}" text-anchor="middle" font-size="11">{text}</text>')
-        parts.append(f'<text x="{LEFT - 4}" y="{SIZE - at + 4:.1f}" text-anchor="end" font-size="11">{text}</text>')
-    parts.append(f'<text x="{LEFT + SIZE / 2}" y="{SIZE + 30}" text-anchor="middle" font-size="12">measured</text>')
-    parts.append(f'<text x="12" y="{SIZE / 2}" text-anchor="middle" font-size="12" '
-                 f'transform="rotate(-90 12 {SIZE / 2})">computed</text>')
     for line in lines:
         for pair in line.pairs:
-            parts.append(line.mark.svg(*point(pair), 2.6, 'fill-opacity=".75"'))
+            said = escape(f"{line.solver}, {pair.claim}: computed {pair.computed:.3g}, measured {pair.measured:.3g}")
+            parts.append(line.mark.svg(place(pair.measured, 0), place(pair.computed, 1), 2.6, 'fill-opacity=".75"',
+                                       f"<title>{said}</title>"))
     box = f"0 -6 {LEFT + SIZE + 8:g} {SIZE + BOTTOM + 6:g}"
     return Markup(f'<svg class="scatter" viewBox="{box}" width="340" role="img" aria-label="computed against measured" '
                   f'fill="currentColor">{"".join(parts)}</svg>')
