@@ -78,6 +78,7 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
     check.holds(id + ": " + text, {value / expected - 1}, Bound{limit, why});
   };
   const auto is = [&](const std::string& id, const std::string& text, bool holds, const std::string& shown = {}) {
+    INFO(shown);
     check.holds(id + ": " + text, {holds ? 1.0 : 0.0}, Qualitative{"comparison", "it was made so"});
   };
   const std::string rounding = "powers of a few digits, a dozen roundings";
