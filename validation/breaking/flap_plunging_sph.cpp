@@ -170,16 +170,16 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::string elsewhere =
       "the publication gives neither its flume nor the phase in which its flap starts; here the wave breaks 0.15 T "
       "earlier than in its frames, ";
-  claims.known_failure("steeper", "With the stress of unresolved eddies the front is steeper: it hangs over earlier.",
+  claims.known_failure("steeper", "The front with the stress of unresolved eddies is steeper: it hangs over earlier.",
                        "it does", more([](const SphPlunged& run) { return -run.hangs_over; }), shown,
                        {.value = 0, .reason = elsewhere + "with and without the stress at the same hundredth of T"});
   claims.known_failure(
-      "larger-cavity", "With the stress of unresolved eddies the cavity is larger.", "it is",
+      "larger-cavity", "The cavity with the stress of unresolved eddies is larger than without.", "it is",
       more([](const SphPlunged& run) { return std::isnan(run.touches) ? 0.0 : run.cavity.value(); }), shown,
       {.value = 0,
        .reason = elsewhere + "and the air that it encloses is a few spacings wide, less than lattices tell"});
   claims.known_failure(
-      "touch-down", "Without the stress of unresolved eddies the jet touches down at 0.46 T.",
+      "touch-down", "The jet without the stress of unresolved eddies touches down at 0.46 T.",
       "time after the first period [T]",
       [](const Results& r) -> Measurement {
         const SphPlunged& standard = r.runs.front().back();

@@ -222,8 +222,8 @@ void claim_stress(const Claims<Results>& claims) {
   claims.from("Plunging breaking waves by weakly compressible smoothed particles, figure 6")
       .check(
           "nearer-with-stress",
-          "With a developed jet the surface with the stress of unresolved eddies is nearer to potential flow than that "
-          "with artificial viscosity.",
+          "The surface of a developed jet with the stress of unresolved eddies is nearer to potential flow than with "
+          "artificial viscosity.",
           "rms distance over that with artificial viscosity",
           [](const Results& r) -> Measurement {
             const SphOverturned& one = r.others[stress];

@@ -271,14 +271,15 @@ void claim_design(const Claims<Results>& all, const FlapDesign& design) {
       all.only_if(design.depth == 4 && design.period == 4.7 && design.stroke == 2.11 && design.gauge == 27.3,
                   "it is said of the publication's wave")
           .from(publication);
-  claims.check("second-from-gauge",
-               "Counted from one period after the start, when the wave is at the gauge, the second wave is about 8 per "
-               "cent lower than the design, as the publication says.",
-               "part of the design height 1.02 m that the second wave lacks", lower(2),
-               Bound{.limit = said / 2, .reason = "\"about\", read as to within half of it", .expected = said});
+  claims.check(
+      "second-from-gauge",
+      "The second wave, counted from one period after the start, when the wave is at the gauge, is about 8 per cent "
+      "lower than the design, as the publication says.",
+      "part of the design height 1.02 m that the second wave lacks", lower(2),
+      Bound{.limit = said / 2, .reason = "\"about\", read as to within half of it", .expected = said});
   claims.check(
       "second-from-start",
-      "Counted from the start of the flap, the second wave lacks more: the publication counts from another instant.",
+      "The second wave, counted from the start of the flap, is lower still: the publication's clock is the other one.",
       "the second wave lacks more",
       [at = lower(1)](const Results& r) -> Measurement {
         Measurement m = at(r);

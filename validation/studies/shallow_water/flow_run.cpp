@@ -125,10 +125,10 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
     const auto published = claims.only_if(values.as_published(tile), "of the particles and steps of the figure");
     const auto missed = misses.find(id);
     if (missed == misses.end()) {
-      published.check(id + "_as_written", "By the rearrangement as written " + text, quantity, measure, bound);
+      published.check(id + "_as_written", text, quantity, measure, bound);
     } else {
       published.known_failure(
-          id + "_as_written", "By the rearrangement as written " + text, quantity, measure, bound,
+          id + "_as_written", text, quantity, measure, bound,
           {.value = missed->second,
            .width = 0.01 * std::abs(missed->second),
            .reason = "the text leaves the pressure at a shared side and equal densities open; by this reading the "
@@ -136,19 +136,21 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
     }
   };
   check(
-      "cell_l1_h", "mean depths are within a particle of the exact profile.", "cell L1(h) [m]",
-      [](const FlowRun& flow) { return flow.errors.cell.depth.l1; },
+      "cell_l1_h", "Mean depths by the rearrangement as written are within a particle of the exact profile.",
+      "cell L1(h) [m]", [](const FlowRun& flow) { return flow.errors.cell.depth.l1; },
       Bound{.limit = range / static_cast<double>(d.particles),
             .reason = "a profile moved by the width of one of N particles differs by the range of depths over N in the "
                       "mean"});
   if (front == nullptr) return;
   check(
-      "front", "the position of the bore is exact to one particle.", "position of the jump less the exact one [m]",
+      "front", "The jump by the rearrangement as written is in its place, to one particle.",
+      "position of the jump less the exact one [m]",
       [front = *front](const FlowRun& flow) { return front_position(flow.profile(), front) - front.position; },
       Bound{.limit = problem.length() / static_cast<double>(d.particles),
             .reason = "the particles' first width: one holds the jump"});
   check(
-      "width", "the jump is one particle wide.", "particles between 5 % and 95 % of the jump",
+      "width", "The jump by the rearrangement as written is one particle wide.",
+      "particles between 5 % and 95 % of the jump",
       [front = *front](const FlowRun& flow) { return front_width(flow.profile(), front); },
       Bound{.limit = 1, .reason = "the paper hands the jump from one particle to the next"});
 }
