@@ -12,8 +12,8 @@ constexpr double enough = 12.5;
 
 }  // namespace
 
-Parameter sound_rule(const std::string& given, const ByTier<std::string>& standard) {
-  return choice("sound_from", standard, {"largest_speed", given},
+Parameter sound_rule(const std::string& given) {
+  return choice("sound_from", std::string("largest_speed"), {"largest_speed", given},
                 fmt::format("largest_speed: 12.5 times that of a first run with the sound speed of {0}; {0}: given by "
                             "the parameter sound",
                             given));

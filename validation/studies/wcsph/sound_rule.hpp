@@ -18,7 +18,7 @@
 namespace seiche::validation {
 
 /// sound_from: largest_speed, by the rule, or `given`, by the parameter sound.
-Parameter sound_rule(const std::string& given, const ByTier<std::string>& standard = std::string("largest_speed"));
+Parameter sound_rule(const std::string& given);
 bool by_sound_rule(const Values& values);
 
 /// @param largest_speed  of the water in a run with the settings [m/s]
