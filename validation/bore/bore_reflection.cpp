@@ -250,16 +250,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     panel.line("jump conditions", std::vector<double>{s.since_the_wall_is_left(), r.time.back()},
                std::vector<double>(2, s.reflection().reflected_depth()), Role::exact);
   }
-  const Profile& profile = r.figure.flow.profile();
-  measure_own(wanted_states(s.states()), submitted_profile(profile), exhibit);
-  exhibit.measure("wall_depth", r.wall_depth(profile));
-  exhibit.measure("wall_depth_exact", s.reflection().reflected_depth());
-  exhibit.measure("reflected_speed_exact", s.reflection().reflected_speed());
-  exhibit.measure("front_position", front_position(profile, s.front));
-  exhibit.measure("front_position_exact", s.front.position);
-  for (const Contestant& c : r.figure.contestants) {
-    if (c.finished()) exhibit.measure("wall_depth_" + c.scheme, r.wall_depth(c.profile));
-  }
+  measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);
 }
 
 }  // namespace

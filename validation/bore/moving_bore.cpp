@@ -260,8 +260,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_history(exhibit, r.history, s.bore);
   measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);
   exhibit.measure("energy_deviation", energy_deviation(r.history, s.bore).value());
-  exhibit.measure("speed", s.bore.speed());
-  exhibit.measure("velocity", s.bore.behind_velocity());
 }
 
 }  // namespace

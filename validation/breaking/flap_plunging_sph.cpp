@@ -191,22 +191,6 @@ void show_model(evidence::Exhibit& exhibit, const Model& model, const Runs& runs
   measure_convergence(exhibit, "overhang_periods_" + model.id, sizes, times);
 }
 
-/// The time of the vertical front by the clocks that it may be counted with.
-void tabulate_clocks(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Results& r) {
-  evidence::Table table{
-      .id = "clocks",
-      .title = "When the front of the second wave is vertical",
-      .caption =
-          "In periods. The publication does not say in which phase its flap starts and from which its time counts.",
-      .columns = table_columns({"", "from mid-stroke [T]", "from the rearmost position [T]"})};
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    const double hangs_over = r.runs[m].back().hangs_over;
-    table.rows.push_back({models[m].name, hangs_over, hangs_over + 0.25});
-  }
-  table.rows.push_back({"publication, one or the other", frames[1], frames[1]});
-  exhibit.table(std::move(table));
-}
-
 void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Results& r, double period) {
   auto& start = exhibit.figure("start", "Initial profile of the steep wave",
                                "The cosine from which the exact potential flow starts.", {"sph-fig-4"});
@@ -275,7 +259,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     add_particles(exhibit, frames[k] * period, standard.frames[k], models.front().settings);
   }
-  tabulate_clocks(exhibit, models, r);
   draw(exhibit, models, r, period);
 }
 
