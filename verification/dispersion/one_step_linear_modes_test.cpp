@@ -141,7 +141,6 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
   const Deviation conservative = deviation(Integrator::conservative, all, {0.1, 0.3, 0.6, 0.9, 1.2});
   auto& panel = check.figure("phase", "Frequency of small oscillations", "The fastest mode and the schemes' laws.")
                     .panel({.x = "Omega tau", .y = "omega / Omega"});
-  using Role;
   panel.points("one-step scheme", one_step.step, one_step.found, Role::computed);
   panel.line("arcsine law", one_step.step, one_step.law, Role::exact);
   panel.points("fully conservative", conservative.step, conservative.found, Role::peer);
