@@ -16,9 +16,9 @@ by what the steps make it; momentum and energy.
 four waves is constant to round-off. Frank's projection scheme (`scheme = dissipative`, `gravity = particles`) loses a
 fifth of it in the first period.
 
-**A variant.** With `gravity = particles` sums over particles are no exact integrals, gravity feeds small eddies and the
-long wave is lost within a period, unless a penalty on gradients of vorticity (`penalty = 0.01`), which is not Frank's,
-holds them down; it takes energy, which is booked.
+**A variant**, of the tier `full`. With `gravity = particles` sums over particles are no exact integrals, gravity feeds
+small eddies and the long wave is lost within a period, unless a penalty on gradients of vorticity (`penalty = 0.01`),
+which is not Frank's, holds them down; it takes energy, which is booked.
 */
 #include <cmath>
 #include <memory>
@@ -189,8 +189,8 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
     list.known_failure(claim, measured, bound,
                        {.value = missed,
                         .width = 0.02 * missed,
-                        .reason = "its crest, nine tenths of the highest, is a few cells of L/20 wide; without a "
-                                  "penalty nothing smooths what they do not resolve"});
+                        .reason = "cause unknown: not the cells, for with 30 to a wavelength the surface is off by "
+                                  "0.0153; a penalty of 0.01 holds it to 0.0043, at the cost of the exact energy"});
   };
   judge(claims, surface, &WaveRun::rms, line, 0.0105132);
   const double linear = std::sqrt(std::tanh(wave.wavenumber() * s.depth) / wave.wavenumber());
@@ -317,8 +317,9 @@ Case stokes_gauss() {
       integer("steps_per_period", {134, 267, 400}, {10, 100000}, "steps to a period"),
       integer("periods", 3, {1, 1000}, "length of the run"),
       integer("degree", 3, {2, 4}, "degree of the splines"),
-      real("penalty", 0.0, "1", {0, 10}, "C of the penalty on gradients of vorticity, which the source has not"),
-      choice("gravity", std::string("surface"), {"particles", "surface"},
+      real("penalty", {0, 0.01, 0.01}, "1", {0, 10},
+           "C of the penalty on gradients of vorticity, which the source has not"),
+      choice("gravity", {"surface", "particles", "particles"}, {"particles", "surface"},
              "on every particle, which needs the penalty, or as the potential energy under the line of markers"),
       choice("scheme", std::string("conservative"), {"conservative", "dissipative"},
              "time stepping; dissipative: with gravity = particles"),

@@ -121,8 +121,8 @@ TEST_CASE("a published set that cannot be run is refused", "[evidence]") {
   const auto refused = [](std::vector<Published> sets, const std::string& word) {
     CHECK_THROWS_WITH(with_sets(std::move(sets)).check_published(), Contains(word));
   };
-  refused({{.tiles = {}}}, "names no tile");
-  refused({{.tiles = {"a"}}, {.tiles = {"b", "a"}}}, "tile a has two sets");
+  refused({{.tiles = {}}}, "names no figure");
+  refused({{.tiles = {"a"}}, {.tiles = {"b", "a"}}}, "figure a has two as-published sets");
   refused({{.tiles = {"a"}, .values = {{"particle", 10}}}}, "parameter particle is unknown");
   refused({{.tiles = {"a"}, .stated = {"particle"}}}, "names no parameter particle");
   refused({{.tiles = {"a"}, .different = {{"particle", "11"}}}}, "names no parameter particle");
