@@ -75,7 +75,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       const auto both = published.at(fmt::format("{}; {}", s.by(particles).text(), s.by(scheme).text()));
       const evidence::Claim claim{
           .id = fmt::format("{}-nearer-than-{}", particles, scheme),
-          .text = fmt::format("Mean depths of particles ({}) are nearer to the exact profile than those of {}.",
+          .text = fmt::format("Mean depths of particles ({}) are nearer to the exact profile than cells by {}.",
                               particles, scheme),
           .quantity = "cell L1(h) over that of the difference scheme",
           .source = "section 8 of the paper"};
