@@ -36,15 +36,19 @@ class Riemann(Scoring):
         self.assertEqual(len(limits), 1, "the limits follow the cells, not the points")
         self.judged(self.profile(4000), "--dx", self.LENGTH / 4000, status=0)
 
+    def smeared(self, cells):
+        """Depth and discharge of 400 points, means over so many of them."""
+        right = self.profile(400)
+        h, q = (np.convolve(np.pad(y, cells // 2, "edge"), np.ones(cells) / cells, "valid")
+                for y in (right["h"], right["h"] * right["u"]))
+        return {"x": right["x"], "h": h, "u": q / h}
+
     def test_a_smaller_cell_is_judged_more_strictly(self):
-        smeared = self.profile(400)
-        for name in ("h", "u"):  # over ten cells of 0.125 m
-            smeared[name] = np.convolve(np.pad(smeared[name], 5, "edge"), np.ones(11) / 11, "valid")
-        self.judged(smeared, "--dx", 0.125, status=0)
-        for name in ("h", "u"):
-            smeared[name] = np.convolve(np.pad(smeared[name], 40, "edge"), np.ones(81) / 81, "valid")
-        self.judged(smeared, "--dx", 1, status=0)
-        self.judged(smeared, "--dx", 0.125, status=1)
+        self.judged(self.smeared(11), "--dx", 0.125, status=0)
+        self.judged(self.smeared(11), status=0)
+        self.judged(self.smeared(81), "--dx", 1, status=0)
+        self.judged(self.smeared(81), "--dx", 0.125, status=1)
+        self.judged(self.smeared(81), status=1)
 
     def test_water_that_never_moved_fails_at_any_number_of_points(self):
         for points in (50, 400, 4000):
@@ -86,10 +90,10 @@ class Riemann(Scoring):
         self.assertIn("the points do not reach the front", scored.stdout)
 
     def test_our_own_on_cells_too_coarse_to_tell_says_so_and_decides_the_rest(self):
-        self.accepted(seiche("run", "riemann", "--set", "particles=20", "--out", self.out))
+        self.accepted(seiche("run", "riemann", "--set", "particles=4", "--out", self.out))
         record = self.record("riemann")
         self.assertEqual({claim["verdict"] for claim in record["claims"]}, {"pass"})
-        self.assertIn("depth", [one["id"] for one in record["left_out"]])
+        self.assertIn("celerity", [one["id"] for one in record["left_out"]])
 
 
 class Standing(Scoring):
@@ -164,18 +168,6 @@ class ColumnFront(Scoring):
         early = {"T": front["T"][front["T"] >= 0.15] - 0.15, "X": front["X"][front["T"] >= 0.15]}
         self.judged(early, status=0)
         self.judged(front, status=0, uncertainty="X=0.5%")
-
-    def test_a_wrong_gravity_and_a_slow_or_fast_front_fail(self):
-        right = self.front()
-        for name, front in {"gravity": {**right, "T": right["T"] / np.sqrt(0.9)},
-                            "slow": {**right, "T": right["T"] / 0.9},
-                            "fast": {**right, "T": right["T"] / 1.05},
-                            "short": {**right, "X": 1 + 0.9 * (right["X"] - 1)},
-                            "long": {**right, "X": 1 + 1.05 * (right["X"] - 1)}}.items():
-            for late in (0.0, 0.2):
-                with self.subTest(name, late=late):
-                    verdicts, _ = self.judged({**front, "T": np.append(0, late + front["T"][1:])}, status=1)
-                    self.assertEqual(verdicts["rate"], "fail")
 
     def test_a_front_a_quarter_too_slow_fails_whatever_its_uncertainty(self):
         right = self.front()

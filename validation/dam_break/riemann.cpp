@@ -94,7 +94,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto here = claims.at(s.discretisation.text());
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, s.time);
 
-  const double cell = s.problem.length() / static_cast<double>(s.discretisation.particles);
+  // A particle keeps its water, and of first order it is as coarse as it is long.
+  const double deepest = std::max(s.solution.left().depth, s.solution.right().depth);
+  const double stretched = s.discretisation.scheme == "G1" && !s.dry() ? deepest / s.solution.star().depth : 1;
+  const double cell = std::max(1.0, stretched) * s.problem.length() / static_cast<double>(s.discretisation.particles);
   claim_states(here.of(&Results::flow), states_of(values), cell, viscosity_of(s));
   here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 follows a dry front, where there is one")
       .check(

@@ -16,7 +16,8 @@ PROJECT = {  # what else decides a file, by its path: programs of ci.* and of th
     "reports/evidence/": ["ci/tests/test_junit.py", "ci/tests/test_command.py"],
     "validation/case/": ["ci/tests/test_command.py"],
     "validation/command/": ["ci/tests/test_exact_inputs.py", "ci/tests/test_command.py", "ci/tests/test_score.py"],
-    "validation/scoring/": ["ci/tests/test_solver_files.py", "ci/tests/test_score.py", "ci/tests/test_wrong_results.py"],
+    "validation/scoring/": ["ci/tests/test_solver_files.py", "ci/tests/test_score.py", "ci/tests/test_wrong_results.py",
+                            "ci/tests/test_resolving_power.py"],
 }
 
 

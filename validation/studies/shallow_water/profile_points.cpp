@@ -89,10 +89,9 @@ std::string resolution_of(const ProfilePoints& points, double cell, const Solver
                      points.x.size());
 }
 
-MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact) {
+MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact, int samples) {
   const auto& [x, h, u] = points;
   MeanErrors errors;
-  constexpr int samples = 16;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     const double width = (x[i + 1] - x[i]) / samples;
     for (int k = 0; k < samples; ++k) {

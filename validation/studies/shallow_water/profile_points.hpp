@@ -43,12 +43,12 @@ double judged_cell(const Submitted& submitted, double length, long cells, const 
 /// "cells of 0.125 m, as the points are apart (--dx says otherwise), 400 points".
 std::string resolution_of(const ProfilePoints& points, double cell, const SolverFacts& facts);
 
-/// Means over the length that the points cover.
+/// Means over the length that the points cover, of so many samples between two points.
 struct MeanErrors {
   double depth = 0;      ///< of |h - exact| [m]
   double velocity = 0;   ///< of |u - exact| where the exact bed is wet [m/s]
   double discharge = 0;  ///< of |h u - exact| [m^2/s]
 };
-MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact);
+MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact, int samples = 16);
 
 }  // namespace seiche::validation
