@@ -46,9 +46,9 @@ class Riemann(Scoring):
     def test_a_smaller_cell_is_judged_more_strictly(self):
         self.judged(self.smeared(11), "--dx", 0.125, status=0)
         self.judged(self.smeared(11), status=0)
-        self.judged(self.smeared(81), "--dx", 1, status=0)
-        self.judged(self.smeared(81), "--dx", 0.125, status=1)
-        self.judged(self.smeared(81), status=1)
+        self.judged(self.smeared(49), "--dx", 1, status=0)
+        self.judged(self.smeared(49), "--dx", 0.125, status=1)
+        self.judged(self.smeared(49), status=1)
 
     def test_water_that_never_moved_fails_at_any_number_of_points(self):
         for points in (50, 400, 4000):
@@ -80,13 +80,14 @@ class Riemann(Scoring):
         self.judged(dry, *words, "--dx", 1, status=0)
         for name in "uh":
             dry[name] = np.where(dry["h"] < 0.05, 0, dry[name])
-        self.assertEqual(self.judged(dry, *words, "--dx", 1, status=1)["front"], "fail")
+        self.judged(dry, *words, "--dx", 1, status=1)
 
     def test_half_a_domain_says_what_is_missing(self):
         half = {name: values[:25] for name, values in self.profile(50).items()}
         scored = self.score("riemann", "--data", self.table(half))
         self.accepted(scored, 1)
-        self.assertNotIn("nan", scored.stdout.split("look first at")[0])
+        said = [line for line in scored.stdout.splitlines() if not line.startswith("  ")]
+        self.assertNotIn("nan", " ".join(said))
         self.assertIn("the points do not reach the front", scored.stdout)
 
     def test_our_own_on_cells_too_coarse_to_tell_says_so_and_decides_the_rest(self):
