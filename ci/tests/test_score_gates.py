@@ -97,7 +97,7 @@ class Histories(Sines):
 
     def test_a_history_alone_is_refused(self):
         alone = self.table({"t": [0, 1], "volume": [3, 3]}, "alone.csv")
-        self.refused(self.score("standing_wave", "--data", alone), "a history and no table of the case")
+        self.refused(self.score("standing_wave", "--data", alone), "contains only a volume, energy or momentum history")
 
     def test_its_columns_may_be_mapped(self):
         mass = self.table({"time": [0, 1], "mass": [3, 2]}, "mass.csv")

@@ -63,7 +63,7 @@ std::string one_line(const JudgedClaim& claim) {
   const std::string unit = after_number(claim.claim.unit);
   const double off = j.measured - j.expected;
   return fmt::format("{} {} ({}: {}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict), claim.claim.id,
-                     std::isfinite(off) ? fmt::format("off by {:.3g}{}", off, unit) : "not found in the result",
+                     std::isfinite(off) ? fmt::format("error {:.3g}{}", off, unit) : "not found in the result",
                      j.limit, unit);
 }
 
