@@ -49,8 +49,9 @@ class ResolvingPower(unittest.TestCase):
         self.assertEqual([row for exact, rows in self.cases.values() for row in rows if wrong(exact, row)], [])
 
     def test_right_results_pass_however_they_are_printed(self):
-        # Half of a measured record's samples may not hold its peak.
-        self.none(lambda exact, row: row["change"] in RIGHT and row["by"] and (exact or row["change"] != "half density"))
+        # Half of a measured record's samples may not hold its peak, and half of the points not the tip of a jet.
+        self.none(lambda exact, row: row["change"] in RIGHT and row["by"]
+                  and not (row["change"] == "half density" and (not exact or row["case"] == "overturning_wave")))
 
     def test_a_twentieth_of_the_amplitude_is_detected_beside_every_exact_solution(self):
         self.none(lambda exact, row: exact and row["change"] == "amplitude"

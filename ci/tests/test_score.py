@@ -41,7 +41,7 @@ class Metamorphic(Scoring):
     # no number loses a bit by them.
     CASES = {"riemann": ("profile", None, ["--dx", "1"],
                          ["left_depth=4,right_depth=0.4,end=200,jump=80,time=12"], 4, 2),
-             "moving_bore": ("profile", None, ["--dx", "0.5"], ["gravity=39.24,time_step=0.04"], 1, 0.5),
+             "moving_bore": ("profile", None, ["--dx", "1"], ["gravity=39.24,time_step=0.04"], 1, 0.5),
              "standing_wave": ("wall", None, [], [f"amplitude=0.2,depth=4,wavelength={8 * math.pi!r}"], 4, 2),
              "thacker": ("gauges", "x", ["--uncertainty", "h=1%,t=0.1%"], ["radius=4,depth=2,displacement=2"], 4, 2),
              "wave_kinematics": ("velocities", "x", [], ["height=1.2,wavelength=32,depth=4,way=88"], 4, 2),
