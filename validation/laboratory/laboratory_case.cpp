@@ -21,29 +21,9 @@ constexpr long draws = 200;
 
 using Curves = std::map<std::string, std::vector<Measured>>;
 
-/// Noise of standard deviation 1 along a record of time: from knot to knot, a tenth of what is judged apart.
-class SlowNoise {
- public:
-  SlowNoise(std::pair<double, double> judged, const std::function<double()>& normal)
-      : from_(judged.first), step_((judged.second - judged.first) / intervals) {
-    std::ranges::generate(knots_, normal);
-  }
-  [[nodiscard]] double at(double t) const {
-    const double place = std::clamp((t - from_) / step_, 0.0, intervals - 1e-9);
-    const auto k = static_cast<std::size_t>(place);
-    const double part = place - std::floor(place);
-    return std::lerp(knots_.at(k), knots_.at(k + 1), part) / std::hypot(part, 1 - part);
-  }
-
- private:
-  static constexpr int intervals = 10;
-  double from_, step_;
-  std::array<double, intervals + 1> knots_{};
-};
-
 /// The measured records with one draw of everything that is not known of them, as verdicts.hpp has it: one incident
 /// amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration and half slowly
-/// varying, for a profile each point by itself.
+/// varying, between independent values a tenth of what is judged apart, for a profile each point by itself.
 Submitted drawn(const Experiment& experiment, const Curves& curves, const std::function<double()>& normal) {
   Submitted records;
   const double amplitude = normal();
@@ -57,11 +37,17 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
       }
       const bool gauge = part.kind == WantedTable::Kind::series;
       const double calibration = normal();
-      const SlowNoise slow(judged, normal);
+      constexpr std::size_t tenths = 10;
+      std::array<double, tenths + 1> slow{};
+      std::ranges::generate(slow, normal);
       SubmittedGroup record{.value = curve.group, .abscissa = curve.x, .values = {}};
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const double place = gauge ? tenths * (curve.x[i] - judged.first) / (judged.second - judged.first) : 0;
+        const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, tenths - 1e-9));
+        const double on = std::clamp(place - static_cast<double>(k), 0.0, 1.0);
+        const double varying = std::lerp(slow.at(k), slow.at(k + 1), on) / std::hypot(on, 1 - on);
+        const double noise = gauge ? (calibration + varying) / std::numbers::sqrt2 : normal();
         record.abscissa[i] += clock * curve.u_x;
-        const double noise = gauge ? (calibration + slow.at(curve.x[i])) / std::numbers::sqrt2 : normal();
         record.values[part.quantity.name].push_back((1 + amplitude * part.input) * curve.y[i] + noise * curve.u[i]);
       }
       // A clock moves no end of a record into what is judged.
