@@ -23,7 +23,7 @@ using Curves = std::map<std::string, std::vector<Measured>>;
 
 /// The measured records with one draw of everything that is not known of them, as verdicts.hpp has it: one incident
 /// amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration and half slowly
-/// varying, between independent values a tenth of what is judged apart, for a profile each point by itself.
+/// varying, between independent values a tenth of what is judged apart, for a profile value and abscissa of each point.
 Submitted drawn(const Experiment& experiment, const Curves& curves, const std::function<double()>& normal) {
   Submitted records;
   const double amplitude = normal();
@@ -47,8 +47,10 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
         const double on = std::clamp(place - static_cast<double>(k), 0.0, 1.0);
         const double varying = std::lerp(slow.at(k), slow.at(k + 1), on) / std::hypot(on, 1 - on);
         const double noise = gauge ? (calibration + varying) / std::numbers::sqrt2 : normal();
-        record.abscissa[i] += clock * curve.u_x;
-        record.values[part.quantity.name].push_back((1 + amplitude * part.input) * curve.y[i] + noise * curve.u[i]);
+        const double off = gauge ? 0 : normal() * curve.u_x;
+        const double y = linear_at(curve.curve(), std::clamp(curve.x[i] - off, curve.x.front(), curve.x.back()));
+        record.values[part.quantity.name].push_back((1 + amplitude * part.input) * y + noise * curve.u[i]);
+        if (gauge) record.abscissa[i] += clock * curve.u_x;
       }
       // A clock moves no end of a record into what is judged.
       record.abscissa.front() = std::min(record.abscissa.front(), curve.x.front());

@@ -56,7 +56,8 @@ Eigen::MatrixXd covariance(const std::vector<const Question*>& of) {
     for (Eigen::Index j = 0; j < i; ++j) {
       const Question& b = *of[static_cast<std::size_t>(j)];
       if (a.part().name != b.part().name) continue;
-      if (a.reading().along && b.reading().along) v(i, j) = a.measured().u_x * b.measured().u_x;
+      const bool clocked = a.part().kind == WantedTable::Kind::series;
+      if (clocked && a.reading().along && b.reading().along) v(i, j) = a.measured().u_x * b.measured().u_x;
       if (a.reading().group == b.reading().group) v(i, j) += a.datum() * b.datum();
       v(j, i) = v(i, j);
     }

@@ -5,8 +5,8 @@
 ///
 /// against chi-square. One source of error is one term of rank one in V: the incident amplitude (input of each part
 /// times what a common factor changes), the zero and calibration of a gauge (half of the variance of its readings in a
-/// time series; the other half is of each reading by itself), the clock of a part, a parameter that no source states.
-/// Numerical errors are taken for independent.
+/// time series; the other half is of each reading by itself), the clock of a part's records, a parameter that no source
+/// states. Numerical errors are taken for independent.
 ///
 /// T has two parts, independent for a perfect solver: the common factor a of all readings, (a/u_a)^2 with one degree of
 /// freedom, and the rest with n - 1. Each must be within its quantile of sqrt(0.95), so both are in 95 % of draws; T
