@@ -25,16 +25,17 @@ double ratio(double numerator, double denominator) {
 
 /// The longest stretch on which the reference stays above a level.
 double longest_above(const Agreement& a, double level) {
-  double longest = 0;
+  Largest longest;
+  longest.add(0);
   double since = unknown;
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     if (!(a.reference[i] >= level))
       since = unknown;
     else if (std::isnan(since))
       since = a.x[i];
-    if (!std::isnan(since)) longest = std::max(longest, a.x[i] - since);
+    if (!std::isnan(since)) longest.add(a.x[i] - since);
   }
-  return longest;
+  return longest.value();
 }
 
 /// Correlation of s(x) with r(x - lag), lag in spacings.

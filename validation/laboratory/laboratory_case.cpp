@@ -11,6 +11,7 @@
 #include <boost/math/distributions/binomial.hpp>
 
 #include "reports/evidence/grid_convergence.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::laboratory {
@@ -30,10 +31,11 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
   for (const Series& part : experiment.parts) {
     const double clock = part.clock ? 0 : normal();
     for (const Measured& curve : curves.at(part.name)) {
-      std::pair<double, double> judged{curve.x.back(), curve.x.front()};
+      Smallest first;
+      Largest last;
       for (const Reading& reading : part.readings) {
-        judged.first = std::min(judged.first, std::max(reading.window.from, curve.x.front()));
-        judged.second = std::max(judged.second, std::min(reading.window.to, curve.x.back()));
+        first.add(std::max(reading.window.from, curve.x.front()));
+        last.add(std::min(reading.window.to, curve.x.back()));
       }
       const bool gauge = part.kind == WantedTable::Kind::series;
       const double calibration = normal();
@@ -42,7 +44,7 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
       std::ranges::generate(slow, normal);
       SubmittedGroup record{.value = curve.group, .abscissa = curve.x, .values = {}};
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        const double place = gauge ? tenths * (curve.x[i] - judged.first) / (judged.second - judged.first) : 0;
+        const double place = gauge ? tenths * (curve.x[i] - first.value()) / (last.value() - first.value()) : 0;
         const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, tenths - 1e-9));
         const double on = std::clamp(place - static_cast<double>(k), 0.0, 1.0);
         const double varying = std::lerp(slow.at(k), slow.at(k + 1), on) / std::hypot(on, 1 - on);
@@ -53,8 +55,8 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
         if (gauge) record.abscissa[i] += clock * curve.u_x;
       }
       // A clock moves no end of a record into what is judged.
-      record.abscissa.front() = std::min(record.abscissa.front(), curve.x.front());
-      record.abscissa.back() = std::max(record.abscissa.back(), curve.x.back());
+      if (record.abscissa.front() > curve.x.front()) record.abscissa.front() = curve.x.front();
+      if (record.abscissa.back() < curve.x.back()) record.abscissa.back() = curve.x.back();
       records[part.name].push_back(std::move(record));
     }
   }

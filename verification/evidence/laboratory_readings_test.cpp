@@ -219,7 +219,7 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
   is(check, "common", "Both readings a fifth too high are a common factor of 1.2.", of(1.2, 1.2).difference, 0.2, 1e-12,
      exact);
   const Metric apart = of(1.2, 0.8);  // E^T V^-1 E = 2 0.2^2/(0.05^2/2) = 64 with one degree of freedom
-  is(check, "apart", "One a fifth too high, the other too low: 8 standard deviations.",
+  is(check, "apart", "Readings a fifth too high and a fifth too low differ by 8 standard deviations.",
      apart.difference / apart.noticed(), 8 / 2.2365, 2e-4, "five digits of the quantile of sqrt(0.95)");
   is(check, "shared", "A common error within the amplitude's uncertainty passes, the same of opposite signs fails.",
      (of(1.2, 1.2).passes() ? 1 : 0) + (apart.passes() ? 2 : 0), 1, 0, "what a shared source means");
@@ -306,8 +306,8 @@ TEST_CASE("a common shift of time or of zero is not held against a record, that 
   const Scored late_alone = scored("dingemans_bar", [&](SubmittedGroup& one) {
     if (one.value == 37.04) shift(0.3)(one);
   });
-  is(check, "own-clock", "A delay of one gauge alone is detected.",
-     static_cast<double>(late_alone.missed), 1, 0, "one claim for all readings");
+  is(check, "own-clock", "A delay of one gauge alone is detected.", static_cast<double>(late_alone.missed), 1, 0,
+     "one claim for all readings");
 }
 
 }  // namespace laboratory_readings_test

@@ -115,11 +115,11 @@ class AsWrittenRun : public Flow {
   }
   [[nodiscard]] double mass_defect() const override { return mass() - initial_mass_; }
   [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
-  [[nodiscard]] double max_courant() const override { return max_courant_; }
+  [[nodiscard]] double max_courant() const override { return max_courant_.value(); }
 
  private:
   void step(double tau) override {
-    max_courant_ = std::max(max_courant_, tau / largest_step(1));
+    max_courant_.add(tau / largest_step(1));
     flow_.advance(tau);
   }
   [[nodiscard]] double largest_step(double courant) const override {
@@ -137,7 +137,7 @@ class AsWrittenRun : public Flow {
 
   particles::AsWritten flow_;
   double initial_mass_ = mass();
-  double max_courant_ = 0;
+  Largest max_courant_;
 };
 
 // ---- cells
