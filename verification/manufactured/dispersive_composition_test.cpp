@@ -122,7 +122,8 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
     }
     panel.line(method.name, method.tau, error, seiche::evidence::Role::computed);
     check.that({.id = "order-" + method.id,
-                .text = method.name + (method.theory == 4 ? ": fourth order." : ": second order."),
+                .text = std::string("The error falls with order ") + (method.theory == 4 ? "4" : "2") +
+                        " in the step: " + method.name + ".",
                 .quantity = "observed order of the largest error of a marker",
                 .source = source},
                observed_order(method.tau, error, 1e-12),

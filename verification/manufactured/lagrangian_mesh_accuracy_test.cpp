@@ -73,7 +73,8 @@ class Judge {
       }
     }
     check_.that({.id = std::string(name(integrator)) + "-order",
-                 .text = std::string(title(integrator)) + ": order " + std::to_string(order(integrator)) + ".",
+                 .text = "The error falls with order " + std::to_string(order(integrator)) +
+                         " in the step: " + std::string(title(integrator)) + ".",
                  .quantity = "order of the largest coordinate error",
                  .source = source},
                 observed_order(tau, error, floor), expected_order(integrator, tau.front()));

@@ -279,7 +279,8 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
       "points "
       "{:.3g} m apart lose that show a jump between two of them, half of that distance",
       finest, viscosity > 1 ? fmt::format(" with {:.3g} times its viscosity", viscosity) : "", std::max(finest, apart));
-  // Integrals lose both; a place is lost by one or the other.
+  // Integrals lose both; a celerity one or the other. A front loses both: its cells begin with the jump anywhere in
+  // one.
   const auto sum = [&](double RiemannErrors::*error, double least) {
     return std::max(std::abs(lost.*error) + between.*error, least);
   };
@@ -321,7 +322,7 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
                    "position less the exact one",
                    "m",
                    &RiemannErrors::front,
-                   {.limit = either(&RiemannErrors::front), .reason = reason}});
+                   {.limit = either(&RiemannErrors::front) + between.front, .reason = reason}});
   }
   return all;
 }
