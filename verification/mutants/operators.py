@@ -55,7 +55,7 @@ def other_names(name):
 def other_constants(literal):
     if WHOLE.fullmatch(literal):
         return [str(int(literal.replace("'", "")) + step) for step in (1, -1) if literal != "0" or step > 0]
-    if not REAL.fullmatch(literal):
+    if not REAL.fullmatch(literal) or not re.search(r"\d", literal):
         return []
     return [f"(1.01 * {literal})"] if float(literal.rstrip("fF").replace("'", "")) else ["1.0"]
 
