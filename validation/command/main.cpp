@@ -240,7 +240,7 @@ void add_score(CLI::App& app, Action& action) {
       ->check(CLI::Range(1L, 100000000L));
   command->add_flag("--template", options->template_only, "Print the CSV file to fill in, then exit");
   command->add_flag("--resolving-power", options->resolving_power,
-                    "print which wrong results the case notices, and from what size on, and stop");
+                    "Print the smallest change of the reference that the case detects, then exit");
   command->add_option("--table", options->table,
                       "Table of a case with several: the one that --template prints, or the only one scored");
   CLI::Option* baseline = command->add_option(

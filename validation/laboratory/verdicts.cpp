@@ -226,7 +226,7 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
       result.scores.push_back((one.answer(computed) - one.expected()) / std::hypot(u, input(k)));
     }
   }
-  const double beyond = all.size() > 1 ? std::sqrt(rest / chi_squared(all.size() - 1)) : 0;
+  const double beyond = all.size() > 1 ? std::sqrt(std::max(rest, 0.0) / chi_squared(all.size() - 1)) : 0;
   result.difference = std::isnan(beyond) ? not_known : std::max(std::abs(factor), beyond * result.noticed());
   return result;
 }

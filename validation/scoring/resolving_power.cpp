@@ -341,6 +341,13 @@ class Battery {
     const auto& declared = values_.declared();
     if (std::ranges::find(declared, "gravity", &Parameter::name) == declared.end()) return;
     const double right = values_.real("gravity");
+    Values heavier = values_;
+    heavier.set("gravity", Value(1.1 * right));
+    const std::vector<WantedTable> theirs = case_.submission.tables(heavier);
+    for (std::size_t k = 0; k < tables_.size(); ++k) {
+      if (groups_of(theirs[k]) != groups_of(tables_[k]))
+        return;  // of other instants: nothing is known at the template's
+    }
     const auto changed = [&](double s) {
       Values other = values_;
       other.set("gravity", Value(right * (1 + s)));
@@ -392,8 +399,8 @@ std::string told_by(const std::vector<Resolved>& rows, const std::string& table,
   }
   if (told.empty() && untold.empty()) return {};
   return fmt::format(
-      "{} {}{}{}", quantity, told.empty() ? "" : "tells ", fmt::join(told, ", "),
-      untold.empty() ? "" : fmt::format("{}does not tell {}", told.empty() ? "" : "; ", fmt::join(untold, ", ")));
+      "{} {}{}{}", quantity, told.empty() ? "" : "detects ", fmt::join(told, ", "),
+      untold.empty() ? "" : fmt::format("{}does not detect {}", told.empty() ? "" : "; ", fmt::join(untold, ", ")));
 }
 
 std::map<std::string, std::vector<Resolved>> recorded_power() {

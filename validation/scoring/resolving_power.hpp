@@ -41,7 +41,8 @@ struct Resolved {
 /// @throws std::invalid_argument for parameters with which the case scores nobody
 std::vector<Resolved> resolving_power(const Case& one, const Values& values);
 
-/// What a quantity tells, in one line: "h tells 5 % of amplitude, 0.02 m of datum; does not tell smoothed".
+/// What is detected of a quantity, in one line: "h detects 5 % of amplitude, 0.02 m of datum; does not detect
+/// smoothed".
 std::string told_by(const std::vector<Resolved>& rows, const std::string& table, const std::string& quantity);
 
 /// The rows of every case in the table that comes with the program, reports/record/resolving_power.csv.

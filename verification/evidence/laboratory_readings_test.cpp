@@ -218,6 +218,10 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
      of(1, 1, {.parameters = {{0.03, 0.03}}}).input, std::hypot(0.1, 0.03), 1e-12, exact);
   is(check, "common", "Both readings a fifth too high are a common factor of 1.2.", of(1.2, 1.2).difference, 0.2, 1e-12,
      exact);
+  Largest off;  // nothing is left beside the factor, and what rounding leaves may be negative
+  for (int k = 1; k <= 100; ++k) off.add(std::abs(of(1 + 0.01 * k, 1 + 0.01 * k).difference - 0.01 * k));
+  is(check, "factors", "A common factor is found whatever its size.", off.value(), 0, 1e-7,
+     "the root of the rounding that is left beside the factor");
   const Metric apart = of(1.2, 0.8);  // E^T V^-1 E = 2 0.2^2/(0.05^2/2) = 64 with one degree of freedom
   is(check, "apart", "Readings a fifth too high and a fifth too low differ by 8 standard deviations.",
      apart.difference / apart.noticed(), 8 / 2.2365, 2e-4, "five digits of the quantile of sqrt(0.95)");
