@@ -1,7 +1,7 @@
 /*
 A solitary wave on a coarse grid keeps amplitude, energy and speed: with this Frank (1994, section 4.3) introduces both
-his models of waves in three dimensions, the dispersive shallow water in plan and the hexahedral Lagrangian mesh. Depth
-and gravity are 1.
+his models of waves in three dimensions, two-dimensional horizontal (2DH) dispersive shallow water and the hexahedral
+Lagrangian mesh. Depth and gravity are 1.
 
 **Set-up.** The solitary wave of the Green-Naghdi equations,
 $\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c = \sqrt{1 + a}$, stands on columns of equal volume and runs
@@ -9,11 +9,11 @@ along $x$, over more than a hundred depths, with time steps of $0.4\,h$. Cells a
 hexahedral mesh has one to three layers.
 
 **What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become that of
-the lattice: after the first fifth of the run in the plan model, after half of it on the hexahedral mesh, whose own wave
+the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own wave
 is farther from the one it starts with. The speed is judged by that of the Green-Naghdi equations for the height that
-the crest has, in the plan model; for the hexahedral mesh by that of the exact solitary wave of the same height.
+the crest has, in the 2DH model; for the hexahedral mesh by that of the exact solitary wave of the same height.
 
-**What to look at.** The plan model keeps the height to half a per cent even on cells as long as the water is deep: the
+**What to look at.** The 2DH model keeps the height to half a per cent even on cells as long as the water is deep: the
 wave is then six cells long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and
 slower, which it keeps as well once it has shed what it started with too much: that takes a hundred depths, and its run
 lasts twice as long. Three layers bring the wave near the exact one. Where it started, the mesh's surface nodes keep
@@ -29,7 +29,7 @@ fold there in the end, long after the wave has gone, and the runs of two and thr
 #include "validation/case/case.hpp"
 #include "validation/instruments/plan_soliton.hpp"
 
-namespace seiche::validation::cases::soliton_plan {
+namespace seiche::validation::cases::soliton_2dh {
 namespace {
 
 const std::string frank = "Frank (1994), section 4.3";
@@ -41,7 +41,7 @@ constexpr double shedding = 100;  // sqrt(H/g)
 struct Travel {
   std::string id, name;
   PlanSolitonRun run;
-  std::size_t layers = 0;  ///< of the hexahedral mesh; 0: the plan model
+  std::size_t layers = 0;  ///< of the hexahedral mesh; 0: the 2DH model
   SolitonTravel found = {};
   double speed = 0;  ///< that a wave as high as the crest should have
 
@@ -192,10 +192,10 @@ void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("crests", "Crest of a solitary wave on coarse grids",
-                                "Height of the crest in time: plan model, and hexahedral mesh of h = 0.5.",
-                                {"frank-soliton-plan"});
-  auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Plan model"});
+  auto& figure =
+      exhibit.figure("crests", "Crest of a solitary wave on coarse grids",
+                     "Height of the crest in time: 2DH model, and hexahedral mesh of h = 0.5.", {"frank-soliton-plan"});
+  auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "2DH model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
   evidence::Table table{
       .id = "travels",
@@ -220,7 +220,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case soliton_plan() {
+Case soliton_2dh() {
   Case c;
   c.title = "A solitary wave on a coarse grid keeps amplitude, energy and speed in both three-dimensional models";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3";
@@ -228,14 +228,15 @@ Case soliton_plan() {
   c.parameters = {
       real("amplitude", 0.3, "H", {0.02, 0.5}, "of the wave at the beginning"),
       real("time", 100, "sqrt(H/g)", {20, 2000},
-           "length of the runs of the plan model, and of those of the mesh up to 100; with one layer twice as long"),
-      real("finest", {0.5, 0.25, 0.125}, "H", {0.05, 0.5}, "finest cells of the plan model, beside 1, 0.7 and 0.5"),
+           "length of the runs of the 2DH model, and of those of the mesh up to 100; with one layer twice as long"),
+      real("finest", {0.5, 0.25, 0.125}, "H", {0.05, 0.5}, "finest cells of the 2DH model, beside 1, 0.7 and 0.5"),
       integer("rows", 1, {1, 16}, "cells across the wave's way"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
   c.published = {{.tiles = {"frank-soliton-plan"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show);
+  c.former_names = {"soliton_plan"};
   return c;
 }
 
-}  // namespace seiche::validation::cases::soliton_plan
+}  // namespace seiche::validation::cases::soliton_2dh

@@ -31,7 +31,7 @@ for the errors of the pressure and of the inertia cancel; at an angle $\theta$ a
 #include "validation/case/case.hpp"
 #include "validation/instruments/plan_standing_mode.hpp"
 
-namespace seiche::validation::cases::dispersion_plan {
+namespace seiche::validation::cases::dispersion_2dh {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -230,9 +230,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dispersion_plan() {
+Case dispersion_2dh() {
   Case c;
-  c.title = "Small waves of the plan model have the frequency of its dispersion law in every direction";
+  c.title = "Small waves of the 2DH model have the frequency of its dispersion law in every direction";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.2, formula (13)";
   c.parameters = {
       real("wavenumber", 1.0, "1/H", {1e-2, 20}, "of the wave"),
@@ -243,7 +243,8 @@ Case dispersion_plan() {
       real("periods", {10.0, 20.0, 40.0}, "1", {2, 1000}, "length of the run"),
   };
   c.study = Study(claims, compute, show, source);
+  c.former_names = {"dispersion_plan"};
   return c;
 }
 
-}  // namespace seiche::validation::cases::dispersion_plan
+}  // namespace seiche::validation::cases::dispersion_2dh

@@ -5,7 +5,7 @@ $$x = X + A \sin X \cos Y \cos(\omega t + \tfrac12), \qquad
 y = Y + A\,\bigl(\tfrac7{10} \cos X \sin Y \cos(\omega t + 1) + \tfrac3{10} \cos 2X \sin 2Y \sin \omega t\bigr),$$
 
 with $A = 0.15$, $\omega = 1.3$; depth, gravity and $\alpha = 1/3$ make the depth $H = 1/(x_X y_Y - x_Y y_X)$ and, by
-the Green-Naghdi equations, the body force that sustains the motion. It acts on the columns of the plan model (Frank
+the Green-Naghdi equations, the body force that sustains the motion. It acts on the columns of the 2DH model (Frank
 1994, section 4.2).
 
 **Set-up.** $n \times n$ cells with equally spaced labels, exact places, elevations and velocities at $t = 0$, the
@@ -22,7 +22,7 @@ The volumes of the cells err by the time step alone; with the conservative schem
 #include "validation/case/refinement.hpp"
 #include "validation/instruments/plan_manufactured_flow.hpp"
 
-namespace seiche::validation::cases::mms_plan {
+namespace seiche::validation::cases::mms_2dh {
 namespace {
 
 PlanManufacturedRun run_of(const Values& values, long n) {
@@ -84,9 +84,9 @@ void show(const Refinement& refinement, const Values& values, evidence::Exhibit&
 
 }  // namespace
 
-Case mms_plan() {
+Case mms_2dh() {
   Case c;
-  c.title = "A manufactured motion of a basin: orders of the plan model";
+  c.title = "A manufactured motion of a basin: orders of the 2DH model";
   c.source = "P. J. Roache, J. Fluids Eng. 124 (2002) 4; model: A. M. Frank, doctoral thesis (1994), section 4.2";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
@@ -95,7 +95,8 @@ Case mms_plan() {
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
   c.study = Study(claims, compute, show);
+  c.former_names = {"mms_plan"};
   return c;
 }
 
-}  // namespace seiche::validation::cases::mms_plan
+}  // namespace seiche::validation::cases::mms_2dh
