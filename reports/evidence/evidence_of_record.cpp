@@ -129,8 +129,12 @@ std::vector<RecordedClaim> recorded_claims(const std::vector<Summary>& records) 
                         .verdict = verdict_of(one)});
     }
   }
-  std::sort(claims.begin(), claims.end(), [](const auto& a, const auto& b) { return key(a) < key(b); });
+  sort(claims);
   return claims;
+}
+
+void sort(std::vector<RecordedClaim>& claims) {
+  std::sort(claims.begin(), claims.end(), [](const auto& a, const auto& b) { return key(a) < key(b); });
 }
 
 std::string to_csv(const std::vector<RecordedClaim>& claims) {

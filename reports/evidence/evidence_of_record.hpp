@@ -29,6 +29,9 @@ struct RecordedClaim {
 /// The claims of finished and unfinished records, sorted. A record that did not finish has a claim `run` besides.
 std::vector<RecordedClaim> recorded_claims(const std::vector<Summary>& records);
 
+/// By case, set and claim.
+void sort(std::vector<RecordedClaim>& claims);
+
 /// CSV with a header. A number has as many digits as tell a thousandth of its claim's limit; at least six (of a
 /// round-off, three).
 std::string to_csv(const std::vector<RecordedClaim>& claims);

@@ -25,7 +25,7 @@ class Tile:
     picture: tuple = None          # (record, figure, Drawn)
     table: tuple = None            # (record, table)
     records: list = dataclasses.field(default_factory=list)      # the best first
-    kept: str = ""                 # the tier whose evidence of record reproduces it
+    kept: str = ""                 # the baseline that reproduces it: tier, commit and day
 
     def rank(self, record):
         """Ours with the parameters of the source before others, of the longest tier before others."""
@@ -138,19 +138,25 @@ def _illustrate(tile, record, drawn):
         tile.table = (record, own_tables[0])
 
 
+def _rows(path):
+    if not path.is_file():
+        return []
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def kept_sets(folder=RECORD):
-    """{(case, published set): tier} of the evidence of record, where every claim is as declared."""
-    kept = {}
+    """{(case, published set): tier, commit and day} of the baseline results, where every claim is as declared."""
+    kept, folder = {}, pathlib.Path(folder)
+    runs = {(row["tier"], row["case"], row["set"]): f", commit {row['commit']} of {row['date']}"
+            for row in _rows(folder / "long_runs.csv")}
     for tier in TIERS:
-        path = pathlib.Path(folder) / f"{tier}.csv"
-        if not path.is_file():
-            continue
         verdicts = {}
-        with path.open(encoding="utf-8", newline="") as file:
-            for row in csv.DictReader(file):
-                if row["set"]:
-                    verdicts.setdefault((row["case"], row["set"]), []).append(row["verdict"])
-        kept.update({place: tier for place, found in verdicts.items() if all(one in AS_DECLARED for one in found)})
+        for row in _rows(folder / f"{tier}.csv"):
+            if row["set"]:
+                verdicts.setdefault((row["case"], row["set"]), []).append(row["verdict"])
+        kept.update({place: tier + runs.get((tier, *place), "") for place, found in verdicts.items()
+                     if all(one in AS_DECLARED for one in found)})
     return kept
 
 

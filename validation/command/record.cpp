@@ -1,4 +1,6 @@
+#include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -30,10 +32,13 @@ std::vector<Summary> records_of(Tier tier, const std::string& directory) {
   return chosen;
 }
 
-/// Sentences about what the tier needs and the folder has not, or has with other parameters.
+/// Sentences about what the tier needs and the folder has not, or has with other parameters. A longer tier may come in
+/// parts: of it, what is there is asked for alone.
 std::vector<std::string> gaps(Tier tier, const std::string& directory, const std::vector<Summary>& records) {
   std::vector<std::string> found;
+  std::set<std::string> there;
   for (const Summary& one : records) {
+    there.insert(one.stem());
     if (!one.standard)
       found.push_back(fmt::format("{}: parameters differ from the defaults of the test level; not usable as a baseline",
                                   one.stem()));
@@ -41,7 +46,7 @@ std::vector<std::string> gaps(Tier tier, const std::string& directory, const std
   for (const validation::Case& one : validation::all_cases()) {
     for (const validation::Values& values : one.runs_of(tier)) {
       const validation::Job job{&one, values};
-      if (!validation::is_done(job, directory)) {
+      if ((tier == Tier::quick || there.contains(job.stem())) && !validation::is_done(job, directory)) {
         found.push_back(fmt::format("{}: no finished record of this program", job.stem()));
       }
     }
@@ -59,11 +64,63 @@ std::vector<Summary> current(Tier tier, std::vector<Summary> records) {
   return records;
 }
 
+using Run = std::pair<std::string, std::string>;  ///< case and published set
+
+std::set<Run> runs_in(const std::vector<evidence::RecordedClaim>& claims) {
+  std::set<Run> runs;
+  for (const evidence::RecordedClaim& one : claims) runs.emplace(one.name, one.set);
+  return runs;
+}
+
 /// Drops the claims of runs that `now` has not; returns how many.
 std::size_t drop_others(std::vector<evidence::RecordedClaim>& before, const std::vector<evidence::RecordedClaim>& now) {
-  std::set<std::pair<std::string, std::string>> runs;
-  for (const evidence::RecordedClaim& one : now) runs.emplace(one.name, one.set);
-  return std::erase_if(before, [&](const evidence::RecordedClaim& one) { return !runs.contains({one.name, one.set}); });
+  return std::erase_if(before, [runs = runs_in(now)](const evidence::RecordedClaim& one) {
+    return !runs.contains({one.name, one.set});
+  });
+}
+
+/// Adds the claims that the file has of other runs which the tier still makes.
+void keep_others(Tier tier, const std::filesystem::path& file, std::vector<evidence::RecordedClaim>& claims) {
+  if (!std::filesystem::is_regular_file(file)) return;
+  std::set<Run> kept;
+  for (const validation::Case& one : validation::all_cases()) {
+    if (one.runs_of(tier).empty()) continue;
+    kept.emplace(one.name, "");
+    for (const validation::Published& set : one.published) kept.emplace(one.name, set.name());
+  }
+  for (const Run& run : runs_in(claims)) kept.erase(run);
+  for (evidence::RecordedClaim& one : evidence::read_recorded_claims(file)) {
+    if (kept.contains({one.name, one.set})) claims.push_back(std::move(one));
+  }
+  evidence::sort(claims);
+}
+
+/// A row of every run of a longer tier: the commit that ran it, the day, what it took.
+void note_runs(Tier tier, const std::filesystem::path& file, const std::vector<Summary>& records,
+               const std::set<Run>& runs) {
+  constexpr std::string_view header = "tier,case,set,commit,date,seconds";
+  std::map<std::string, std::string> rows;  // by tier, case and set
+  const auto key = [](std::string_view level, const Run& run) {
+    return fmt::format("{},{},{}", level, run.first, run.second);
+  };
+  std::set<std::string> known;
+  for (const Run& run : runs) known.insert(key(name(tier), run));
+  if (std::filesystem::is_regular_file(file)) {
+    std::istringstream lines(io::read_file(file));
+    for (std::string line; std::getline(lines, line);) {
+      const auto third = line.find(',', line.find(',', line.find(',') + 1) + 1);
+      const std::string place = line.substr(0, third);
+      if (line != header && (known.contains(place) || !place.starts_with(name(tier)))) rows[place] = line;
+    }
+  }
+  for (const Summary& one : records) {
+    const std::string place = key(name(tier), {one.name, one.shows});
+    rows[place] = fmt::format("{},{:.8}{},{:.10},{:.0f}", place, one.commit,
+                              one.commit.ends_with("-dirty") ? "-dirty" : "", one.date, one.wall_time);
+  }
+  std::string csv = fmt::format("{}\n", header);
+  for (const auto& [place, row] : rows) csv += row + "\n";
+  io::write_file(file, csv);
 }
 
 std::filesystem::path file_of(Tier tier, const std::string& chosen) {
@@ -80,13 +137,17 @@ int record(const RecordOptions& options) {
   if (!missing.empty()) {
     for (const std::string& one : missing) fmt::print(stderr, "  {}\n", one);
     throw std::runtime_error(
-        fmt::format("record: {} is not the whole tier {}: 'seiche run --tier {} --resume --out {}'", options.evidence,
-                    options.tier, options.tier, options.evidence));
+        fmt::format("record: {} cannot become the baseline of tier {}: 'seiche run --tier {} --resume --out {}'",
+                    options.evidence, options.tier, options.tier, options.evidence));
   }
-  const auto claims = evidence::recorded_claims(records);
+  auto claims = evidence::recorded_claims(records);
   const std::filesystem::path file = file_of(tier, options.out);
+  if (tier != Tier::quick) {
+    keep_others(tier, file, claims);
+    note_runs(tier, file.parent_path() / "long_runs.csv", records, runs_in(claims));
+  }
   io::write_file(file, evidence::to_csv(claims));
-  fmt::print("{}: {} claims of {} records\n", file.string(), claims.size(), records.size());
+  fmt::print("{}: {} claims, {} runs written anew\n", file.string(), claims.size(), records.size());
   return 0;
 }
 

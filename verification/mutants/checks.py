@@ -12,7 +12,8 @@ import xml.etree.ElementTree as xml
 PROJECT = {  # what else decides a file, by its path: programs of ci.* and of the report, the cheapest first
     "reports/render/": ["reports/render/tests"],
     "solver/python/module": ["solver/python/tests"],
-    "solver/python/adapt": ["ci/tests/test_adapt.py"],
+    "solver/python/seiche/adapt": ["ci/tests/test_adapt.py"],
+    "solver/python/seiche/": ["solver/python/tests"],
     "reports/evidence/": ["ci/tests/test_junit.py", "ci/tests/test_command.py"],
     "validation/case/": ["ci/tests/test_command.py"],
     "validation/command/": ["ci/tests/test_exact_inputs.py", "ci/tests/test_command.py", "ci/tests/test_score.py"],

@@ -398,6 +398,9 @@ class Report(unittest.TestCase):
         for verdicts, expected in ((("pass", "declared fail"), {("small", "sph-fig-6"): "paper"}), (("pass", "fail"), {})):
             table.write_text(header + "".join(f"small,sph-fig-6,c{i},bound,1,,1,1,,{v}\n" for i, v in enumerate(verdicts)))
             self.assertEqual(atlas.kept_sets(self.folder / "record"), expected)
+        table.write_text(header + "small,sph-fig-6,c,bound,1,,1,1,,pass\n")
+        (table.parent / "long_runs.csv").write_text("tier,case,set,commit,date,seconds\npaper,small,sph-fig-6,0a1b2c3d,2026-11-27,90\n")
+        self.assertEqual(atlas.kept_sets(table.parent), {("small", "sph-fig-6"): "paper, commit 0a1b2c3d of 2026-11-27"})
 
     def test_tiers_stand_side_by_side(self):
         page = (self.out / "cases/tiers.html").read_text(encoding="utf-8")
