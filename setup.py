@@ -14,7 +14,8 @@ ROOT = pathlib.Path(__file__).resolve().parent
 class ByCMake(build_ext):
     def build_extension(self, ext):
         build = pathlib.Path(self.build_temp).resolve()
-        subprocess.run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", build, "-DBUILD_TESTING=OFF", "-DCMAKE_UNITY_BUILD=ON",
+        subprocess.run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", build, "-DSEICHE_MODULE_ALONE=ON", "-DBUILD_TESTING=OFF",
+                        "-DCMAKE_UNITY_BUILD=ON",
                         f"-DPython3_EXECUTABLE={sys.executable}", f"-DPYTHON_EXECUTABLE={sys.executable}"], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "seiche_python", "-j", str(os.cpu_count() or 1)], check=True)
         target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve().parent
