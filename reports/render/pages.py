@@ -19,9 +19,10 @@ KIND_NAMES = {"roundoff": "round-off", "order": "order", "bound": "bound", "unce
               "qualitative": "qualitative"}
 
 
-def environment(typesetter):
-    """The templates with everything they call."""
+def environment(typesetter, cache):
+    """The templates with everything they call. @param cache  folder of the user's own, where they stay compiled"""
     pages = jinja2.Environment(loader=jinja2.FileSystemLoader(_HERE / "templates"), autoescape=True,
+                               bytecode_cache=jinja2.FileSystemBytecodeCache(str(cache)),
                                undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     pages.filters.update(number=quantities.number, value=quantities.value, unit=quantities.unit,
                          duration=quantities.duration, percent=percent, block=typesetter.block, inline=typesetter.inline,

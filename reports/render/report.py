@@ -37,7 +37,7 @@ def build(evidence, stage, out, options):
     others = league.survey(cases)
     shared = {"title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn,
               "with_data": options.with_data, "menu": _menu(bool(others))}
-    write = _Writer(pages.environment(typesetter), stage, shared)
+    write = _Writer(pages.environment(typesetter, store.folder), stage, shared)
     sheets = _sheets(cases, write, broken)
     made = [case for case in cases if _made(case, cases, drawn, titles, write, broken)]
     kept = {case.name for case in made}

@@ -57,8 +57,11 @@ class Store:
         self._texts = self.folder / f"texts-{digest(report)}.json"
         self._salt = source_digest("records.py", "text.py", "formulas.py", "arrays.py")
         self._used = {}
+        # A new report begins with the texts of the latest one: most formulas are the same.
+        known = self._texts if self._texts.exists() else max(
+            self.folder.glob("texts-*.json"), key=lambda path: path.stat().st_mtime, default=self._texts)
         try:
-            self._known = json.loads(self._texts.read_text(encoding="utf-8"))
+            self._known = json.loads(known.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             self._known = {}
 

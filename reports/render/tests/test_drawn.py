@@ -1,18 +1,14 @@
 """Figures read back: the artists of a drawing hold the numbers, labels and looks of the record, each at its own place."""
 import math
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+import made  # noqa: F401  (finds render)
+import numpy
+from matplotlib.colors import to_hex
 
-import numpy  # noqa: E402
-
-from render import figures  # noqa: E402
+from render import figures, layout
 
 figures.prepare()
-
-from matplotlib.colors import to_hex  # noqa: E402
 
 from render import panels  # noqa: E402
 
@@ -164,6 +160,18 @@ class Drawn(unittest.TestCase):
         axes = drawn(*shown, small=True).axes
         self.assertEqual([points(axis.lines[0])[1] for axis in axes], [list(Y + k) for k in range(6)])
         self.assertEqual({axis.get_title(loc="left") + axis.get_xlabel() + axis.get_ylabel() for axis in axes}, {""})
+
+
+class Axes(unittest.TestCase):
+    def test_error_bars_stay_on_shared_axes(self):
+        def panel(error):
+            return {"y_label": "h", "series": [{"style": "points", "x": numpy.array([0.0, 1.0]), "y": numpy.array([1.0, 2.0]),
+                                                "y_error": numpy.array([0.1, error])}]}
+        shown = [panel(0.7), panel(0.5)]
+        layout.share_limits(shown)
+        for one in shown:
+            self.assertGreater(one["y_max"], 2.7)
+            self.assertLess(one["y_min"], 0.9)
 
 
 if __name__ == "__main__":

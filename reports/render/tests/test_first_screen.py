@@ -2,20 +2,16 @@
 
     /usr/bin/python3 reports/render/tests/test_first_screen.py
 """
-import json
 import os
 import pathlib
 import re
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from made import claim, contest_row, contest_table, record, reported
+from test_phone import BROWSER, found_by
 
-from render import matrix  # noqa: E402
-from render.tests.test_phone import BROWSER, found_by  # noqa: E402
-from render.tests.test_report import claim, record, render  # noqa: E402
-from render.tests.test_side_by_side import row, table  # noqa: E402
+from render import matrix
 
 CASES, TESTS, GROUPS = 128, 430, 11      # as many as the suite has
 PAGES, INDEX_BYTES, INDEX_NODES, SEARCH_BYTES = 180, 120_000, 2_500, 250_000
@@ -76,26 +72,15 @@ const soon = () => new Promise(done => setTimeout(done, 400));
 class FirstScreen(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        folder = pathlib.Path(cls.temporary.name)
-        evidence, cls.report = folder / "evidence", folder / "report"
-        evidence.mkdir()
         claims = [claim(f"c{k}", text="The front of the bore agrees with the exact solution.") for k in range(9)]
         made = [record(f"case_{k}", group=f"group_{k % 14}", claims=claims, article="A word of many. " * 60) for k in range(CASES)]
         made += [record(f"test_{k}", kind="verification", group=f"room_{k % GROUPS}", claims=claims[:7 if k % GROUPS else 9])
                  for k in range(TESTS)]
-        made += [record("drop_models", group="drop", tables=table([row("SPH", **{"broke by": "it stops"})]))]
+        made += [record("drop_models", group="drop", tables=contest_table([contest_row("SPH", **{"broke by": "it stops"})]))]
         made += [record("case_3", group="group_3", solver="OpenFOAM", claims=claims)]
-        for one in made:
-            (evidence / f"{one['case']}.{one['solver']}.json").write_text(json.dumps(one))
-        cls.status, cls.said = render(evidence, cls.report)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
+        cls.report = reported(cls.enterClassContext(tempfile.TemporaryDirectory()), *made)
 
     def test_the_report_keeps_its_budget(self):
-        self.assertEqual(self.status, 0, self.said)
         for report in [self.report, *([WHOLE.parent] if WHOLE.exists() and WHOLE.stat().st_mtime > RENDERER else [])]:
             with self.subTest(report):
                 self.assertLessEqual(len(list(report.rglob("*.html"))), PAGES)

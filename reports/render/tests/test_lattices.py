@@ -3,17 +3,15 @@
     /usr/bin/python3 reports/render/tests/test_lattices.py
 """
 import pathlib
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+import h5py
+import made  # noqa: F401  (finds render)
+import numpy
 
-import h5py  # noqa: E402
-import numpy  # noqa: E402
-
-from render import arrays, figures, lattices  # noqa: E402
-from render.scene import scene  # noqa: E402
+from render import arrays, figures, lattices
+from render.scene import scene
 
 figures.prepare()
 
@@ -38,9 +36,7 @@ def framed(one):
 
 class Drawn(unittest.TestCase):
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def draw(self, *panels, small=False, name="f"):
         """What went wrong, and the SVG."""

@@ -2,16 +2,12 @@
 
     /usr/bin/python3 reports/render/tests/test_league.py
 """
-import json
-import pathlib
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from test_report import record, render  # noqa: E402
+from made import record, reported
 
-from render import league, records  # noqa: E402
+from render import league, records
 
 
 def scored(solver, cell, error, **changes):
@@ -63,14 +59,10 @@ class League(unittest.TestCase):
 
     def test_page_is_made_where_others_are(self):
         with tempfile.TemporaryDirectory() as folder:
-            evidence, out = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
-            evidence.mkdir()
-            (evidence / "wave.json").write_text(json.dumps(record("wave")))
-            self.assertEqual(render(evidence, out)[0], 0)
+            out = reported(folder, record("wave"))
             self.assertFalse((out / "league.html").exists())
             self.assertNotIn("league.html", (out / "index.html").read_text())
-            (evidence / "wave.boxes-10.json").write_text(json.dumps(scored("boxes-10", 0.1, 0.25)))
-            self.assertEqual(render(evidence, out)[0], 0)
+            reported(folder, scored("boxes-10", 0.1, 0.25))
             self.assertIn("league.html", (out / "index.html").read_text())
             page = (out / "league.html").read_text()
             for text in ("boxes-10", "0.25", "Largest relative L1 error of eta"):

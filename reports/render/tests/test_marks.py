@@ -2,14 +2,12 @@
 
     /usr/bin/python3 reports/render/tests/test_marks.py
 """
-import pathlib
-import sys
 import unittest
 import xml.etree.ElementTree
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+import made  # noqa: F401  (finds render)
 
-from render import marks  # noqa: E402
+from render import marks
 
 
 class Marks(unittest.TestCase):

@@ -4,19 +4,14 @@
 """
 import csv
 import fnmatch
-import json
 import math
-import pathlib
-import sys
 import tempfile
 import tomllib
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from made import HOSTILE, Page, claim, contest_row as row, contest_table as table, record, reported
 
-from render import costs, experiments, matrix, pages, records  # noqa: E402
-from render.tests.test_report import HOSTILE, Page, claim, record, render  # noqa: E402
-from render.tests.test_side_by_side import row, table  # noqa: E402
+from render import costs, experiments, matrix, pages, records
 
 
 def compared(name, measured, expected, limit, **changes):
@@ -123,14 +118,11 @@ class Matrix(unittest.TestCase):
 
     def test_the_page_has_counts_matrix_and_other_solvers_and_escapes(self):
         with tempfile.TemporaryDirectory() as folder:
-            evidence, out = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
-            evidence.mkdir()
             known = compared("d", 9.0, 1.0, 0.1, verdict="fail", declared="fail", declared_reason="known")
-            for made in (record("wave_sph", parameters={HOSTILE: number(1, HOSTILE)}, claims=[known]),
-                         record("riemann", group="dam_break", solver="boxes", measurements={"h_relative_l1": 0.025},
-                                claims=[compared("a", 1.01, 1.0, 0.1)])):
-                (evidence / f"{made['case']}.{made['solver']}.json").write_text(json.dumps(made))
-            self.assertEqual(render(evidence, out, "--scorable", f"bore/riemann,bore/{HOSTILE}")[0], 0)
+            out = reported(folder, record("wave_sph", parameters={HOSTILE: number(1, HOSTILE)}, claims=[known]),
+                           record("riemann", group="dam_break", solver="boxes", measurements={"h_relative_l1": 0.025},
+                                  claims=[compared("a", 1.01, 1.0, 0.1)]),
+                           options=["--scorable", f"bore/riemann,bore/{HOSTILE}"])
             page = (out / "index.html").read_text(encoding="utf-8")
             self.assertEqual(Page(page).faults, [])
             self.assertNotIn("<script>alert", page)
@@ -178,13 +170,9 @@ class Costs(unittest.TestCase):
 
     def test_the_page_of_a_contest_shows_them(self):
         with tempfile.TemporaryDirectory() as folder:
-            evidence, out = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
-            evidence.mkdir()
             scored = record("wave", solver="boxes", wall_time=16.0, tables=self.ladder([0.4, 0.2, 0.1], [1.0, 4.0, 16.0]),
                             measurements={"cell_size": 0.025, "threads": 3.0, "ladder_order_h": 1.25, "h_relative_l2": 0.1})
-            for made in (record("wave"), scored):
-                (evidence / f"wave.{made['solver']}.json").write_text(json.dumps(made))
-            self.assertEqual(render(evidence, out)[0], 0)
+            out = reported(folder, record("wave"), scored)
             for name in ("cases/wave.html", "league.html"):
                 page = (out / name).read_text(encoding="utf-8")
                 self.assertEqual(Page(page).faults, [])

@@ -7,15 +7,12 @@ import json
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from made import claim, contest_row, contest_table, figure, record, reported, write_arrays, write_evidence
 
-from render import pdf  # noqa: E402
-from render.tests.test_report import claim, figure, record, render, write_arrays, write_evidence  # noqa: E402
-from render.tests.test_side_by_side import row, table  # noqa: E402
+from render import pdf
 
 WIDTH = 390     # of a phone, in pixels of a page
 # Frames of that width, for a window of Chromium without a screen is at least 500 wide.
@@ -68,23 +65,22 @@ def measured(report, pages):
 class Phone(unittest.TestCase):
     def test_no_page_is_wider_than_the_screen_and_no_name_is_broken(self):
         with tempfile.TemporaryDirectory() as folder:
-            evidence, report = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
+            evidence = pathlib.Path(folder, "evidence")
             write_evidence(evidence)
             several = [{"name": f"a column with a long name {k}", "unit": "m^2/s"} for k in range(12)]
             long_names = {f"a_parameter_with_a_long_name_{k}": {"value": 0.123456789, "unit": "(g H)^(1/2)",
                                                                "default": 1.0, "meaning": "word " * 20} for k in range(9)}
-            contest = [row("Lagrangian mesh", **{"broke by": "the mesh folds at node " + "1234567890" * 9})]
-            for made in (record("drop_models", group="drop", tables=table(contest), figures=[figure("cost")],
-                                data="drop_models.h5", parameters=long_names),
-                         record("wide", claims=[claim("one", text="Long_words_without_blanks_" * 6)], parameters=long_names,
-                                tables=[{"id": "t", "title": "t", "caption": "c", "atlas": [], "columns": several,
-                                         "rows": [[1e-12] * 12]}]),
-                         record("wide", solver="boxes", article="$\\mathcal " + "R" * 60 + "$.", measurements={"cell_size": 0.1, "eta_relative_l1": 0.2})):
-                name = made["case"] + ("" if made["solver"] == "seiche" else f".{made['solver']}")
-                (evidence / f"{name}.json").write_text(json.dumps(made))
+            contest = [contest_row("Lagrangian mesh", **{"broke by": "the mesh folds at node " + "1234567890" * 9})]
             write_arrays(evidence / "drop_models.h5", {"cost": [[("a", "computed", "points", [1, 2], [2, 1])]]})
             cases = ",".join(f"a_phenomenon/a_case_that_scores_others_{k}" for k in range(9))
-            self.assertEqual(render(evidence, report, "--scorable", cases)[0], 0)
+            report = reported(
+                folder, record("drop_models", group="drop", tables=contest_table(contest), figures=[figure("cost")],
+                               data="drop_models.h5", parameters=long_names),
+                record("wide", claims=[claim("one", text="Long_words_without_blanks_" * 6)], parameters=long_names,
+                       tables=[{"id": "t", "title": "t", "caption": "c", "atlas": [], "columns": several,
+                                "rows": [[1e-12] * 12]}]),
+                record("wide", solver="boxes", article="$\\mathcal " + "R" * 60 + "$.",
+                       measurements={"cell_size": 0.1, "eta_relative_l1": 0.2}), options=["--scorable", cases])
             pages = [str(page.relative_to(report)) for page in sorted(report.rglob("*.html"))]
             found = measured(report, pages)
             self.assertEqual(sorted(found), sorted(pages))

@@ -6,28 +6,22 @@ import hashlib
 import json
 import os
 import pathlib
-import sys
 import tempfile
 import time
 import unittest
 import unittest.mock
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from test_report import figure, record, render  # noqa: E402
-
-import h5py  # noqa: E402
+import h5py
+from made import figure, record, render
 
 SECRET = "of nobody's business"
 
 
 class Strangers(unittest.TestCase):
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.evidence, self.out = self.folder / "evidence", self.folder / "report"
         self.evidence.mkdir()
-        os.environ["XDG_CACHE_HOME"] = str(self.folder / "cache")
         self.secret = self.folder / "secret"
         self.secret.write_text(SECRET)
         self.write("honest", record("honest"))

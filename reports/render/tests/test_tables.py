@@ -1,15 +1,10 @@
 """Tables read back: each column of a page holds the record's number of that name."""
 import html.parser
-import json
-import os
 import pathlib
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-
-from test_report import claim, figure, record, render, write_arrays  # noqa: E402
+from made import claim, figure, record, reported, write_arrays
 
 
 class Tables(html.parser.HTMLParser):
@@ -45,19 +40,6 @@ class Tables(html.parser.HTMLParser):
         return next(rows[1:] for _, rows in self.tables if rows and tuple(rows[0][:len(first)]) == first)
 
 
-def pages_of(folder, *members):
-    evidence = folder / "evidence"
-    evidence.mkdir()
-    for name, made in members:
-        (evidence / f"{name}.json").write_text(json.dumps(made), encoding="utf-8")
-    write_arrays(evidence / "a.h5", {"f": [[("a", "computed", "line", [0, 1], [0, 1])]]})
-    status, said = render(evidence, folder / "report")
-    assert status == 0, said
-    report = folder / "report"
-    return {str(path.relative_to(report).with_suffix("")): Tables(path.read_text(encoding="utf-8"))
-            for path in report.rglob("*.html")}
-
-
 CLAIMS = [claim("a", "bound", measured=1.25, uncertainty=0.5, expected=1.5, unit="m",
                 criterion={"kind": "bound", "limit": 0.75, "reason": "r", "relative": False}),
           claim("b", "bound", measured=2.25, expected=2.0, unit="s",
@@ -74,20 +56,18 @@ TABLE = {"id": "t", "title": "t", "caption": "c", "columns": [{"name": "x", "uni
 class CasePage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        folder = pathlib.Path(cls.temporary.name)
-        os.environ["XDG_CACHE_HOME"] = str(folder / "cache")
+        folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        (folder / "evidence").mkdir()
+        write_arrays(folder / "evidence/a.h5", {"f": [[("a", "computed", "line", [0, 1], [0, 1])]]})
         ours = record("numbers", claims=CLAIMS, parameters=WORDS, tables=[TABLE], data="a.h5", figures=[figure("f")],
                       measurements={"speed": 4.5, "rise": 6.5}, wall_time=75.0)
         theirs = record("numbers", solver="theirs", wall_time=30.0, measurements={"speed": 4.25, "rise": 6.25},
                         claims=[{**one, "measured": one["measured"] + 0.0625, "uncertainty": 0.0} for one in CLAIMS[:3]],
                         parameters={name: {**one, "value": one["value"] + 2} for name, one in WORDS.items()})
-        cls.pages = pages_of(folder, ("numbers", ours), ("numbers.theirs", theirs))
+        report = reported(folder, ours, theirs)
+        cls.pages = {str(path.relative_to(report).with_suffix("")): Tables(path.read_text(encoding="utf-8"))
+                     for path in report.rglob("*.html")}
         cls.page = cls.pages["cases/numbers"]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
 
     def rows(self, *headings, page="cases/numbers"):
         return self.pages[page].of(*headings)
