@@ -225,18 +225,23 @@ def snippets(path):
 MAN = '#!/bin/sh\nIFS=:\nfor at in $PATH; do test -f "$at/../share/man/man1/$1.1.gz" && exit; done\nexit 16\n'
 
 
-class Place:
-    """A clean checkout and its build as the text speaks of them; what commands write stays in it."""
+def check_out(folder):
+    """The files that git knows."""
+    known = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "-z"], cwd=SOURCE, check=True,
+                           capture_output=True).stdout
+    subprocess.run(["xargs", "-0", "cp", "--parents", "-t", folder], cwd=SOURCE, check=True, input=known)
 
-    def __init__(self, folder):
+
+class Place:
+    """A checkout with a fresh build as the text speaks of it; what commands write stays in it."""
+
+    def __init__(self, folder, checkout):
         self.folder = folder
-        self.checkout = folder / "seiche"
+        self.checkout = checkout
         self.directory = self.checkout
         release = self.checkout / "build/release"
+        shutil.rmtree(release, ignore_errors=True)
         release.mkdir(parents=True)
-        known = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "-z"], cwd=SOURCE, check=True,
-                               capture_output=True).stdout
-        subprocess.run(["xargs", "-0", "cp", "--parents", "-t", self.checkout], cwd=SOURCE, check=True, input=known)
         for entry in BUILD.iterdir():
             if entry.name not in ("evidence", "Testing"):
                 (release / entry.name).symlink_to(entry)
@@ -267,10 +272,15 @@ class Place:
 
 
 class Readme(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.checkout = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="seiche-test-")), "seiche")
+        cls.checkout.mkdir()
+        check_out(cls.checkout)
+
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.place = Place(pathlib.Path(scratch.name))
+        folder = self.enterContext(tempfile.TemporaryDirectory(prefix="seiche-test-"))
+        self.place = Place(pathlib.Path(folder), self.checkout)
 
     def succeed(self, what, result):
         self.assertEqual(result.returncode, 0, f"{what}\n{result.stdout}{result.stderr}")

@@ -198,14 +198,15 @@ class Battery {
   }
 
   /// The size from which on a change is noticed, and by what.
-  [[nodiscard]] std::pair<double, std::string> smallest(const OfSize& changed) const {
+  /// @param known  a size below which nothing is noticed
+  [[nodiscard]] std::pair<double, std::string> smallest(const OfSize& changed, double known = 0) const {
     double below = 0;
     double size = first_size;
-    std::string by = noticed(changed(size));
+    std::string by = known < size ? noticed(changed(size)) : std::string();
     for (int k = 0; k < doublings && by.empty(); ++k) {
       below = size;
       size *= 2;
-      by = noticed(changed(size));
+      if (known < size) by = noticed(changed(size));
     }
     if (by.empty()) return {std::numeric_limits<double>::quiet_NaN(), by};
     for (int k = 0; k < bisections && below > 0; ++k) {
@@ -221,10 +222,9 @@ class Battery {
   void add(Resolved row, double scale, const OfSize& changed, bool both_signs = true) {
     if (!differ(changed(0.1), changed(0))) return;
     std::tie(row.smallest, row.by) = smallest(changed);
-    if (both_signs && !row.by.empty()) {
-      const auto [size, by] = smallest([&](double s) { return changed(-s); });
-      if (!(size <= row.smallest)) std::tie(row.smallest, row.by) = std::pair(size, by);
-    }
+    const OfSize opposite = [&](double s) { return changed(-s); };
+    if (both_signs && !row.by.empty() && noticed(opposite(row.smallest)).empty())
+      std::tie(row.smallest, row.by) = smallest(opposite, row.smallest);
     row.amount = scale * row.smallest;
     rows_.push_back(row);
   }
