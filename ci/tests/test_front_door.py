@@ -20,8 +20,8 @@ SEICHE = pathlib.Path(os.environ["SEICHE"])
 SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
 BUILD = SEICHE.parent
 
-DOCUMENTS = [path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md",
-                               *sorted(SOURCE.glob("examples/*/README.md"))] if path.exists()]
+DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted(SOURCE.glob("examples/*/README.md")),
+             *sorted(SOURCE.glob("ci/docs_pages/guide/*.md"))]
 
 DOCS = "ctest ci.docs runs it"
 WHOLE_BUILD = "sets up and builds everything; ci/checks/time-build and CI run it (.ci/run, .github/workflows)"
@@ -96,6 +96,9 @@ NOT_RUN = {
         "seiche run mach_reflection --set angle=... --set amplitude=...": PATTERN,
         "import h5py": "reads the fields of a run that needs PETSc",
         "#!/bin/bash": "a job of a cluster; its syntax is checked",
+    },
+    "ci/docs_pages/guide/verdicts.md": {
+        "seiche score": "the name of a subcommand",
     },
     "examples/solvers/README.md": {
         "ci/checks/solvers": SOLVERS,
@@ -173,7 +176,7 @@ IN_PASSING = {"README.md": PYTHON_LINES + [f"PYTHONPATH=build/release/python {li
 
 SHELL_STATE = ("cd ", "export ")
 PROGRAMS = ("seiche", "./seiche", "build/release/seiche", "./run.sh", "cmake", "ctest", "mpirun", "clang-format",
-            "sha256sum", "apt")
+            "sha256sum", "apt", "python3")
 
 
 def is_command(line):
@@ -183,6 +186,8 @@ def is_command(line):
 
 def kind_of(block):
     """What a block of code is in; shell when every line begins with a command."""
+    if block.startswith(">>> "):
+        return "session"
     if block.startswith("#!/bin/bash"):
         return "script"
     if block.startswith("#include"):
@@ -311,9 +316,12 @@ class Readme(unittest.TestCase):
             elif kind == "layout":
                 for entry in re.findall(r"^([a-z_/]+/) ", text, re.M):
                     self.assertTrue((SOURCE / entry).is_dir(), entry)
-            else:
+            elif kind != "session":
                 self.fail(f"{path}: neither run nor left out:\n{text}")
         self.place.directory = self.place.checkout
+        if re.search("^    >>> ", path.read_text(), re.M):
+            self.succeed(path, self.place.run("env", f"PYTHONPATH={self.place.checkout}/build/release/python", "python3",
+                                              "-m", "doctest", path))
         for command in IN_PASSING.get(str(path.relative_to(SOURCE)), []):
             self.succeed(command, self.place.shell(command))
         return left_out
