@@ -64,15 +64,15 @@ class Build:
         compile_of, link = {}, []
         for line in said:
             words = shlex.split(line)
-            if "-c" in words and "-o" in words:
+            if words[0] == ":" and "-o" in words:
+                link = shlex.split(line.split(" && ")[1])
+            elif "-c" in words and "-o" in words:
                 if "c++-header" not in words:
                     source = os.path.relpath(value_after(words, "-c"), ROOT)
                     compile_of[source] = words
                     if "/Unity/unity_" in source and (ROOT / source).is_file():
                         for member in MEMBER.findall((ROOT / source).read_text()):
                             self.together[target, os.path.relpath(member, ROOT)] = source
-            elif words[0] == ":" and "-o" in words:
-                link = shlex.split(line.split(" && ")[1])
         return compile_of, link
 
     def program(self, target):
@@ -203,7 +203,8 @@ class Changed:
             else:
                 shutil.copy2(original, program)
             if check.target == "seiche_python":
-                shutil.copy2(self.tree / "solver/python/adapt.py", program.parent)
+                for module in (self.tree / "solver/python/seiche").glob("*.py"):
+                    shutil.copy2(module, program.parent)
             self.programs[key] = program
         return self.programs[key]
 
