@@ -12,14 +12,11 @@
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"
 
-namespace conservative_step_test {
+namespace seiche::verification::conservative_step_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::rigid_chain;
-using namespace seiche::verification;
-using Channel = FlatChannel<seiche::linear::PeriodicTridiagonal>;
-using seiche::largest;
-using seiche::worst;
+using namespace mechanics;
+using namespace rigid_chain;
+using Channel = FlatChannel<linear::PeriodicTridiagonal>;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 3";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -59,13 +56,13 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
   Check check(
       "mechanics_solitary_wave", "Solitary wave in a periodic flat channel: three schemes",
       "Amplitude 0.3, length 60, cells of 0.25, $t \\le 100$. One-step: energy and volumes err by $O(\\tau^2)$. With "
-      "feedback the volumes no longer accumulate their drift. Fully conservative: all to round-off.");
-  check.source(source);
+      "feedback the volumes no longer accumulate their drift. Fully conservative: all to round-off.",
+      source);
   const auto one_step = [](Channel& c) { return OneStep<Channel>(c); };
   const auto feedback = [](Channel& c) { return OneStep<Channel>(c, {.drift_feedback = true}); };
   const auto conservative = [](Channel& c) { return ConservativeStep<Channel>(c); };
   const auto held = [](Channel& c) { return ConservativeStep<Channel>(c, {.drift_feedback = true}); };
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "conservation",
       .title = "Largest defects",
       .caption = "Energy relative to the wave's, volume relative to the cell's.",
@@ -94,28 +91,20 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
   known_digits(check, "B-volume-2", "The cell-volume error with feedback at tau = 0.05", b2.volume, 1.5e-7);
   known_digits(check, "B-volume-3", "The cell-volume error with feedback at tau = 0.025", b3.volume, 1.8e-8);
   const double steps = 2000;
-  check.that({.id = "C-energy",
-              .text = "Energy is conserved to round-off (conservative scheme).",
-              .quantity = "largest relative energy defect"},
+  check.that("C-energy", "Energy is conserved to round-off (conservative scheme).", "largest relative energy defect",
              {.value = c2.energy, .resolution = "tau = 0.05"}, Roundoff{steps, 1, "one rounded energy per step"});
   check.that(
-      {.id = "C-volume",
-       .text = "Fully conservative: every cell's volume to round-off.",
-       .quantity = "largest relative volume defect"},
+      "C-volume", "Fully conservative: every cell's volume to round-off.", "largest relative volume defect",
       {.value = c2.volume, .resolution = "tau = 0.05"},
       Roundoff{steps, 60 / 0.25, "one rounded marker position, up to the channel's length, per step and cell width"});
-  check.that({.id = "C-momentum",
-              .text = "Momentum is conserved to round-off with every scheme.",
-              .quantity = "largest momentum defect"},
-             {.value = worst(std::array{a1.momentum, a2.momentum, a3.momentum, b2.momentum, b3.momentum, c2.momentum,
-                                        h2.momentum})},
-             Roundoff{4000, 1.6, "one rounded update per step of the wave's momentum"});
-  check.that({.id = "C-feedback-volume",
-              .text = "Volumes do not accumulate rounding (conservative scheme with feedback).",
-              .quantity = "largest relative volume defect",
-              .source = digits + ": 4.5e-14"},
-             {.value = h2.volume, .resolution = "tau = 0.05"},
-             Roundoff{16, 60 / 0.25, "a few rounded marker positions, up to the channel's length, per cell width"});
+  check.that(
+      "C-momentum", "Momentum is conserved to round-off with every scheme.", "largest momentum defect",
+      {worst(std::array{a1.momentum, a2.momentum, a3.momentum, b2.momentum, b3.momentum, c2.momentum, h2.momentum})},
+      Roundoff{4000, 1.6, "one rounded update per step of the wave's momentum"});
+  check.from(digits + ": 4.5e-14")
+      .that("C-feedback-volume", "Volumes do not accumulate rounding (conservative scheme with feedback).",
+            "largest relative volume defect", {.value = h2.volume, .resolution = "tau = 0.05"},
+            Roundoff{16, 60 / 0.25, "a few rounded marker positions, up to the channel's length, per cell width"});
 }
 
 TEST_CASE("each sweep of the implicit step gains a fixed number of digits", "[conservation]") {
@@ -139,7 +128,8 @@ TEST_CASE("each sweep of the implicit step gains a fixed number of digits", "[co
 TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[conservation]") {
   Check check("conservative_step_chain", "Chain in a cubic potential, fully conservative scheme",
               "Four masses, $\\Pi = \\sum m(gz + kr^2/2 + cz^3/3)$, tau = 0.02, 20000 steps, and Suzuki's fourth-order "
-              "composition of it. A is factorised once per step and corrected by the sweeps.");
+              "composition of it. A is factorised once per step and corrected by the sweeps.",
+              "Quispel & McLaren, J. Phys. A 41 (2008) 045206");
   const auto run = [](bool composed) {
     RigidChain chain({.masses = alternating_masses(4), .gravity = 0.3, .spring = 0.5, .cubic = 0.05});
     State state = spiral_start(chain);
@@ -156,7 +146,7 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
         }
         watch.record(state);
       }
-    } catch (const seiche::Divergence&) {
+    } catch (const Divergence&) {
       constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
       return std::pair{nothing, nothing};
     }
@@ -164,18 +154,13 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
   };
   const auto plain = run(false);
   const auto composed = run(true);
-  check.that({.id = "energy",
-              .text = "Energy of the chain is conserved to round-off.",
-              .quantity = "largest energy defect",
-              .source = "Quispel & McLaren, J. Phys. A 41 (2008) 045206"},
-             {.value = largest(std::array{plain.first, composed.first})},
+  check.that("energy", "Energy of the chain is conserved to round-off.", "largest energy defect",
+             {largest(std::array{plain.first, composed.first})},
              Roundoff{20000, 10, "one rounded energy, of terms up to 10, per step"});
-  check.that({.id = "links",
-              .text = "Link lengths of the chain are conserved to round-off.",
-              .quantity = "largest link defect",
-              .source = "bilinear constraints at the middle"},
-             {.value = largest(std::array{plain.second, composed.second})},
-             Roundoff{20000, 3, "one rounded coordinate, up to 3, per step"});
+  check.from("bilinear constraints at the middle")
+      .that("links", "Link lengths of the chain are conserved to round-off.", "largest link defect",
+            {largest(std::array{plain.second, composed.second})},
+            Roundoff{20000, 3, "one rounded coordinate, up to 3, per step"});
 }
 
 TEST_CASE("implicit steps do not depend on when they begin nor on who counts them", "[conservation]") {
@@ -222,4 +207,4 @@ TEST_CASE("implicit steps do not depend on when they begin nor on who counts the
   }
 }
 
-}  // namespace conservative_step_test
+}  // namespace seiche::verification::conservative_step_test

@@ -7,12 +7,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dirichlet_mesh_test {
+namespace seiche::verification::dirichlet_mesh_test {
 
-using namespace seiche;
-using namespace seiche::dirichlet_mesh;
-using namespace seiche::free_lagrangian;
-using namespace seiche::verification;
+using namespace dirichlet_mesh;
+using namespace free_lagrangian;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 5.2";
 
@@ -72,7 +70,8 @@ TEST_CASE("areas of Dirichlet cells drift by the square of the step, as does ene
   Check check("dirichlet_mesh_drift", "What Dirichlet cells keep to second order only",
               "The free patch until t = 0.2 without stabilisation: the largest change of a cell's area. Water in a box "
               "that sloshes under gravity until t = 1, stabilisation 0.01: kinetic and potential energy with what the "
-              "stabilisation took. Steps halved four times.");
+              "stabilisation took. Steps halved four times.",
+              source);
   std::vector<double> steps;
   std::vector<double> drifts;
   std::vector<double> energies;
@@ -93,16 +92,10 @@ TEST_CASE("areas of Dirichlet cells drift by the square of the step, as does ene
     energies.push_back(std::abs(water.energy() + water.stabilisation_loss() - energy));
   }
   const Order second{2, 0.2, "second order of the one-step scheme"};
-  check.that({.id = "areas",
-              .text = "The drift of cell areas is second-order in the step.",
-              .quantity = "order of the largest drift",
-              .source = source},
+  check.that("areas", "The drift of cell areas is second-order in the step.", "order of the largest drift",
              observed_order(steps, drifts), second);
-  check.that({.id = "energy",
-              .text = "Energy under gravity, with what was booked: order 2.",
-              .quantity = "order of the energy's defect",
-              .source = source},
+  check.that("energy", "Energy under gravity, with what was booked: order 2.", "order of the energy's defect",
              observed_order(steps, energies), second);
 }
 
-}  // namespace dirichlet_mesh_test
+}  // namespace seiche::verification::dirichlet_mesh_test

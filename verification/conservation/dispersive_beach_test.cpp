@@ -10,10 +10,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace dispersive_beach_test {
+namespace seiche::verification::dispersive_beach_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 3";
 
@@ -28,8 +27,8 @@ Flow beach_flow(const Beach& beach, const Scheme& scheme) {
   const double crest = -beach.cotangent - front;
   const double wall = crest - front - 5;
   const Channel channel{
-      .bottom = std::make_shared<seiche::PiecewiseLinearBottom>(
-          std::vector{wall - 10, -beach.cotangent, 10 * beach.cotangent}, std::vector{-1.0, -1.0, 10.0}),
+      .bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{wall - 10, -beach.cotangent, 10 * beach.cotangent},
+                                                        std::vector{-1.0, -1.0, 10.0}),
       .left = End::wall,
       .right = End::tip};
   return Flow(channel,
@@ -59,7 +58,8 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
               "Solitary wave of 0.0185 depths on a slope 1:19.85, run-up and run-down until $t = 75$; cells of 0.25, "
               "steps of at most 1/16 and 0.3 of the longest stable one. The one-step scheme's errors are made at the "
               "largest draw-down, $67 < t < 70$, where a thin layer runs back under a steep front; until then its "
-              "energy errs by $1.4\\times10^{-6}$. The earlier program had the same start and steps.");
+              "energy errs by $1.4\\times10^{-6}$. The earlier program had the same start and steps.",
+              source);
   constexpr Scheme one_step{};
   constexpr Scheme feedback{.stepping = Stepping::one_step_feedback};
   const auto known = [&](const std::string& id, const std::string& text, double value, double printed) {
@@ -91,8 +91,8 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
                          double theory) {
-    check.that({.id = id, .text = text, .quantity = "order of the largest defect", .source = source},
-               observed_order(steps, errors), Order{theory, 0.1, "four halvings of all steps"});
+    check.that(id, text, "order of the largest defect", observed_order(steps, errors),
+               Order{theory, 0.1, "four halvings of all steps"});
   };
   order("one-step-energy-order", "The energy error on the beach is second-order in the step (one-step scheme).",
         energy_a, 2);
@@ -128,4 +128,4 @@ TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[c
   }
 }
 
-}  // namespace dispersive_beach_test
+}  // namespace seiche::verification::dispersive_beach_test

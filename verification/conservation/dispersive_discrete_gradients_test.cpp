@@ -13,11 +13,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace dispersive_discrete_gradients_test {
+namespace seiche::verification::dispersive_discrete_gradients_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Largest;
+using namespace dispersive_shallow_water_1d;
 
 struct Basin {
   std::string id, text;
@@ -26,18 +24,18 @@ struct Basin {
   double end = 60;
 };
 
-std::shared_ptr<const seiche::BottomProfile> level() {
-  return std::make_shared<seiche::LevelBottom>(1.0);
+std::shared_ptr<const BottomProfile> level() {
+  return std::make_shared<LevelBottom>(1.0);
 }
 
-std::shared_ptr<const seiche::BottomProfile> waves() {
-  return std::make_shared<seiche::CosineBottom>(1.0, 0.2, 2 * std::numbers::pi / 10);
+std::shared_ptr<const BottomProfile> waves() {
+  return std::make_shared<CosineBottom>(1.0, 0.2, 2 * std::numbers::pi / 10);
 }
 
 /// Slopes 1:5 down to depth 1, shores at -20 and 20.
-std::shared_ptr<const seiche::BottomProfile> trough() {
-  return std::make_shared<seiche::PiecewiseLinearBottom>(std::vector{-30.0, -15.0, 15.0, 30.0},
-                                                         std::vector{2.0, -1.0, -1.0, 2.0});
+std::shared_ptr<const BottomProfile> trough() {
+  return std::make_shared<PiecewiseLinearBottom>(std::vector{-30.0, -15.0, 15.0, 30.0},
+                                                 std::vector{2.0, -1.0, -1.0, 2.0});
 }
 
 std::vector<Basin> basins() {
@@ -88,14 +86,14 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
       "conservative scheme has discrete gradients of every part of the energy: of gravity, of improved dispersion "
       "with any power of the depth, of the bottom under moving ends. Energy is to be kept to round-off "
       "with walls, shores and free ends, over level and uneven bottoms, for either kinetic energy.");
-  seiche::evidence::Table table{.id = "defects",
-                                .title = "Largest defects",
-                                .caption = "Energy relative to its beginning.",
-                                .columns = {{"channel", ""},
-                                            {"energy", "1"},
-                                            {"worst cell volume", "depth^2"},
-                                            {"solves per step", "1"},
-                                            {"highest surface", "depth"}}};
+  evidence::Table table{.id = "defects",
+                        .title = "Largest defects",
+                        .caption = "Energy relative to its beginning.",
+                        .columns = {{"channel", ""},
+                                    {"energy", "1"},
+                                    {"worst cell volume", "depth^2"},
+                                    {"solves per step", "1"},
+                                    {"highest surface", "depth"}}};
   for (const Basin& basin : basins()) {
     Markers markers = still_markers(basin.channel, equal_labels(basin.channel, -20, 20, 160));
     for (std::size_t i = 0; i < markers.size(); ++i) {
@@ -123,4 +121,4 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
   check.table(table);
 }
 
-}  // namespace dispersive_discrete_gradients_test
+}  // namespace seiche::verification::dispersive_discrete_gradients_test

@@ -7,11 +7,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_elementary_volumes_test {
+namespace seiche::verification::dispersive_elementary_volumes_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, figure 4 and formula (10)";
 
@@ -117,7 +115,8 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
       "conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
       "The water between the surface through the markers and the bottom is cut by verticals at the middles between "
       "markers. A particle has the mass of its piece, constant in time. Here the pieces are measured as polygons, over "
-      "a bottom with a corner inside a cell.");
+      "a bottom with a corner inside a cell.",
+      source);
   const Shore shore;
   const Model model(shore.channel, shore.markers);
   const std::vector<double> ends = shore.boundaries();
@@ -142,21 +141,15 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
   claim("sum", "The elementary volumes fill the water.",
         std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water), 7.2 * std::sqrt(12));
   const double triangle = model.rest_volumes().back();
-  check.that({.id = "tip",
-              .text = "The tip's particle has a quarter of its triangle.",
-              .quantity = "mass of the tip/area of the last cell",
-              .source = source},
-             {.value = model.masses().back() / triangle},
-             Roundoff{10, 0.25, "two areas of five operations each", 0.25});
+  check.that("tip", "The tip's particle has a quarter of its triangle.", "mass of the tip/area of the last cell",
+             {model.masses().back() / triangle}, Roundoff{10, 0.25, "two areas of five operations each", 0.25});
   Channel consistent = shore.channel;
   consistent.tip_mass = TipMass::consistent;
-  check.that({.id = "tip-consistent",
-              .text = "The consistent tip mass is a sixth of it.",
-              .quantity = "mass of the tip/area of the last cell",
-              .source = "rigid acceleration of a plane surface over a plane slope"},
-             {.value = Model(consistent, shore.markers).masses().back() / triangle},
-             Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
+  check.from("rigid acceleration of a plane surface over a plane slope")
+      .that("tip-consistent", "The consistent tip mass is a sixth of it.", "mass of the tip/area of the last cell",
+            {Model(consistent, shore.markers).masses().back() / triangle},
+            Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
   draw(check, shore, volumes);
 }
 
-}  // namespace dispersive_elementary_volumes_test
+}  // namespace seiche::verification::dispersive_elementary_volumes_test

@@ -14,10 +14,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_bottom_reduction_test {
+namespace seiche::verification::dispersive_plan_bottom_reduction_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using mechanics::Stepping;
 namespace plan = dispersive_shallow_water_2d;
 namespace line = dispersive_shallow_water_1d;
@@ -168,4 +166,4 @@ TEST_CASE("waves of the plan model over a bottom uneven along one axis are those
   }
 }
 
-}  // namespace dispersive_plan_bottom_reduction_test
+}  // namespace seiche::verification::dispersive_plan_bottom_reduction_test

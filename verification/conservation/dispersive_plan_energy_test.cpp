@@ -14,11 +14,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace dispersive_plan_energy_test {
+namespace seiche::verification::dispersive_plan_energy_test {
 
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1, 3 and 4.2";
 
@@ -100,7 +99,8 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
               "A hump of 0.3 in a box until t = 200 over a level bottom, and a hump of 0.15 beside a bump until t = "
               "30. The energy errs by a bounded amount that shrinks with $\\tau^2$, and does not drift; so do the "
               "volumes of the cells. Over the bump this holds because velocities are carried along with the bottom's "
-              "tangent plane to second order.");
+              "tangent plane to second order.",
+              source);
   const auto judge = [&](const std::string& id, const Lattice& lattice, double time, const std::vector<double>& taus) {
     auto& figure =
         check.figure(id, "Energy of the one-step scheme", "Relative defect of the energy, four steps (" + id + ").");
@@ -116,15 +116,11 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
                   Bound{0.5, "a drift would double it", 1});
     }
     const auto order = [&](const std::string& what, const std::vector<double>& errors) {
-      check.that({.id = id + "-order-" + what,
-                  .text = "The largest defect of " + what + " is of second order.",
-                  .quantity = "observed order",
-                  .source = source},
+      check.that(id + "-order-" + what, "The largest defect of " + what + " is of second order.", "observed order",
                  observed_order(taus, errors),
-                 Order{.theory = 2,
-                       .tolerance = 0.3,
-                       .reason = "a symmetric scheme of second order; the "
-                                 "maximum over time is not a smooth function of the step"});
+                 Order{2, 0.3,
+                       "a symmetric scheme of second order; the "
+                       "maximum over time is not a smooth function of the step"});
     };
     order("energy", energies);
     order("volumes", volumes);
@@ -133,4 +129,4 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
   judge("bump", hump_over_bump(), 30, {0.2, 0.1, 0.05, 0.025});
 }
 
-}  // namespace dispersive_plan_energy_test
+}  // namespace seiche::verification::dispersive_plan_energy_test

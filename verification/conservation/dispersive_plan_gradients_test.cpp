@@ -10,11 +10,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace dispersive_plan_gradients_test {
+namespace seiche::verification::dispersive_plan_gradients_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 /// 6 x 5 cells, uneven surface, off a rectangle at random; nothing holds them.
 Lattice uneven_lattice(std::shared_ptr<const PlanBottom> bottom) {
@@ -187,4 +185,4 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
   claim("moment", "The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
 }
 
-}  // namespace dispersive_plan_gradients_test
+}  // namespace seiche::verification::dispersive_plan_gradients_test

@@ -11,14 +11,11 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace dispersive_plan_invariants_test {
+namespace seiche::verification::dispersive_plan_invariants_test {
 
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::worst;
-using seiche::linear::SolverMethod;
+using namespace dispersive_shallow_water_2d;
+using namespace mechanics;
+using linear::SolverMethod;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.2";
 
@@ -99,7 +96,8 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
   Check check("dispersive_plan_weightless", "Water in plan without gravity in a closed box",
               "20 x 20 cells in a box, a swirl and its squeezing, without gravity, 100 steps of 0.03. Kinetic energy "
               "changes by the multipliers times what the solver leaves of the rates of volumes, $\\tau \\lambda \\cdot "
-              "(J \\tilde u)$: not at all with a tight tolerance.");
+              "(J \\tilde u)$: not at all with a tight tolerance.",
+              source);
   PlanProblem problem(plan_hump_in_box(),
                       [](double x, double y) {
                         const double k = std::numbers::pi / 10;
@@ -109,10 +107,8 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
                       {.gravity = 0, .solver = SolverMethod::iterative, .tolerance = 1e-13});
   const InvariantsLedger ledger = run(problem, {});
   const double relative = ledger.entry("energy").largest_defect / ledger.entry("energy").initial;
-  check.that({.id = "energy",
-              .text = "Kinetic energy of the weightless body is conserved to round-off.",
-              .quantity = "largest relative defect of the kinetic energy",
-              .source = source},
+  check.that("energy", "Kinetic energy of the weightless body is conserved to round-off.",
+             "largest relative defect of the kinetic energy",
              {.value = relative, .resolution = "tolerance 1e-13, tau = 0.03"},
              Roundoff{2 + 100 * 100.0 / 441, 1,
                       "some 100 roundings in each of 100 steps of the energy's part at each of 441 nodes, a "
@@ -186,4 +182,4 @@ TEST_CASE("the plan model's volumes have no rates at the middle of a step", "[co
   }
 }
 
-}  // namespace dispersive_plan_invariants_test
+}  // namespace seiche::verification::dispersive_plan_invariants_test

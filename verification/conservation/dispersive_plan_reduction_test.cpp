@@ -12,10 +12,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_reduction_test {
+namespace seiche::verification::dispersive_plan_reduction_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using mechanics::Stepping;
 namespace plan = dispersive_shallow_water_2d;
 namespace line = dispersive_shallow_water_1d;
@@ -118,4 +116,4 @@ TEST_CASE("waves of the plan model along one axis are those of the one-dimension
   }
 }
 
-}  // namespace dispersive_plan_reduction_test
+}  // namespace seiche::verification::dispersive_plan_reduction_test

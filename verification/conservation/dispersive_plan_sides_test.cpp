@@ -13,11 +13,9 @@
 #include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_sides_test {
+namespace seiche::verification::dispersive_plan_sides_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
 
@@ -74,7 +72,8 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
       "dispersive_plan_window", "A moving window around a solitary wave",
       "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that holds its "
       "whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. What the cut sends "
-      "out is left behind, for nothing is faster than the wave.");
+      "out is left behind, for nothing is faster than the wave.",
+      source);
   const validation::PlanSolitonRun run{.spacing = 0.5, .tau = 0.2, .time = 60, .rows = 2, .tolerance = 1e-12};
   Flow tank = validation::plan_soliton_flow(run);
   Flow window = window_flow(run);
@@ -100,18 +99,14 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
   auto& figure = check.figure("difference", "A moving window against a long tank",
                               "Largest difference of places and elevations within 15 depths of the crest.");
   figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
-  check.that({.id = "same",
-              .text = "The wave agrees with the long tank.",
-              .quantity = "largest difference of a place or elevation within 15 depths of the crest",
-              .source = source},
+  check.that("same", "The wave agrees with the long tank.",
+             "largest difference of a place or elevation within 15 depths of the crest",
              {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2"},
              Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; places add them up"});
-  check.that({.id = "shifts",
-              .text = "The moving window keeps its distance to the crest.",
-              .quantity = "x of the east side less that of the crest",
-              .source = "interface of the model"},
-             {.value = window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
-             Bound{1.5, "28 and up to one column of 0.5 more or less", 28});
+  check.from("interface of the model")
+      .that("shifts", "The moving window keeps its distance to the crest.", "x of the east side less that of the crest",
+            {window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
+            Bound{1.5, "28 and up to one column of 0.5 more or less", 28});
 }
 
 TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservation]") {
@@ -119,7 +114,8 @@ TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservat
               "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest "
               "was 18 depths before it. When the crest is 15 depths within, the surface within 6 depths "
               "of it is that of the exact wave, to second order; steps of a tenth of a cell. What is "
-              "left elsewhere, most of it beside the side, is shown.");
+              "left elsewhere, most of it beside the side, is shown.",
+              source);
   const std::vector<double> spacings{0.75, 0.5, 0.375, 0.25, 0.1875};
   std::vector<double> wave, side;
   for (const double spacing : spacings) {
@@ -127,11 +123,8 @@ TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservat
     wave.push_back(errors.wave);
     side.push_back(errors.side);
   }
-  check.that({.id = "order",
-              .text = "The wave is of second order.",
-              .quantity = "observed order of the largest error within 6 depths of the crest",
-              .source = source},
-             observed_order(spacings, wave),
+  check.that("order", "The wave is of second order.",
+             "observed order of the largest error within 6 depths of the crest", observed_order(spacings, wave),
              Order{2, 0.3, "second order in h and tau; coarse cells have parts of fourth"});
   auto& figure = check.figure("errors", "A solitary wave through a driven side", "Largest errors of the surface.");
   auto& panel = figure.panel({.x = "h", .y = "error / H", .log_x = true, .log_y = true});
@@ -139,4 +132,4 @@ TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservat
   panel.line("elsewhere", spacings, side, Role::peer);
 }
 
-}  // namespace dispersive_plan_sides_test
+}  // namespace seiche::verification::dispersive_plan_sides_test

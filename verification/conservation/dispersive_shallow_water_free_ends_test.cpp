@@ -10,11 +10,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_shallow_water_free_ends_test {
+namespace seiche::verification::dispersive_shallow_water_free_ends_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 constexpr double half_length = 5;
 constexpr std::size_t cells = 80;
@@ -84,4 +82,4 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
   }
 }
 
-}  // namespace dispersive_shallow_water_free_ends_test
+}  // namespace seiche::verification::dispersive_shallow_water_free_ends_test

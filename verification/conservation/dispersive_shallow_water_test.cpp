@@ -15,12 +15,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace dispersive_shallow_water_test {
+namespace seiche::verification::dispersive_shallow_water_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::LevelBottom;
+using namespace dispersive_shallow_water_1d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 3";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -51,11 +48,11 @@ Defects projected_defects(double tau) {
   const Channel channel = periodic_channel();
   const Markers markers = solitary(channel);
   Model model(channel, markers);
-  seiche::mechanics::State state = model.state_of(markers);
-  seiche::mechanics::Start start(model);
+  mechanics::State state = model.state_of(markers);
+  mechanics::Start start(model);
   start.project(state);
-  seiche::mechanics::OneStep<Model> scheme(model);
-  seiche::mechanics::InvariantsWatch watch(model, state);
+  mechanics::OneStep<Model> scheme(model);
+  mechanics::InvariantsWatch watch(model, state);
   const double energy = model.kinetic_energy(state.q, state.u) + model.potential_energy(state.q);
   const long solves = model.solves();
   const long steps = std::lround(end / tau);
@@ -64,7 +61,7 @@ Defects projected_defects(double tau) {
     start.project(state);
     watch.record(state);
   }
-  const seiche::mechanics::InvariantsLedger& ledger = watch.ledger();
+  const mechanics::InvariantsLedger& ledger = watch.ledger();
   return {.energy = ledger.largest_defect("energy") / energy,
           .momentum = ledger.largest_defect("momentum") / ledger.entry("momentum_x").initial,
           .volume = ledger.largest_defect("volume_worst"),
@@ -100,9 +97,9 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
       "of the volumes makes their error $O(\\tau^3)$. The fully conservative scheme keeps everything to "
       "round-off. The one-step energy is $c\\tau^2 - d\\tau^4$ with $c = 2.3\\times10^{-4}$, $d = 0.011$: at "
       "$\\tau = 0.1$ the second term is a half of the first, so that the ratio 4 under halving of the step is "
-      "seen below $\\tau = 0.05$ only.");
-  check.source(source);
-  seiche::evidence::Table table{
+      "seen below $\\tau = 0.05$ only.",
+      source);
+  evidence::Table table{
       .id = "conservation",
       .title = "Largest defects",
       .caption = "Energy and momentum relative to the wave's, volumes to the cell's and the channel's.",
@@ -156,39 +153,28 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   const Defects c = row("fully conservative", conservative, 0.05);
   const Defects held = row("fully conservative, feedback", conservative_feedback, 0.05);
   check.table(table);
-  check.that({.id = "conservative-energy",
-              .text = "Energy is conserved to round-off (conservative scheme).",
-              .quantity = "largest relative energy defect"},
-             {.value = c.energy, .resolution = "tau = 0.05"},
+  check.that("conservative-energy", "Energy is conserved to round-off (conservative scheme).",
+             "largest relative energy defect", {.value = c.energy, .resolution = "tau = 0.05"},
              Roundoff{static_cast<double>(c.steps), 1, "one rounded energy per step"});
   // Rounding a place between 32 and 60 errs by ulp/sqrt(12) = 2e-15; two markers, 2000 steps: 1.3e-13.
   const std::string volume_reason =
       "places up to 60 are rounded by 2e-15 rms; two of them times the depth in 2000 steps walk 1.3e-13, and the "
       "largest of 246 cells at all times goes to five of it";
-  check.that({.id = "conservative-volume",
-              .text = "The volume of every cell is conserved to round-off (conservative scheme).",
-              .quantity = "largest volume defect",
-              .unit = "depth^2"},
-             {.value = c.volume, .resolution = "tau = 0.05"}, Bound{1e-12, volume_reason});
-  check.that({.id = "conservative-feedback-energy",
-              .text = "Energy is conserved to round-off (conservative scheme with feedback).",
-              .quantity = "largest relative energy defect"},
-             {.value = held.energy, .resolution = "tau = 0.05"},
+  check.that("conservative-volume", "The volume of every cell is conserved to round-off (conservative scheme).",
+             "largest volume defect [depth^2]", {.value = c.volume, .resolution = "tau = 0.05"},
+             Bound{1e-12, volume_reason});
+  check.that("conservative-feedback-energy", "Energy is conserved to round-off (conservative scheme with feedback).",
+             "largest relative energy defect", {.value = held.energy, .resolution = "tau = 0.05"},
              Bound{1e-13,
                    "the feedback does the work of lambda, about 0.2 under the wave, on volumes rounded by "
                    "3e-15 in some 20 cells: 1e-14 of the wave's 0.3, which the next rounding returns; ten "
                    "times that"});
-  check.that({.id = "conservative-feedback-volume",
-              .text = "Volumes do not accumulate rounding (conservative scheme with feedback).",
-              .quantity = "largest volume defect",
-              .unit = "depth^2",
-              .source = digits},
-             {.value = held.volume, .resolution = "tau = 0.05"},
-             Roundoff{2, 60, "the places of two markers, up to 60"});
-  check.that({.id = "momentum",
-              .text = "Momentum is conserved to round-off with every scheme.",
-              .quantity = "largest relative momentum defect"},
-             {.value = momentum.value()},
+  check.from(digits).that("conservative-feedback-volume",
+                          "Volumes do not accumulate rounding (conservative scheme with feedback).",
+                          "largest volume defect [depth^2]", {.value = held.volume, .resolution = "tau = 0.05"},
+                          Roundoff{2, 60, "the places of two markers, up to 60"});
+  check.that("momentum", "Momentum is conserved to round-off with every scheme.", "largest relative momentum defect",
+             {momentum.value()},
              Bound{1e-14,
                    "rates up to 0.26 of some 40 markers of mass 0.25 under the wave, each rounded by 3e-17 "
                    "rms in up to 8000 steps, walk 4e-15, beside the wave's momentum of 1.6"});
@@ -230,7 +216,8 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
   Check check(
       "dispersive_solitary_histories", "Dispersive shallow water: histories of energy and volumes",
       "Solitary wave as before, step 0.05. The one-step scheme errs while the wave settles and then no more; with "
-      "feedback its energy does drift, slowly. The fully conservative scheme stays at round-off.");
+      "feedback its energy does drift, slowly. The fully conservative scheme stays at round-off.",
+      source);
   auto& figure = check.figure("histories", "Energy and volumes in time",
                               "Relative defect of the energy, of one-step schemes and of the fully conservative one, "
                               "and of the volume of the worst cell.");
@@ -264,13 +251,11 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
              static_cast<double>(to - from);
     };
     const std::size_t quarter = energy.size() / 4;
-    check.that({.id = "bounded",
-                .text = "The energy error does not drift once the wave has settled (one-step scheme).",
-                .quantity = "mean defect for t > 75 over that for 50 < t < 75",
-                .source = source},
-               {.value = mean(3 * quarter, 4 * quarter) / mean(2 * quarter, 3 * quarter)},
+    check.that("bounded", "The energy error does not drift once the wave has settled (one-step scheme).",
+               "mean defect for t > 75 over that for 50 < t < 75",
+               {mean(3 * quarter, 4 * quarter) / mean(2 * quarter, 3 * quarter)},
                Bound{0.05, "ripples of 3 % from waves shed at the start; the drift with feedback makes it 1.4", 1});
   }
 }
 
-}  // namespace dispersive_shallow_water_test
+}  // namespace seiche::verification::dispersive_shallow_water_test

@@ -17,12 +17,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace dispersive_symmetries_test {
+namespace seiche::verification::dispersive_symmetries_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::LevelBottom;
-using seiche::Worst;
+using namespace dispersive_shallow_water_1d;
 
 Channel periodic_channel() {
   return {.bottom = std::make_shared<LevelBottom>(1.0), .period = 60};
@@ -73,13 +70,13 @@ TEST_CASE("dispersive shallow water returns when its velocities are reversed", "
               "bottom, where the frames do not turn, in a periodic channel and between walls. The fully conservative "
               "one is symmetric over any bottom.");
   const int steps = 1000;
-  using seiche::mechanics::ConservativeStep;
-  using seiche::mechanics::OneStep;
-  using seiche::mechanics::State;
+  using mechanics::ConservativeStep;
+  using mechanics::OneStep;
+  using mechanics::State;
   const auto there_and_back = [&]<class Step>(const Channel& channel, const Markers& markers, Step*) {
     Model model(channel, markers);
     State state = model.state_of(markers);
-    seiche::mechanics::Start(model).project(state);
+    mechanics::Start(model).project(state);
     const State start = state;
     Step scheme(model);
     for (int turn = 0; turn < 2; ++turn) {
@@ -96,7 +93,7 @@ TEST_CASE("dispersive shallow water returns when its velocities are reversed", "
   };
   const Channel periodic = periodic_channel();
   const Channel walls{.bottom = std::make_shared<LevelBottom>(1.0)};
-  const Channel uneven{.bottom = std::make_shared<seiche::CosineBottom>(1.0, 0.2, 2 * std::numbers::pi / 10)};
+  const Channel uneven{.bottom = std::make_shared<CosineBottom>(1.0, 0.2, 2 * std::numbers::pi / 10)};
   OneStep<Model>* const one_step = nullptr;
   ConservativeStep<Model>* const conservative = nullptr;
   returns("periodic", "one-step, periodic", there_and_back(periodic, solitary(periodic), one_step));
@@ -136,4 +133,4 @@ TEST_CASE("dispersive shallow water does not know the level that heights count f
   same("datum-multipliers", "A raised datum adds its height to the multipliers.", multiplier.value(), steps, 60);
 }
 
-}  // namespace dispersive_symmetries_test
+}  // namespace seiche::verification::dispersive_symmetries_test

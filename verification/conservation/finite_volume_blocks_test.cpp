@@ -8,10 +8,8 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_blocks_test {
+namespace seiche::verification::finite_volume_blocks_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
@@ -84,4 +82,4 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
               roundoff(2, "three roundings per cell and stage of discharges and of tau g h^2/2, up to 2 m^3/s a cell"));
 }
 
-}  // namespace finite_volume_blocks_test
+}  // namespace seiche::verification::finite_volume_blocks_test

@@ -4,10 +4,8 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_closed_basin_test {
+namespace seiche::verification::finite_volume_closed_basin_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
@@ -67,4 +65,4 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
   }
 }
 
-}  // namespace finite_volume_closed_basin_test
+}  // namespace seiche::verification::finite_volume_closed_basin_test

@@ -12,10 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace free_body_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::free_body_test {
 
 /// Sheared, turned and bent.
 Point moving(Point r) {
@@ -117,4 +114,4 @@ TEST_CASE("free bodies of particles keep mass, momenta and energy while neighbou
   }
 }
 
-}  // namespace free_body_test
+}  // namespace seiche::verification::free_body_test

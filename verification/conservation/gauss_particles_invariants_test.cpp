@@ -10,14 +10,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_invariants_test {
+namespace seiche::verification::gauss_particles_invariants_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Point;
-using seiche::Worst;
+using namespace gauss_particles;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 
@@ -59,8 +55,7 @@ struct Defects {
 /// A drop of 768 particles; impulse and torque of gravity are booked.
 template <template <class> class Step>
 Defects run(const LatticeAt& lattice, double gravity) {
-  Model model(disc(1, 16),
-              std::make_unique<SplineSpace>(seiche::gauss_particles::Ground{}, lattice, SplineSpace::Settings{}),
+  Model model(disc(1, 16), std::make_unique<SplineSpace>(gauss_particles::Ground{}, lattice, SplineSpace::Settings{}),
               {.gravity = gravity, .penalty = 0});
   State state = model.state(vortical);
   Step<Model> step(model);
@@ -98,10 +93,10 @@ LatticeAt anything() {
 void keeps(Check& check, const std::string& id, const std::string& text, const Defects& d, double fall = 0) {
   const std::string resolution = "768 particles, tau = 1/2048, 1000 steps";
   const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
-    const seiche::evidence::Claim statement{.id = id + "-" + what,
-                                            .text = text + ": " + what + " to round-off.",
-                                            .quantity = "largest defect of the " + what,
-                                            .source = source};
+    const evidence::Claim statement{.id = id + "-" + what,
+                                    .text = text + ": " + what + " to round-off.",
+                                    .quantity = "largest defect of the " + what,
+                                    .source = source};
     check.that(statement, {.value = value, .resolution = resolution},
                Roundoff{steps, scale, "one rounded velocity per step; scale: " + reason});
   };
@@ -209,4 +204,4 @@ TEST_CASE("water between two separate walls keeps its momentum along them", "[co
   }
 }
 
-}  // namespace gauss_particles_invariants_test
+}  // namespace seiche::verification::gauss_particles_invariants_test

@@ -12,13 +12,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_spaces_test {
+namespace seiche::verification::gauss_particles_spaces_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Point;
-using seiche::Worst;
+using namespace gauss_particles;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, proposition 4";
 
@@ -124,7 +121,7 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
       "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
       "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over that "
       "prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
-  const seiche::exact::StretchingDrop drop(1, 1, 1);
+  const exact::StretchingDrop drop(1, 1, 1);
   constexpr int intervals = 400;
   double integral = 0;
   for (int k = 0; k <= intervals; ++k) {
@@ -154,7 +151,8 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
   Check check(
       "gauss_particles_spray", "Free particles: spray",
       "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could continue the "
-      "fields: these move on their parabolas, to round-off, and the drop does not know of them.");
+      "fields: these move on their parabolas, to round-off, and the drop does not know of them.",
+      source);
   Particles particles = disc(1, 12);
   const std::size_t drop = particles.size();
   for (const double place : {4.0, 4.05, 4.1}) particles.add(place, 4, 0.001);
@@ -172,16 +170,10 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
     worst.add(state.q[model.size() + k] - particles.y[k] - (flies ? 1 : 0) + 0.5);
   }
   const std::string resolution = "432 particles and 3, 64 steps";
-  check.that({.id = "spray",
-              .text = "Spray particles move on their exact parabolas.",
-              .quantity = "largest distance along an axis from the exact place",
-              .source = source},
-             {.value = spray.value(), .resolution = resolution},
+  check.that("spray", "Spray particles move on their exact parabolas.",
+             "largest distance along an axis from the exact place", {.value = spray.value(), .resolution = resolution},
              Roundoff{count, 5, "one rounding of places up to 5 per step"});
-  check.that({.id = "drop",
-              .text = "The drop falls as a whole.",
-              .quantity = "largest distance along an axis from the exact place",
-              .source = source},
+  check.that("drop", "The drop falls as a whole.", "largest distance along an axis from the exact place",
              {.value = fallen.value(), .resolution = resolution},
              Roundoff{count * count, 1,
                       "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
@@ -190,7 +182,8 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
 TEST_CASE("markers among free particles are never reflected", "[conservation]") {
   Check check("gauss_particles_markers", "Free particles: markers ride on the field",
               "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "
-              "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.");
+              "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.",
+              source);
   Particles particles = disc(1, 4);
   particles.add(0.3, -0.2, 0);
   const std::size_t marker = particles.size() - 1;
@@ -202,12 +195,9 @@ TEST_CASE("markers among free particles are never reflected", "[conservation]") 
   state.u[count + marker] = own.y;
   OneStep<Model> step(model);
   step.step(state, tau);
-  check.that({.id = "velocity",
-              .text = "The marker has the velocity of the water.",
-              .quantity = "distance of the velocities",
-              .source = source},
-             {.value = std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
+  check.that("velocity", "The marker has the velocity of the water.", "distance of the velocities",
+             {std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
              Roundoff{100, 1, "a projection of 48 particles onto five fields"});
 }
 
-}  // namespace gauss_particles_spaces_test
+}  // namespace seiche::verification::gauss_particles_spaces_test

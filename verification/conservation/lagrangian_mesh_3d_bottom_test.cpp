@@ -8,12 +8,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace lagrangian_mesh_3d_bottom_test {
+namespace seiche::verification::lagrangian_mesh_3d_bottom_test {
 
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace lagrangian_mesh_3d;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.1";
 constexpr double duration = 6;
@@ -58,7 +56,8 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
       "A hump of a tenth of the depth spreads over a bottom bent along both axes, 1 to 0.5 deep, between three walls "
       "along the axes and an oblique one, 12 x 8 x 3 cells, until t = 6. A node on the bottom is one more constraint: "
       "the conservative scheme takes mean gradients of it too, the one-step scheme keeps it within the square of the "
-      "step.");
+      "step.",
+      source);
   const Defects kept = defects({.stepping = Stepping::conservative}, 0.1);
   const auto roundoff = [&](const std::string& id, const std::string& text, double value, double operations,
                             double scale, const std::string& reason) {
@@ -85,12 +84,10 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
     bottoms.push_back(d.bottom);
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
-    check.that({.id = "order-" + id, .text = text, .quantity = "observed order", .source = source},
-               observed_order(taus, errors),
-               Order{.theory = 2,
-                     .tolerance = 0.3,
-                     .reason = "a symmetric scheme of second order; the maximum over time is not a "
-                               "smooth function of the step"});
+    check.that("order-" + id, text, "observed order", observed_order(taus, errors),
+               Order{2, 0.3,
+                     "a symmetric scheme of second order; the maximum over time is not a "
+                     "smooth function of the step"});
   };
   order("energy", "The largest energy error is second-order in the step (one-step scheme).", energies);
   order("volume", "The largest error of a volume is second-order in the step (one-step scheme).", volumes);
@@ -101,7 +98,8 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
 TEST_CASE("hexahedra over an uneven bottom return when their velocities are reversed", "[conservation]") {
   Check check("lagrangian_mesh_3d_bottom_reversible", "Hexahedra over an uneven bottom: time reversal",
               "The hump over the uneven bottom, 60 steps of 0.1: velocities reversed, the same steps, velocities "
-              "reversed. Pressures to round-off, so that nothing depends on tolerances.");
+              "reversed. Pressures to round-off, so that nothing depends on tolerances.",
+              source);
   HexahedralProblem problem(hump_over_bottom(), {}, {.tolerance = 1e-15});
   State state = problem.start;
   for (int turn = 0; turn < 2; ++turn) {
@@ -109,12 +107,10 @@ TEST_CASE("hexahedra over an uneven bottom return when their velocities are reve
     for (int n = 0; n < 60; ++n) stepper.step(state, 0.1);
     for (double& u : state.u) u = -u;
   }
-  check.that({.id = "returns",
-              .text = "The reversed run returns to its start to round-off.",
-              .quantity = "largest difference of a coordinate or a velocity",
-              .source = source},
+  check.that("returns", "The reversed run returns to its start to round-off.",
+             "largest difference of a coordinate or a velocity",
              {.value = largest_difference(state, problem.start), .resolution = "60 steps each way"},
              Roundoff{120, 6, "each place, up to 6 depths, rounded once in a step; what is added to it is small"});
 }
 
-}  // namespace lagrangian_mesh_3d_bottom_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_bottom_test

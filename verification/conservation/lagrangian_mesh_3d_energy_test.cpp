@@ -8,11 +8,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace lagrangian_mesh_3d_energy_test {
+namespace seiche::verification::lagrangian_mesh_3d_energy_test {
 
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_3d;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.1";
 
@@ -42,7 +41,7 @@ TEST_CASE("a hump in a box of hexahedra keeps energy and volumes with the conser
       "exactly: the fully conservative scheme keeps energy and volumes to round-off.");
   const double tau = 0.1;
   const double time = 10;
-  const auto keeps = [&](const std::string& id, const Defects& d, const seiche::evidence::Criterion& energy) {
+  const auto keeps = [&](const std::string& id, const Defects& d, const evidence::Criterion& energy) {
     check.holds("Energy is conserved to round-off (conservative scheme, " + id + " solver).", {d.energy}, energy);
     check.holds(
         "Energy is conserved to round-off (conservative scheme, " + id + " solver: every cell's volume to round-off.",
@@ -60,7 +59,8 @@ TEST_CASE("energy and volumes of the one-step scheme on hexahedra err by the squ
   Check check(
       "lagrangian_mesh_3d_energy_order", "Sloshing in three dimensions: order of the one-step scheme",
       "The hump in the box, one-step scheme, t = 20: largest defects so far of the energy and of a volume. Both "
-      "are bounded and shrink with $\\tau^2$.");
+      "are bounded and shrink with $\\tau^2$.",
+      source);
   std::vector<double> taus{0.4, 0.2, 0.1, 0.05};
   std::vector<double> energies;
   std::vector<double> volumes;
@@ -70,11 +70,10 @@ TEST_CASE("energy and volumes of the one-step scheme on hexahedra err by the squ
     volumes.push_back(d.volume);
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = source}, observed_order(taus, errors),
-               Order{.theory = 2,
-                     .tolerance = 0.3,
-                     .reason = "a symmetric scheme of second order; the "
-                               "maximum over time is not a smooth function of the step"});
+    check.that(id, text, "observed order", observed_order(taus, errors),
+               Order{2, 0.3,
+                     "a symmetric scheme of second order; the "
+                     "maximum over time is not a smooth function of the step"});
   };
   order("energy", "The largest energy defect is of second order.", energies);
   order("volume", "The largest defect of a volume is of second order.", volumes);
@@ -84,7 +83,8 @@ TEST_CASE("a hexahedral mesh returns when its velocities are reversed", "[conser
   Check check(
       "lagrangian_mesh_3d_reversible", "Hexahedral mesh: time reversal",
       "The hump in the box, 100 steps of 0.1: velocities reversed, the same steps, velocities reversed. Pressures "
-      "to round-off, so that nothing depends on tolerances.");
+      "to round-off, so that nothing depends on tolerances.",
+      source);
   HexahedralProblem problem(hump_in_box(), {}, {.tolerance = 1e-15});
   State state = problem.start;
   for (int turn = 0; turn < 2; ++turn) {
@@ -92,12 +92,9 @@ TEST_CASE("a hexahedral mesh returns when its velocities are reversed", "[conser
     for (int n = 0; n < 100; ++n) stepper.step(state, 0.1);
     for (double& u : state.u) u = -u;
   }
-  check.that({.id = "returns",
-              .text = "The reversed run returns to its start.",
-              .quantity = "largest difference of a coordinate or a velocity",
-              .source = source},
+  check.that("returns", "The reversed run returns to its start.", "largest difference of a coordinate or a velocity",
              {.value = largest_difference(state, problem.start), .resolution = "100 steps each way"},
              Roundoff{200, 10, "each place, up to 10 depths, rounded once in a step; what is added to it is small"});
 }
 
-}  // namespace lagrangian_mesh_3d_energy_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_energy_test

@@ -10,12 +10,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace lagrangian_mesh_3d_invariants_test {
+namespace seiche::verification::lagrangian_mesh_3d_invariants_test {
 
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::worst;
+using namespace lagrangian_mesh_3d;
+using namespace mechanics;
 
 constexpr double tau = 0.01;
 constexpr int steps = 100;
@@ -87,4 +85,4 @@ TEST_CASE("water that no side holds keeps its horizontal momenta to round-off", 
   }
 }
 
-}  // namespace lagrangian_mesh_3d_invariants_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_invariants_test

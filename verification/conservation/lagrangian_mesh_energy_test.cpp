@@ -9,11 +9,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_energy_test {
+namespace seiche::verification::lagrangian_mesh_energy_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 2";
 
@@ -92,7 +91,8 @@ TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme u
       "lagrangian_mesh_bounded_energy", "Sloshing on a Lagrangian mesh: the one-step scheme's bounded errors",
       "The same basins with the one-step scheme. The potential is cubic: the energy errs by O(tau^2), as do the "
       "areas. Neither drifts: with the hourglass potential, which keeps the mesh from folding, the errors up to "
-      "t = 400 are those of the first few periods.");
+      "t = 400 are those of the first few periods.",
+      source);
   auto& figure = check.figure("bounded", "Errors of energy and areas", "Largest up to t = 8 against the step.");
   auto& energy_panel = figure.panel({.x = "tau", .y = "energy defect / wave energy", .log_x = true, .log_y = true});
   auto& area_panel = figure.panel({.x = "tau", .y = "area defect / mean area", .log_x = true, .log_y = true});
@@ -106,11 +106,8 @@ TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme u
       area.push_back(d.area);
     }
     const auto second_order = [&](const std::string& what, const std::vector<double>& error) {
-      check.that({.id = basin.id + "-" + what,
-                  .text = "The error of the " + what + " is O(tau^2): " + basin.text + ".",
-                  .quantity = "order of the largest " + what + " defect",
-                  .source = source},
-                 observed_order(tau, error),
+      check.that(basin.id + "-" + what, "The error of the " + what + " is O(tau^2): " + basin.text + ".",
+                 "order of the largest " + what + " defect", observed_order(tau, error),
                  Order{2, 0.01,
                        "a symmetric scheme errs in even powers of the step: the next term is (2 omega tau)^2 = 0.01 of "
                        "the first at the largest step, squares of a wave of omega = 0.5 oscillating twice as fast"});
@@ -132,4 +129,4 @@ TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme u
   bounded("area", late.area / early.area);
 }
 
-}  // namespace lagrangian_mesh_energy_test
+}  // namespace seiche::verification::lagrangian_mesh_energy_test

@@ -10,13 +10,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_invariants_test {
+namespace seiche::verification::lagrangian_mesh_invariants_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::worst;
-using seiche::lagrangian_mesh_2d::Model;
+using namespace mechanics;
+using lagrangian_mesh_2d::Model;
 
 const std::string digits = "regression: computed once by an earlier program for the same equations";
 
@@ -64,18 +61,14 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
                              "of the sum"};
   Roundoff energy = initial;
   energy.expected = 0.884486280096849;
-  check.that({.id = "initial-energy",
-              .text = "Kinetic energy of the projected velocity.",
-              .quantity = "energy",
-              .source = digits + " to 15 digits"},
-             {.value = patch.kinetic_energy(start.q, start.u)}, energy);
+  check.from(digits + " to 15 digits")
+      .that("initial-energy", "Kinetic energy of the projected velocity.", "energy",
+            {patch.kinetic_energy(start.q, start.u)}, energy);
   Roundoff angular = initial;
   angular.expected = 1.47566381695791;
-  check.that({.id = "initial-angular-momentum",
-              .text = "Angular momentum of the projected velocity.",
-              .quantity = "angular momentum",
-              .source = digits + " to 15 digits"},
-             {.value = patch.angular_momentum(start.q, start.u)[0]}, angular);
+  check.from(digits + " to 15 digits")
+      .that("initial-angular-momentum", "Angular momentum of the projected velocity.", "angular momentum",
+            {patch.angular_momentum(start.q, start.u)[0]}, angular);
   const auto keeps = [&](const std::string& id, const std::string& text, double value, int steps) {
     check.holds(id + ": " + text, {value},
                 Roundoff{2 * coordinates + 10 * steps / coordinates, 1,
@@ -103,12 +96,9 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
                 "The modified area V_s(r) - (tau^2/4) V_s(u) is conserved to round-off (one-step scheme).",
                 d.modified_area, c.steps);
     if (c.steps == 1000) {
-      check.that({.id = "area",
-                  .text = "The area error of the one-step scheme, O(tau^2), has the two digits expected.",
-                  .quantity = "largest change of a cell's area",
-                  .source = digits},
-                 {.value = d.area, .resolution = c.resolution},
-                 Bound{0.05e-9, "half a unit of the last of two digits", 5.3e-9});
+      check.from(digits).that("area", "The area error of the one-step scheme, O(tau^2), has the two digits expected.",
+                              "largest change of a cell's area", {.value = d.area, .resolution = c.resolution},
+                              Bound{0.05e-9, "half a unit of the last of two digits", 5.3e-9});
     }
   }
   const Drift implicit = drift(Integrator::conservative, 0.02, 50);
@@ -118,4 +108,4 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
         worst(std::array{implicit.momentum, implicit.angular_momentum}), 50);
 }
 
-}  // namespace lagrangian_mesh_invariants_test
+}  // namespace seiche::verification::lagrangian_mesh_invariants_test

@@ -14,14 +14,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_loose_multipliers_test {
+namespace seiche::verification::lagrangian_mesh_loose_multipliers_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Point;
-using seiche::Worst;
-using seiche::worst;
+using namespace lagrangian_mesh_2d;
+using namespace mechanics;
 
 /// Every multiplier is wrong by a random fraction between -e and e.
 class LooseModel : public Model {
@@ -55,7 +51,7 @@ Defects defects(Some& model, State state) {
   InvariantsWatch watch(model, state);
   const auto energy = [&] { return model.kinetic_energy(state.q, state.u); };
   const double first = energy();
-  seiche::CompensatedSum work;
+  CompensatedSum work;
   Defects result{.kinetic = first};
   Worst unexplained;
   std::vector<double> residual(model.constraints());
@@ -83,7 +79,7 @@ TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy chang
       "$\\tau\\lambda\\cdot(J\\tilde u)$, the pressures' work on what is left of the areas' rates. A patch with "
       "multipliers wrong by random fractions, and a layer without gravity whose multipliers conjugate "
       "gradients find to a tolerance.");
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "loose",
       .title = "1000 steps of 1e-3",
       .caption = "Largest defects.",
@@ -102,7 +98,7 @@ TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy chang
     check.holds(id + "-momentum: Momenta of the patch are exact for any multipliers.", {d.momentum}, rounding(1.5));
   }
   for (const double tolerance : {1e-13, 1e-10, 1e-6}) {
-    const Settings settings{.gravity = 0, .solver = seiche::linear::SolverMethod::iterative, .tolerance = tolerance};
+    const Settings settings{.gravity = 0, .solver = linear::SolverMethod::iterative, .tolerance = tolerance};
     const auto velocity = [](Point r) { return Point{0.3 * std::sin(std::numbers::pi * r.x / 3), 0.1 * r.y}; };
     MeshProblem problem(layer_mesh({.begin = 0, .end = 6, .columns = 16, .rows = 4, .elevation = cosine_elevation}),
                         velocity, settings);
@@ -114,4 +110,4 @@ TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy chang
   check.table(table);
 }
 
-}  // namespace lagrangian_mesh_loose_multipliers_test
+}  // namespace seiche::verification::lagrangian_mesh_loose_multipliers_test

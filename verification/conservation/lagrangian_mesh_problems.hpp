@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {

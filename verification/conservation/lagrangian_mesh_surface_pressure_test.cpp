@@ -14,11 +14,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_surface_pressure_test {
+namespace seiche::verification::lagrangian_mesh_surface_pressure_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace lagrangian_mesh_2d;
 
 struct Named {
   std::string id, text;
@@ -119,7 +117,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
   constexpr double tau = 0.1;
   constexpr long steps = 400;
   constexpr double h = length / columns;
-  const double omega = seiche::exact::LagrangianMeshDispersion(1, 1, h, rows).frequency(k);
+  const double omega = exact::LagrangianMeshDispersion(1, 1, h, rows).frequency(k);
   for (const auto& [name, sigma] : {std::pair{"fast", 1.3}, std::pair{"slow", 0.05}}) {
     const DrivenMode mode{omega, sigma, pressure * 3 * std::cos(k * h / 2) / (2 + std::cos(k * h))};
     auto& panel = check
@@ -166,4 +164,4 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
   }
 }
 
-}  // namespace lagrangian_mesh_surface_pressure_test
+}  // namespace seiche::verification::lagrangian_mesh_surface_pressure_test

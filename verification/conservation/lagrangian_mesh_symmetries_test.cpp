@@ -7,10 +7,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_symmetries_test {
+namespace seiche::verification::lagrangian_mesh_symmetries_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace mechanics;
 
 struct Run {
   double tau;
@@ -45,4 +44,4 @@ TEST_CASE("a Lagrangian mesh returns when its velocities are reversed", "[conser
   }
 }
 
-}  // namespace lagrangian_mesh_symmetries_test
+}  // namespace seiche::verification::lagrangian_mesh_symmetries_test

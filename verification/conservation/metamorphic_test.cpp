@@ -32,11 +32,9 @@
 #include "verification/noise.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace metamorphic_test {
+namespace seiche::verification::metamorphic_test {
 
-using namespace seiche;
 using mechanics::Stepping;
-using namespace seiche::verification;
 
 constexpr int steps = 24;
 
@@ -810,4 +808,4 @@ TEST_CASE("flows do not know mirrors, directions, units, places, frames and the 
   }
 }
 
-}  // namespace metamorphic_test
+}  // namespace seiche::verification::metamorphic_test

@@ -9,10 +9,9 @@
 #include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
 
-namespace particles_open_section_test {
+namespace seiche::verification::particles_open_section_test {
 
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
   Open open;
@@ -25,8 +24,9 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
   Check check("particles_steady_bump", "Steady flow over a bump between open sections",
               "Particles enter at x = 0 with a given discharge, cross the bump and leave at x = 25 against a given "
               "depth: no particle stays, yet the exact steady flow must stay. Mass and momentum that pass the sections "
-              "are booked, and the error of the depth after 40 s falls with the square of the particle width.");
-  const seiche::exact::SteadyBump exact(9.81, 4.42, 2);
+              "are booked, and the error of the depth after 40 s falls with the square of the particle width.",
+              "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269");
+  const exact::SteadyBump exact(9.81, 4.42, 2);
   Convergence errors;
   for (const std::size_t count : {std::size_t{25}, std::size_t{50}, std::size_t{100}, std::size_t{200}}) {
     const Particles start = particles_from_profile(
@@ -52,11 +52,7 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
                          "numbers are rounded once, as large as the impulse at a section, for sums are "
                          "compensated; and every step rounds the momentum of each particle"});
   }
-  check.that({.id = "order",
-              .text = "The depth over the bump converges at second order.",
-              .quantity = "order of L1(h)",
-              .source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269"},
-             errors.order(),
+  check.that("order", "The depth over the bump converges at second order.", "order of L1(h)", errors.order(),
              Order{2, 0.5,
                    "the ends of the bump have a kink in z', where the limited slopes are of first order over a "
                    "region that shrinks with the width"});
@@ -65,4 +61,4 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
   panel.points("particles", errors.sizes, errors.errors);
 }
 
-}  // namespace particles_open_section_test
+}  // namespace seiche::verification::particles_open_section_test

@@ -10,11 +10,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace particles_stretches_test {
+namespace seiche::verification::particles_stretches_test {
 
-using namespace seiche;
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr long steps = 6;
 
@@ -82,4 +80,4 @@ TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[cons
               {static_cast<double>(still.largest_step().particle)}, Bound{0, "a number of a particle", narrowest});
 }
 
-}  // namespace particles_stretches_test
+}  // namespace seiche::verification::particles_stretches_test

@@ -12,12 +12,10 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace variable_mass_test {
+namespace seiche::verification::variable_mass_test {
 
-using namespace seiche;
-using namespace seiche::free_lagrangian;
-using namespace seiche::variable_mass;
-using namespace seiche::verification;
+using namespace free_lagrangian;
+using namespace variable_mass;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.3";
 
@@ -46,7 +44,8 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
   Check check(
       "variable_mass_exchanges", "Finite exchanges of mass are neutral",
       "64 bodies of masses between 1 and 3 and random velocities hand one another masses, up to a tenth of their "
-      "own, in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.");
+      "own, in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.",
+      source);
   Noise noise(7);
   constexpr std::size_t n = 64;
   constexpr int rounds = 1000;
@@ -99,11 +98,8 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
   keeps("momentum-x", "Momentum along x is conserved by the exchanges to round-off.", last[1] - first[1], 10);
   keeps("momentum-y", "Momentum along y is conserved by the exchanges to round-off.", last[2] - first[2], 10);
   keeps("energy", "Kinetic energy is conserved by the exchanges to round-off.", last[3] - first[3], 5);
-  check.that({.id = "finite",
-              .text = "The largest change of a mass in a round exceeds a tenth.",
-              .quantity = "largest change of a mass in a round, relative",
-              .source = source},
-             {.value = std::abs(handed_on.value()) > 0.1 ? 1.0 : 0.0},
+  check.that("finite", "The largest change of a mass in a round exceeds a tenth.",
+             "largest change of a mass in a round, relative", {std::abs(handed_on.value()) > 0.1 ? 1.0 : 0.0},
              Qualitative{"more than a tenth", "neutrality to first order in small exchanges would not be enough"});
 }
 
@@ -164,7 +160,8 @@ TEST_CASE("energy under gravity and the drift of areas are of second order in th
       "variable_mass_drift", "What variable masses keep to second order only",
       "Water in a box that sloshes under gravity until t = 1, 12 x 4 cells, stabilisation 0.01: kinetic and "
       "potential energy with what the stabilisation took, and the largest A_i - m_i/rho without it. Steps halved "
-      "four times, for nodes mapped with the surface and for nodes at fixed x.");
+      "four times, for nodes mapped with the surface and for nodes at fixed x.",
+      source);
   const Order second{2, 0.2, "the geometry of a step is that of its middle: second order"};
   for (const auto& [id, control] : {std::pair{std::string("mapped"), Control{ControlKind::mapped, 1, 1}},
                                     {std::string("fixed-x"), Control{ControlKind::fixed_x, 1, 1}}}) {
@@ -181,17 +178,11 @@ TEST_CASE("energy under gravity and the drift of areas are of second order in th
       plain.advance_to(1, 1.0 / n);
       drifts.push_back(plain.largest_drift());
     }
-    check.that({.id = id + "-energy",
-                .text = "Energy under gravity, with what was booked: order 2.",
-                .quantity = "order of the energy's defect",
-                .source = source},
+    check.that(id + "-energy", "Energy under gravity, with what was booked: order 2.", "order of the energy's defect",
                observed_order(steps, energies), second);
-    check.that({.id = id + "-areas",
-                .text = "Areas of the masses: order 2.",
-                .quantity = "order of the largest A_i - m_i/rho",
-                .source = source},
+    check.that(id + "-areas", "Areas of the masses: order 2.", "order of the largest A_i - m_i/rho",
                observed_order(steps, drifts), second);
   }
 }
 
-}  // namespace variable_mass_test
+}  // namespace seiche::verification::variable_mass_test

@@ -10,12 +10,9 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_density_diffusion_test {
+namespace seiche::verification::wcsph_density_diffusion_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 
@@ -85,4 +82,4 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
   }
 }
 
-}  // namespace wcsph_density_diffusion_test
+}  // namespace seiche::verification::wcsph_density_diffusion_test

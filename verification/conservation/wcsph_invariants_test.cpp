@@ -10,10 +10,9 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_invariants_test {
+namespace seiche::verification::wcsph_invariants_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 const std::string source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703: antisymmetry of the pair forces";
 
@@ -73,7 +72,8 @@ TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conserv
   Check check("wcsph_smoothed_motion", "Smoothed motion",
               "The displacement (6) pulls particles towards the mean velocity of their neighbours: it moves no mass, "
               "$\\sum m\\,\\dot r = \\sum m\\,u$, and by its sign it brings particles together in velocity, "
-              "$\\sum m\\,\\dot r\\cdot u < \\sum m\\,u\\cdot u$.");
+              "$\\sum m\\,\\dot r\\cdot u < \\sum m\\,u\\cdot u$.",
+              source);
   const Particles blob = random_blob(0.05, 1000, 1);
   Flow flow(blob, 0.05, {.gravity = 0, .sound_speed = 20, .viscosity = Inviscid{}, .xsph = 0.5});
   const Rates rates = flow.rates();
@@ -88,19 +88,14 @@ TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conserv
     smoothed += p.mass[a] * (rates.dx[a] * p.u[a] + rates.dz[a] * p.w[a]);
     square += p.mass[a] * (p.u[a] * p.u[a] + p.w[a] * p.w[a]);
   }
-  check.that({.id = "centre",
-              .text = "Smoothing the motion does not move the centre of mass.",
-              .quantity = "sum m (dr/dt - u) over its absolute sum",
-              .source = source},
-             {.value = drift / scale},
+  check.that("centre", "Smoothing the motion does not move the centre of mass.",
+             "sum m (dr/dt - u) over its absolute sum", {drift / scale},
              Roundoff{20.0 + 1250, 0.05,
                       "20 pairs per particle, and a sum of 1250 terms, of relative size 1/sqrt(1250) each"});
-  check.that({.id = "direction",
-              .text = "Smoothing draws particles towards the motion of their neighbours.",
-              .quantity = "sum m dr/dt . u below sum m u . u",
-              .source = "Monaghan, J. Comput. Phys. 82 (1989) 1"},
-             {.value = smoothed < square ? 1.0 : 0.0},
-             Qualitative{"sum m dr/dt . u < sum m u . u", "the weights are positive: each pair contributes -|u_ab|^2"});
+  check.from("Monaghan, J. Comput. Phys. 82 (1989) 1")
+      .that("direction", "Smoothing draws particles towards the motion of their neighbours.",
+            "sum m dr/dt . u below sum m u . u", {smoothed < square ? 1.0 : 0.0},
+            Qualitative{"sum m dr/dt . u < sum m u . u", "the weights are positive: each pair contributes -|u_ab|^2"});
 }
 
 TEST_CASE("energy and angular momentum are conserved to the order of the steps", "[conservation]") {
@@ -129,25 +124,21 @@ TEST_CASE("energy and angular momentum are conserved to the order of the steps",
   panel.points("energy", steps, energy);
   panel.points("angular momentum", steps, turning, Role::peer);
   const std::string order_source = "explicit midpoint rule: a quadratic invariant drifts by dt^4 per step";
-  check.that(
-      {.id = "energy-order",
-       .text = "Energy drifts with the third order of the step.",
-       .quantity = "order of the energy drift",
-       .source = order_source},
-      observed_order(steps, energy),
-      Order{3, 0.3,
-            "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the energy "
-            "is not quadratic, so that a second-order part shows below a quarter of it"});
-  check.that({.id = "angular-momentum-order",
-              .text = "Angular momentum drifts with the second order of the step.",
-              .quantity = "order of the drift",
-              .source = order_source},
-             observed_order(steps, turning),
-             Order{2, 0.25, "order of the midpoint rule; a third-order share at the longest steps"});
-  seiche::evidence::Table table{.id = "drifts",
-                                .title = "Drifts",
-                                .caption = "Relative change until t = 0.2.",
-                                .columns = {{"dt", "s"}, {"energy", "1"}, {"angular momentum", "1"}}};
+  check.from(order_source)
+      .that(
+          "energy-order", "Energy drifts with the third order of the step.", "order of the energy drift",
+          observed_order(steps, energy),
+          Order{3, 0.3,
+                "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the energy "
+                "is not quadratic, so that a second-order part shows below a quarter of it"});
+  check.from(order_source)
+      .that("angular-momentum-order", "Angular momentum drifts with the second order of the step.",
+            "order of the drift", observed_order(steps, turning),
+            Order{2, 0.25, "order of the midpoint rule; a third-order share at the longest steps"});
+  evidence::Table table{.id = "drifts",
+                        .title = "Drifts",
+                        .caption = "Relative change until t = 0.2.",
+                        .columns = {{"dt", "s"}, {"energy", "1"}, {"angular momentum", "1"}}};
   for (std::size_t k = 0; k < steps.size(); ++k) table.rows.push_back({steps[k], energy[k], turning[k]});
   check.table(std::move(table));
 }
@@ -155,7 +146,8 @@ TEST_CASE("energy and angular momentum are conserved to the order of the steps",
 TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
   Check check("wcsph_symmetric_patch", "Angular momentum of a symmetric patch",
               "The stretching disc on a lattice that is symmetric about both axes: angular momentum stays at rounding "
-              "although steps are explicit.");
+              "although steps are explicit.",
+              "symmetry");
   Particles patch = disc(0.05, 1);
   for (std::size_t a = 0; a < patch.size(); ++a) {
     patch.u[a] = -patch.x[a];
@@ -164,14 +156,11 @@ TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
   Flow flow(patch, 0.05, {.gravity = 0, .density = 1, .sound_speed = 14, .viscosity = Inviscid{}, .xsph = 0.5});
   flow.advance_to(0.5);
   const Totals end = flow.totals();
-  check.that({.id = "turning",
-              .text = "A symmetric patch does not turn.",
-              .quantity = "angular momentum/sum m |u| R",
-              .source = "symmetry"},
-             {.value = end.angular_momentum / end.absolute_momentum},
+  check.that("turning", "A symmetric patch does not turn.", "angular momentum/sum m |u| R",
+             {end.angular_momentum / end.absolute_momentum},
              Roundoff{static_cast<double>(flow.steps()) * 4 / 1257, 1,
                       "independent rounding of 1257 velocities, 4 times per step"});
   CHECK(std::hypot(end.momentum[0], end.momentum[1]) / end.absolute_momentum < 1e-15);
 }
 
-}  // namespace wcsph_invariants_test
+}  // namespace seiche::verification::wcsph_invariants_test

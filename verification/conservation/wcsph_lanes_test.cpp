@@ -18,12 +18,9 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_lanes_test {
+namespace seiche::verification::wcsph_lanes_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 
@@ -293,4 +290,4 @@ TEST_CASE("every width of registers shifts particles as sums over all pairs do",
   }
 }
 
-}  // namespace wcsph_lanes_test
+}  // namespace seiche::verification::wcsph_lanes_test

@@ -11,11 +11,9 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_rates_test {
+namespace seiche::verification::wcsph_rates_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 
@@ -67,15 +65,15 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
                                   {"artificial", "artificial viscosity", ArtificialViscosity{0.3}},
                                   {"laminar", "laminar viscosity", LaminarSps{0.01, 0, 0}},
                                   {"sps", "laminar and sub-particle-scale stress", LaminarSps{0.01, 0.12, 0.0066}}};
-  seiche::evidence::Table table{.id = "differences",
-                                .title = "Largest difference over the largest rate",
-                                .caption = "Motion, acceleration, density.",
-                                .columns = {{"particles", ""},
-                                            {"kernel", ""},
-                                            {"viscosity", ""},
-                                            {"motion", "1"},
-                                            {"acceleration", "1"},
-                                            {"density", "1"}}};
+  evidence::Table table{.id = "differences",
+                        .title = "Largest difference over the largest rate",
+                        .caption = "Motion, acceleration, density.",
+                        .columns = {{"particles", ""},
+                                    {"kernel", ""},
+                                    {"viscosity", ""},
+                                    {"motion", "1"},
+                                    {"acceleration", "1"},
+                                    {"density", "1"}}};
   for (const Setup& setup : setups) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       for (const Model& model : models) {
@@ -140,21 +138,17 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
 TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") {
   Check check("wcsph_step_rule", "Length of the step",
               "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest "
-              "$|h_{ab}\\,u_{ab}\\cdot r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.");
+              "$|h_{ab}\\,u_{ab}\\cdot r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.",
+              "Monaghan, J. Comput. Phys. 110 (1994) 399");
   const double side = 16 * spacing;
   Flow flow(noisy_square(16, spacing), spacing,
             {.sound_speed = 20, .viscosity = ArtificialViscosity{0.1}, .period = {side, side}});
   const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
-  check.that({.id = "step",
-              .text = "The first step has the length of the rule.",
-              .quantity = "dt",
-              .unit = "s",
-              .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
-             {.value = flow.advance()},
+  check.that("step", "The first step has the length of the rule.", "dt [s]", {flow.advance()},
              Roundoff{40, expected,
                       "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, "
                       "and that of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
                       expected});
 }
 
-}  // namespace wcsph_rates_test
+}  // namespace seiche::verification::wcsph_rates_test

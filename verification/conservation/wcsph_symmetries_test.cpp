@@ -17,13 +17,9 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_symmetries_test {
+namespace seiche::verification::wcsph_symmetries_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::largest;
-using seiche::Worst;
-using seiche::worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 constexpr std::size_t side = 12;
@@ -108,7 +104,8 @@ TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[c
       "wcsph_carried_tank", "Tank carried at a uniform velocity",
       "Water settling in a tank, 50 steps: with all walls carried by a paddle at 2 m/s and the water at the same "
       "velocity, against walls that stand. Wall particles must be where their motion has them at every stage of a "
-      "step.");
+      "step.",
+      "Galilean invariance");
   const Settings settings{.sound_speed = 20, .viscosity = ArtificialViscosity{0.1}};
   const Scene still =
       tank({.width = 12 * spacing, .depth = 6 * spacing, .spacing = spacing, .hydrostatic = false}, settings);
@@ -133,25 +130,21 @@ TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[c
   const Result moving = after(Flow(carried, spacing, settings, {cart}), 50, step, velocity);
   const double fastest = largest(standing.w);
   CHECK(fastest > 0.01);
-  check.that({.id = "velocity",
-              .text = "Velocities relative to the tank agree with a standing tank.",
-              .quantity = "largest difference over the sound speed",
-              .source = "Galilean invariance"},
-             {.value = worst(std::array{largest_difference(standing.u, moving.u, 1e9),
-                                        largest_difference(standing.w, moving.w, 1e9)}) /
-                       settings.sound_speed},
-             steps_of_two_runs);
-  check.that({.id = "density",
-              .text = "Densities, of walls too, agree with a standing tank.",
-              .quantity = "largest difference over rho_0",
-              .source = "Galilean invariance"},
-             {.value = largest_difference(standing.density, moving.density, 1e9) / 1000}, steps_of_two_runs);
+  check.that(
+      "velocity", "Velocities relative to the tank agree with a standing tank.",
+      "largest difference over the sound speed",
+      {worst(std::array{largest_difference(standing.u, moving.u, 1e9), largest_difference(standing.w, moving.w, 1e9)}) /
+       settings.sound_speed},
+      steps_of_two_runs);
+  check.that("density", "Densities, of walls too, agree with a standing tank.", "largest difference over rho_0",
+             {largest_difference(standing.density, moving.density, 1e9) / 1000}, steps_of_two_runs);
 }
 
 TEST_CASE("runs agree with sums over all pairs step by step", "[conservation]") {
   Check check("wcsph_run_of_direct_sums", "A run against sums over all pairs",
               "600 steps of a disordered box, by Flow with its candidate lists and rebuilds, and by the midpoint rule "
-              "on sums over all pairs: no list may miss a neighbour at any stage of any step.");
+              "on sums over all pairs: no list may miss a neighbour at any stage of any step.",
+              "formulas (2)-(8)");
   const double step = 0.25 * 1.3 * spacing / periodic.sound_speed;
   Flow flow(box(0, 0), spacing, periodic);
   Particles direct = box(0, 0);
@@ -159,15 +152,11 @@ TEST_CASE("runs agree with sums over all pairs step by step", "[conservation]") 
     flow.advance(step);
     direct = midpoint(direct, periodic, step);
   }
-  check.that({.id = "energy",
-              .text = "After 600 steps the kinetic energies have the same digits.",
-              .quantity = "kinetic energy",
-              .unit = "J/m",
-              .source = "formulas (2)-(8)"},
+  check.that("energy", "After 600 steps the kinetic energies have the same digits.", "kinetic energy [J/m]",
              {.value = flow.totals().kinetic, .resolution = "N = 144, 600 steps"},
              Bound{1e-10, "ten digits: 600 steps of 100 roundings, with room for their growth in a disordered flow",
                    kinetic_energy(direct), true});
   CHECK(flow.extremes().rebuilds > 3);
 }
 
-}  // namespace wcsph_symmetries_test
+}  // namespace seiche::verification::wcsph_symmetries_test

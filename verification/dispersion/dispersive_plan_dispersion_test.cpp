@@ -13,12 +13,10 @@
 #include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_dispersion_test {
+namespace seiche::verification::dispersive_plan_dispersion_test {
 
-using namespace seiche;
 using validation::PlanMode;
 using validation::PlanTank;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 
@@ -131,4 +129,4 @@ TEST_CASE("standing waves in plan have the frequencies of the closed form", "[di
   }
 }
 
-}  // namespace dispersive_plan_dispersion_test
+}  // namespace seiche::verification::dispersive_plan_dispersion_test

@@ -10,11 +10,9 @@
 #include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_soliton_test {
+namespace seiche::verification::dispersive_plan_soliton_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
 
@@ -24,7 +22,8 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
       "The solitary wave of the Green-Naghdi equations, amplitude 0.3, starts on columns of equal volume up to a depth "
       "wide, and runs to t = 100, over a hundred depths, steps of 0.4 of a cell. It becomes the lattice's own "
       "solitary wave, little lower, and goes on unchanged. Height, its band and speed from $t = 20$ on; the speed is "
-      "compared with that of the equations for the mean height, $\\sqrt{1 + a}$.");
+      "compared with that of the equations for the mean height, $\\sqrt{1 + a}$.",
+      frank);
   auto& figure = check.figure("crest", "Crest of a solitary wave on coarse cells", "Elevation of the crest in time.");
   auto& panel = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H"});
   std::vector<double> spacings, losses;
@@ -57,12 +56,9 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
         id + "-speed: So is the speed.", {found.speed()},
         Bound{1e-4, "the place of the crest, a hundredth of a cell over 90 depths of way", known.column("speed")[row]});
   }
-  check.that({.id = "order",
-              .text = "The loss of height at the start is of second order.",
-              .quantity = "observed order",
-              .source = frank},
+  check.that("order", "The loss of height at the start is of second order.", "observed order",
              observed_order(spacings, losses),
              Order{2, 0.5, "second order in h and tau; with cells of a depth higher orders are seen"});
 }
 
-}  // namespace dispersive_plan_soliton_test
+}  // namespace seiche::verification::dispersive_plan_soliton_test

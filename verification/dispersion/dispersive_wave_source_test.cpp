@@ -14,13 +14,10 @@
 #include "validation/instruments/wave_statistics.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_wave_source_test {
+namespace seiche::verification::dispersive_wave_source_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using seiche::Largest;
-using seiche::Mean;
-using namespace seiche::verification;
-using seiche::validation::wave_statistics;
+using namespace dispersive_shallow_water_1d;
+using validation::wave_statistics;
 
 constexpr double pi = std::numbers::pi;
 const std::string derived = "derived in wave_source.hpp";
@@ -33,7 +30,7 @@ TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
       "is the record, with improved dispersion and without; at x = -6 it is the record upside down, for the force "
       "pushes away from there what it pushes here. It sets in over 15 s.");
   for (const double gamma : {0.0, 1.0 / 15}) {
-    Channel channel{.bottom = std::make_shared<seiche::LevelBottom>(1.0), .gravity = 9.81, .alpha = 1.0 / 3 + gamma};
+    Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .gravity = 9.81, .alpha = 1.0 / 3 + gamma};
     channel.gamma = gamma;
     const auto record_at = [](double t) {
       return 1e-5 * (std::cos(2 * pi * t / 3.75 + 0.3) + 0.7 * std::cos(2 * pi * t / 2.5 - 1) +
@@ -110,4 +107,4 @@ TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   CHECK_THROWS_AS(wave_statistics(std::vector<double>{1, 2, 3}), std::invalid_argument);
 }
 
-}  // namespace dispersive_wave_source_test
+}  // namespace seiche::verification::dispersive_wave_source_test

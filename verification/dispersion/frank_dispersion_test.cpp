@@ -10,12 +10,10 @@
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "verification/check.hpp"
 
-namespace frank_dispersion_test {
+namespace seiche::verification::frank_dispersion_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
+using namespace dispersive_shallow_water_1d;
 using validation::StandingBox;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 /// Elevations count from rest and are rounded relative to the amplitude, whatever it is; places to 1e-16 of the box.
@@ -159,7 +157,8 @@ TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion
 TEST_CASE("compositions approach the law of the continuous time with the fourth power of the step", "[dispersion]") {
   Check check("dispersion_compositions", "Frequencies of the fourth-order compositions",
               "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of "
-              "continuous time with $\\tau^4$.");
+              "continuous time with $\\tau^4$.",
+              "Yoshida (1990); Suzuki (1990)");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const TimeComposition composition : {TimeComposition::triple_jump, TimeComposition::suzuki}) {
       std::vector<double> steps;
@@ -170,15 +169,13 @@ TEST_CASE("compositions approach the law of the continuous time with the fourth 
         steps.push_back(tau);
         errors.push_back(std::abs(validation::smallest_wave_frequency(box, 12) / box.law().frequency(1.5) - 1));
       }
-      check.that({.id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
-                                    composition == TimeComposition::suzuki ? "suzuki" : "triple-jump"),
-                  .text = "The composition's frequency is of fourth order.",
-                  .quantity = "order in tau of the relative error of the frequency",
-                  .source = "Yoshida (1990); Suzuki (1990)"},
-                 observed_order(steps, errors, 1e-12),
+      check.that(fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
+                             composition == TimeComposition::suzuki ? "suzuki" : "triple-jump"),
+                 "The composition's frequency is of fourth order.",
+                 "order in tau of the relative error of the frequency", observed_order(steps, errors, 1e-12),
                  Order{4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"});
     }
   }
 }
 
-}  // namespace frank_dispersion_test
+}  // namespace seiche::verification::frank_dispersion_test

@@ -12,14 +12,12 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace hexahedral_dispersion_test {
+namespace seiche::verification::hexahedral_dispersion_test {
 
-using namespace seiche;
 using exact::AiryDispersion;
 using exact::HexahedralDispersion;
 using exact::PlanDispersion;
 using exact::SurfaceInertia;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
@@ -43,11 +41,8 @@ void claim_limits(Check& check) {
     const double h = 1 / static_cast<double>(layers);
     errors.add(h, std::abs(layers_error(3, h, layers, 0.5)));
   }
-  check.that({.id = "order",
-              .text = "With cubes the law tends to Airy's with the square of their size.",
-              .quantity = "order of the error at a wavelength of three depths, 29 degrees",
-              .source = source},
-             errors.order(),
+  check.that("order", "With cubes the law tends to Airy's with the square of their size.",
+             "order of the error at a wavelength of three depths, 29 degrees", errors.order(),
              Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"});
   // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine plan lattice
   for (const std::size_t layers : {1UL, 2UL, 3UL}) {
@@ -68,11 +63,8 @@ void claim_limits(Check& check) {
   const HexahedralDispersion fine(9.81, 2, 1e-4, 1e-4, 20000);
   Worst airy;
   for (const double k : {0.3, 1.0, 3.0}) airy.add(fine.frequency_error(k, 0.3));
-  check.that({.id = "airy",
-              .text = "With 20000 layers of cubes the law is k tanh kH.",
-              .quantity = "largest relative error of the frequency, k H = 0.6, 2, 6",
-              .source = source},
-             {.value = airy.value()},
+  check.that("airy", "With 20000 layers of cubes the law is k tanh kH.",
+             "largest relative error of the frequency, k H = 0.6, 2, 6", {airy.value()},
              Bound{9e-8,
                    "(k h)^2 of the shortest wave; the leading coefficient is "
                    "below 1"});
@@ -131,7 +123,8 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
       "The errors against Airy's law known to two digits, beside those of the plan model: Frank's remark that waves "
       "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three "
       "per cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer "
-      "against the plan model, the coefficient of long waves for both surface inertias, and the order in the size.");
+      "against the plan model, the coefficient of long waves for both surface inertias, and the order in the size.",
+      source);
   check_table(check, "wavelength-10", "errors, per cent, wavelength 10 H, h1 = H/2: 1, 2, 3 layers, 2DH model",
               {{layers_error(10, 0.5, 1), "-3.1"},
                {layers_error(10, 0.5, 2), "-0.91"},
@@ -167,4 +160,4 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
   CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.5, 0.5, 2).frequency(0, 0), std::invalid_argument);
 }
 
-}  // namespace hexahedral_dispersion_test
+}  // namespace seiche::verification::hexahedral_dispersion_test

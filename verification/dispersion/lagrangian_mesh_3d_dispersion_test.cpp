@@ -14,11 +14,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace lagrangian_mesh_3d_dispersion_test {
+namespace seiche::verification::lagrangian_mesh_3d_dispersion_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_3d;
 
 constexpr double pi = std::numbers::pi;
 
@@ -149,4 +147,4 @@ TEST_CASE("standing waves in a box of hexahedra have the frequencies of the clos
   }
 }
 
-}  // namespace lagrangian_mesh_3d_dispersion_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_dispersion_test

@@ -13,11 +13,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_3d_soliton_test {
+namespace seiche::verification::lagrangian_mesh_3d_soliton_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_3d;
 
 constexpr double amplitude = 0.3;
 const double celerity = std::sqrt(1 + amplitude);
@@ -133,4 +131,4 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
   }
 }
 
-}  // namespace lagrangian_mesh_3d_soliton_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_soliton_test

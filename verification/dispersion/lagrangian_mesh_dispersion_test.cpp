@@ -12,13 +12,11 @@
 #include "validation/instruments/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_dispersion_test {
+namespace seiche::verification::lagrangian_mesh_dispersion_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
+using namespace lagrangian_mesh_2d;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 
@@ -106,4 +104,4 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
   }
 }
 
-}  // namespace lagrangian_mesh_dispersion_test
+}  // namespace seiche::verification::lagrangian_mesh_dispersion_test

@@ -10,13 +10,11 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace lagrangian_mesh_law_test {
+namespace seiche::verification::lagrangian_mesh_law_test {
 
-using namespace seiche;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
 using exact::TimeScheme;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
@@ -41,7 +39,8 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
       "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's law "
       "that "
       "Frank's remark on long waves rests on, the coefficient of long waves for both surface inertias, and second "
-      "order in the cells' size.");
+      "order in the cells' size.",
+      source);
   check_table(check, "digits", "k = 1.3, h1 = 0.7, h2 = 0.25",
               {{LagrangianMeshDispersion(1, 1, 0.7, 4).frequency(1.3), "1.02635447534987"}}, source);
   const double mode = LagrangianMeshDispersion(1, 1, 6.0 / 16, 4).frequency(pi / 6);
@@ -87,11 +86,8 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
     errors.push_back(std::abs(error_against_airy(3, h, rows)));
   }
   check.that(
-      {.id = "order",
-       .text = "The law tends to Airy's with the square of the cells' size.",
-       .quantity = "order in h1 = h2 of the error at a wavelength of three depths",
-       .source = source},
-      observed_order(sizes, errors),
+      "order", "The law tends to Airy's with the square of the cells' size.",
+      "order in h1 = h2 of the error at a wavelength of three depths", observed_order(sizes, errors),
       Order{2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"});
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0, 1), std::invalid_argument);
@@ -99,4 +95,4 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(0), std::invalid_argument);
 }
 
-}  // namespace lagrangian_mesh_law_test
+}  // namespace seiche::verification::lagrangian_mesh_law_test

@@ -11,13 +11,11 @@
 #include "validation/instruments/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_stability_test {
+namespace seiche::verification::lagrangian_mesh_stability_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using seiche::Largest;
-using namespace seiche::verification;
-using seiche::mechanics::State;
-using seiche::validation::LinearModes;
+using namespace lagrangian_mesh_2d;
+using mechanics::State;
+using validation::LinearModes;
 
 struct Tank {
   std::string id, text;
@@ -32,7 +30,7 @@ struct Tank {
 
 LinearModes modes_of(const Tank& tank) {
   Model model = tank.model();
-  return seiche::validation::linear_modes(model, 1.0 / 64);
+  return validation::linear_modes(model, 1.0 / 64);
 }
 
 /// Largest share of the fastest mode in the displacements over the initial one, released with an amplitude of 1e-8.
@@ -53,7 +51,7 @@ double growth(const Tank& tank, const LinearModes& modes, double share_of_limit,
     }
     return std::abs(sum) / amplitude;
   };
-  seiche::mechanics::OneStep<Model> scheme(model);
+  mechanics::OneStep<Model> scheme(model);
   Largest largest;
   for (int step = 0; step < steps && !(largest.value() >= 1e3); ++step) {
     scheme.step(state, share_of_limit * 2 / modes.frequencies.back());
@@ -99,4 +97,4 @@ TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of
   }
 }
 
-}  // namespace lagrangian_mesh_stability_test
+}  // namespace seiche::verification::lagrangian_mesh_stability_test

@@ -11,11 +11,9 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace plan_dispersion_test {
+namespace seiche::verification::plan_dispersion_test {
 
-using namespace seiche;
 using exact::PlanDispersion;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 constexpr double diagonal = pi / 4;
@@ -41,18 +39,18 @@ void claim_misprints(Check& check) {
   for (const Misprint& m : {Misprint{"axis-0-5", 0.5, 0, 0.5, -3.9e-4, 0.05e-4, -3.85e-4},
                             {"axis-1", 0.5, 0, 1, -5.1e-3, 0.05e-3, -5.05e-3},
                             {"diagonal-0-25", 1, diagonal, 0.25, -2.7e-3, 0.05e-3, -2.65e-3}}) {
-    check.known_failure(
-        {.id = "digits-" + m.id,
-         .text = fmt::format("The error {} for h = {:g} H, k H = {:g} is {:g}.",
-                             m.direction == 0 ? "along an axis" : "at 45 degrees", m.spacing, m.k, m.printed),
-         .quantity = "relative error of the frequency",
-         .source = printed_once},
-        {.value = square(m.spacing).frequency_error(m.k, m.direction)},
-        Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
-        {.value = m.three_digits,
-         .width = 0.1 * m.half_unit,
-         .reason = "printed after rounding twice, to three digits and to two; the law agrees with the eigenvalues of "
-                   "the cells"});
+    check.from(printed_once)
+        .known_failure(
+            "digits-" + m.id,
+            fmt::format("The error {} for h = {:g} H, k H = {:g} is {:g}.",
+                        m.direction == 0 ? "along an axis" : "at 45 degrees", m.spacing, m.k, m.printed),
+            "relative error of the frequency", {square(m.spacing).frequency_error(m.k, m.direction)},
+            Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
+            {.value = m.three_digits,
+             .width = 0.1 * m.half_unit,
+             .reason =
+                 "printed after rounding twice, to three digits and to two; the law agrees with the eigenvalues of "
+                 "the cells"});
   }
 }
 
@@ -68,26 +66,21 @@ void claim_orders(Check& check) {
     errors.push_back(std::abs(law.frequency_error(k, direction)));
     rests.push_back(std::abs(law.frequency_error(k, direction) - law.leading_error(k, direction)));
   }
-  check.that({.id = "order",
-              .text = "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
-              .quantity = "order in h1 at k H = 1.2, 29 degrees, h2 = 0.7 h1",
-              .source = source},
-             observed_order(spacings, errors),
-             Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
-  check.that({.id = "leading-term",
-              .text = "Beyond its leading error the law deviates with the fourth power of the spacing.",
-              .quantity = "order in h1 of the error minus its leading term",
-              .source = source},
-             observed_order(spacings, rests),
-             Order{4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
+  check.from(source).that(
+      "order", "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
+      "order in h1 at k H = 1.2, 29 degrees, h2 = 0.7 h1", observed_order(spacings, errors),
+      Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
+  check.from(source).that(
+      "leading-term", "Beyond its leading error the law deviates with the fourth power of the spacing.",
+      "order in h1 of the error minus its leading term", observed_order(spacings, rests),
+      Order{4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
   const double h = 0.5;
   const double small = 0.02;
-  check.that({.id = "anisotropy",
-              .text = "For long waves at 45 degrees the relative error of omega^2 is -(h k)^2/12.",
-              .quantity = "2 delta omega/omega over (h k)^2 at k H = 0.02",
-              .source = source},
-             {.value = 2 * square(h).frequency_error(small, diagonal) / (h * h * small * small)},
-             Bound{3e-4 / 12, "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4", -1.0 / 12});
+  check.from(source).that(
+      "anisotropy", "For long waves at 45 degrees the relative error of omega^2 is -(h k)^2/12.",
+      "2 delta omega/omega over (h k)^2 at k H = 0.02",
+      {2 * square(h).frequency_error(small, diagonal) / (h * h * small * small)},
+      Bound{3e-4 / 12, "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4", -1.0 / 12});
 }
 
 void draw(Check& check) {
@@ -157,4 +150,4 @@ TEST_CASE("the law of the plan model has the known digits and limits", "[dispers
   CHECK_THROWS_AS(square(0.5).frequency(0.1, 2.001 * pi), std::invalid_argument);
 }
 
-}  // namespace plan_dispersion_test
+}  // namespace seiche::verification::plan_dispersion_test

@@ -12,10 +12,9 @@
 #include "verification/reference_digits.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_acoustics_test {
+namespace seiche::verification::wcsph_acoustics_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double sound_speed = 10;
 constexpr std::size_t rows_of_lattice = 16;
@@ -130,17 +129,17 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
   const std::vector<Row> rows{{{32, 1}, 0.9998750, 7},  {{64, 1}, 1.0078660, 7},
                               {{128, 1}, 1.0098731, 7}, {{64, 1, KernelName::wendland_c2, 2.0}, 0.9938213, 7},
                               {{64, 4}, 0.9685005, 7},  {{64, 8}, 0.8520, 4}};
-  seiche::evidence::Table table{.id = "frequencies",
-                                .title = "Frequency over c_0 k, and growth of the energy",
-                                .caption = "Steps of 0.3 h/c_0 to t = 0.5.",
-                                .columns = {{"kernel", ""},
-                                            {"N", "1"},
-                                            {"mode", "1"},
-                                            {"S/k", "1"},
-                                            {"expected", "1"},
-                                            {"measured", "1"},
-                                            {"growth expected", "1"},
-                                            {"growth", "1"}}};
+  evidence::Table table{.id = "frequencies",
+                        .title = "Frequency over c_0 k, and growth of the energy",
+                        .caption = "Steps of 0.3 h/c_0 to t = 0.5.",
+                        .columns = {{"kernel", ""},
+                                    {"N", "1"},
+                                    {"mode", "1"},
+                                    {"S/k", "1"},
+                                    {"expected", "1"},
+                                    {"measured", "1"},
+                                    {"growth expected", "1"},
+                                    {"growth", "1"}}};
   std::vector<double> k_cubic, cubic, k_wendland, wendland;
   for (const Row& row : rows) {
     const Wave& wave = row.wave;
@@ -199,7 +198,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
 
 TEST_CASE("the midpoint rule is of second order in phase and of third in energy", "[dispersion]") {
   Check check("wcsph_time_order", "Orders of the steps",
-              "The sound wave of N = 32, mode 2, with steps of 0.4, 0.2, 0.1 and 0.05 h/c_0 to the same time.");
+              "The sound wave of N = 32, mode 2, with steps of 0.4, 0.2, 0.1 and 0.05 h/c_0 to the same time.", source);
   const Wave wave{32, 2};
   const double first = wave.acoustic_step() * 4 / 3;
   const long fewest = std::lround(0.5 / first);
@@ -210,17 +209,10 @@ TEST_CASE("the midpoint rule is of second order in phase and of third in energy"
     phase.push_back(std::abs(found.frequency / wave.dispersion() - 1));
     growth.push_back(std::log1p(found.energy_growth));
   }
-  check.that({.id = "phase",
-              .text = "The phase is of second order.",
-              .quantity = "order of the frequency error",
-              .source = source},
-             observed_order(lengths, phase),
+  check.that("phase", "The phase is of second order.", "order of the frequency error", observed_order(lengths, phase),
              Order{2, 0.05, "next term (omega dt)^2/8 relative, 0.004 at the longest step"});
   check.that(
-      {.id = "energy",
-       .text = "The energy is of third order.",
-       .quantity = "order of the logarithm of the energy",
-       .source = source},
+      "energy", "The energy is of third order.", "order of the logarithm of the energy",
       observed_order(lengths, growth),
       Order{3, 0.0005,
             "the energy grows by the factor 1 + (omega dt)^4/4 per step: next term of its logarithm (omega dt)^4/8 "
@@ -231,4 +223,4 @@ TEST_CASE("the midpoint rule is of second order in phase and of third in energy"
   panel.points("energy", lengths, growth, Role::peer);
 }
 
-}  // namespace wcsph_acoustics_test
+}  // namespace seiche::verification::wcsph_acoustics_test

@@ -12,10 +12,9 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_diffusion_decay_test {
+namespace seiche::verification::wcsph_diffusion_decay_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr std::size_t cells = 32;
 constexpr std::size_t rows = 16;
@@ -64,12 +63,12 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
       "and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the sums "
       "of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
       "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
-  seiche::evidence::Table table{.id = "decay",
-                                .title = "Amplitude of a sound wave",
-                                .caption = "Over that of the beginning, at the end.",
-                                .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
-                                .rows = {},
-                                .atlas = {}};
+  evidence::Table table{.id = "decay",
+                        .title = "Amplitude of a sound wave",
+                        .caption = "Over that of the beginning, at the end.",
+                        .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
+                        .rows = {},
+                        .atlas = {}};
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     const bool spline = kernel == KernelName::cubic_spline;
     const double smoothing = spline ? 1.3 : 2.0;
@@ -126,4 +125,4 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
   check.table(std::move(table));
 }
 
-}  // namespace wcsph_diffusion_decay_test
+}  // namespace seiche::verification::wcsph_diffusion_decay_test

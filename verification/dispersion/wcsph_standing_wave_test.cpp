@@ -11,11 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_standing_wave_test {
+namespace seiche::verification::wcsph_standing_wave_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double gravity = 9.81;
 constexpr double k = 2 * std::numbers::pi;  // one wave in a period of 1 m
@@ -129,7 +127,7 @@ struct Row {
 };
 
 void judge(Check& check, const std::vector<Row>& rows, const std::string& reason) {
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "frequencies",
       .title = "Frequency over that of linear theory, and damping",
       .caption = "Three and a quarter periods.",
@@ -193,4 +191,4 @@ TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory
         "kernel's error of the first derivative of 0.1 to 0.7 %");
 }
 
-}  // namespace wcsph_standing_wave_test
+}  // namespace seiche::verification::wcsph_standing_wave_test

@@ -7,11 +7,10 @@
 #include "validation/instruments/agreement.hpp"
 #include "verification/check.hpp"
 
-namespace agreement_test {
+namespace seiche::verification::agreement_test {
 
-using namespace seiche::validation;
-using namespace seiche::verification;
-using seiche::evidence::Claim;
+using namespace validation;
+using evidence::Claim;
 
 constexpr double pi = std::numbers::pi;
 
@@ -102,4 +101,4 @@ TEST_CASE("measures of agreement have their known values", "[evidence]") {
   CHECK(std::isnan(first_crossing(ramp.curve(), 11)));
 }
 
-}  // namespace agreement_test
+}  // namespace seiche::verification::agreement_test

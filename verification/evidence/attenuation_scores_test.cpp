@@ -10,11 +10,9 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace attenuation_scores_test {
+namespace seiche::verification::attenuation_scores_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 using evidence::Verdict;
 
 /// The exact wave, changed, at the centres of cells of a wavelength.
@@ -139,4 +137,4 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
               Bound{0, "nothing differs"});
 }
 
-}  // namespace attenuation_scores_test
+}  // namespace seiche::verification::attenuation_scores_test

@@ -4,11 +4,9 @@
 #include "validation/scoring/baseline.hpp"
 #include "verification/check.hpp"
 
-namespace baseline_test {
+namespace seiche::verification::baseline_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 using evidence::Summary;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -73,4 +71,4 @@ TEST_CASE("a score is worse than its baseline where an error grew beyond both un
      gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other", "worse");
 }
 
-}  // namespace baseline_test
+}  // namespace seiche::verification::baseline_test

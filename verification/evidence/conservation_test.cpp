@@ -9,11 +9,9 @@
 #include "validation/scoring/conservation.hpp"
 #include "verification/check.hpp"
 
-namespace conservation_test {
+namespace seiche::verification::conservation_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 std::vector<WantedTable> wanted_gauge() {
   return {{.name = "gauge",
@@ -106,4 +104,4 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   is("zero", "A change relative to zero cannot be scored.", zero, "column energy: is 0 at t = 0");
 }
 
-}  // namespace conservation_test
+}  // namespace seiche::verification::conservation_test

@@ -8,11 +8,9 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace first_look_test {
+namespace seiche::verification::first_look_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 std::vector<double> places() {
   std::vector<double> x;
@@ -125,4 +123,4 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
        "refinement will not remove this error");
 }
 
-}  // namespace first_look_test
+}  // namespace seiche::verification::first_look_test

@@ -14,11 +14,9 @@
 #include "validation/instruments/straight_line.hpp"
 #include "verification/check.hpp"
 
-namespace instruments_test {
+namespace seiche::verification::instruments_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 constexpr double pi = std::numbers::pi;
 
@@ -144,4 +142,4 @@ TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
           10, "a sum of five cells");
 }
 
-}  // namespace instruments_test
+}  // namespace seiche::verification::instruments_test

@@ -7,11 +7,9 @@
 #include "validation/scoring/ladder.hpp"
 #include "verification/check.hpp"
 
-namespace ladder_test {
+namespace seiche::verification::ladder_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 const std::vector<double> sizes{0.1, 0.05, 0.025};
 
@@ -162,4 +160,4 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
      refusal(untimed).find("1 times for 3 sizes") != std::string::npos);
 }
 
-}  // namespace ladder_test
+}  // namespace seiche::verification::ladder_test

@@ -8,11 +8,10 @@
 #include "validation/scoring/misreading.hpp"
 #include "verification/check.hpp"
 
-namespace misreading_test {
+namespace seiche::verification::misreading_test {
 
-using namespace seiche::validation;
-using namespace seiche::verification;
-using seiche::evidence::Claim;
+using namespace validation;
+using evidence::Claim;
 using Kind = Misreading::Kind;
 
 constexpr double spacing = 0.05;
@@ -150,4 +149,4 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
        "centimetres for metres");
 }
 
-}  // namespace misreading_test
+}  // namespace seiche::verification::misreading_test

@@ -13,13 +13,11 @@
 #include "validation/instruments/sph_steep_wave.hpp"
 #include "verification/check.hpp"
 
-namespace particle_measures_test {
+namespace seiche::verification::particle_measures_test {
 
-using namespace seiche::validation;
-using seiche::Worst;
-using namespace seiche::verification;
-using seiche::evidence::Claim;
-using seiche::exact::OverturningWave;
+using namespace validation;
+using evidence::Claim;
+using exact::OverturningWave;
 
 constexpr double pi = std::numbers::pi;
 
@@ -141,4 +139,4 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
   CHECK_THROWS_AS(SteepWaveStart(0.05, 1, 0.04, gravity), std::invalid_argument);
 }
 
-}  // namespace particle_measures_test
+}  // namespace seiche::verification::particle_measures_test

@@ -9,10 +9,8 @@
 #include "validation/case/reference_source.hpp"
 #include "verification/check.hpp"
 
-namespace reference_data_test {
+namespace seiche::verification::reference_data_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using validation::ReferenceSource;
 
 const std::set<std::string> known_units = {"1", "m", "cm", "s", "1/s", "m/s", "m^2", "m^2/s", "deg", "rad", "Pa"};
@@ -170,4 +168,4 @@ TEST_CASE("an unknown reference table is refused by name", "[evidence]") {
   CHECK_THROWS_AS(validation::reference_source("nobody_1900"), std::invalid_argument);
 }
 
-}  // namespace reference_data_test
+}  // namespace seiche::verification::reference_data_test

@@ -14,11 +14,9 @@
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 
-namespace reflection_pattern_test {
+namespace seiche::verification::reflection_pattern_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 constexpr double a = 0.3;
 constexpr double spacing = 0.5;
@@ -228,4 +226,4 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   CHECK_THROWS_AS(measured_reflection({4, 4, x, y, z}, a), std::invalid_argument);
 }
 
-}  // namespace reflection_pattern_test
+}  // namespace seiche::verification::reflection_pattern_test

@@ -4,11 +4,9 @@
 #include "validation/scoring/repeats.hpp"
 #include "verification/check.hpp"
 
-namespace repeats_test {
+namespace seiche::verification::repeats_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 /// A table of one group: a straight line, higher by `above`, on points `step` apart.
 Submitted line(double above, double step) {
@@ -54,4 +52,4 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
                     "--repeats: the runs have 0 points of table wave in common, needed: 2");
 }
 
-}  // namespace repeats_test
+}  // namespace seiche::verification::repeats_test

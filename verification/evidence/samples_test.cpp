@@ -7,9 +7,7 @@
 
 #include "verification/check.hpp"
 
-namespace samples_test {
-
-using namespace seiche;
+namespace seiche::verification::samples_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -29,9 +27,8 @@ TEST_CASE("a NaN first, in the middle or last makes every measure NaN", "[sample
       mean.add(samples[k]);
       count.add(samples[k], [](double sample) { return sample > 0; });
     }
-    for (const double measured :
-         {worst.value(), largest_one.value(), smallest_one.value(), mean.value(), mean.rms(), mean.sum(), count.value(),
-          largest(samples), smallest(samples), seiche::worst(samples)}) {
+    for (const double measured : {worst.value(), largest_one.value(), smallest_one.value(), mean.value(), mean.rms(),
+                                  mean.sum(), count.value(), largest(samples), smallest(samples), worst(samples)}) {
       CHECK(std::isnan(measured));
     }
     CHECK(worst.where() == static_cast<double>(place));
@@ -88,4 +85,4 @@ TEST_CASE("extremes of parts are those of the whole, and a part without samples 
   CHECK(std::isnan(whole.value()));
 }
 
-}  // namespace samples_test
+}  // namespace seiche::verification::samples_test

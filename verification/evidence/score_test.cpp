@@ -11,11 +11,9 @@
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 
-namespace score_test {
+namespace seiche::verification::score_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 /// A wave sin(x - t) at two times, and one measured height 2.0 +- 0.1 m.
 std::vector<WantedTable> wanted_tables() {
@@ -178,4 +176,4 @@ TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
               Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
 }
 
-}  // namespace score_test
+}  // namespace seiche::verification::score_test

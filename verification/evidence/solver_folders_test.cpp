@@ -12,12 +12,10 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace solver_folders_test {
+namespace seiche::verification::solver_folders_test {
 
-using namespace seiche;
 using validation::Reading;
 using validation::ResultFile;
-using namespace seiche::verification;
 using Columns = std::vector<std::vector<double>>;
 
 /// Names and rows as text: "t,x,h|0,1,2|0.5,1,3".
@@ -148,4 +146,4 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
             "t,x,T|0,1,0.5");
 }
 
-}  // namespace solver_folders_test
+}  // namespace seiche::verification::solver_folders_test

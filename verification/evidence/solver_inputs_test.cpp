@@ -10,10 +10,7 @@
 #include "validation/scoring/solver_inputs.hpp"
 #include "verification/check.hpp"
 
-namespace solver_inputs_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::solver_inputs_test {
 
 const std::string header = "FoamFile\n{\n    version 2.0;\n    format %;\n    class volVectorField;\n}\n";
 
@@ -108,4 +105,4 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
      "default\n0.5\nnan\n");
 }
 
-}  // namespace solver_inputs_test
+}  // namespace seiche::verification::solver_inputs_test

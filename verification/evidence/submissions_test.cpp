@@ -9,11 +9,9 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace submissions_test {
+namespace seiche::verification::submissions_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 /// What a solver would submit whose every value is `factor` times the reference.
 Submitted submission(const std::vector<WantedTable>& wanted, double factor) {
@@ -73,4 +71,4 @@ TEST_CASE("every case that scores others passes its own reference and fails one 
   }
 }
 
-}  // namespace submissions_test
+}  // namespace seiche::verification::submissions_test

@@ -14,10 +14,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace table_readers_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::table_readers_test {
 
 /// Entries that differ from those expected; what is missing or too much counts as well.
 double wrong_entries(const std::vector<std::vector<double>>& found, const std::vector<std::vector<double>>& expected) {
@@ -171,4 +168,4 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
                                   {{2, 5, 10}, {0, 5, 10}}));
 }
 
-}  // namespace table_readers_test
+}  // namespace seiche::verification::table_readers_test

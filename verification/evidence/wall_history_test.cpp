@@ -13,11 +13,9 @@
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 
-namespace wall_history_test {
+namespace seiche::verification::wall_history_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 constexpr double incident = 0.3;  // amplitude, depth 1
 
@@ -180,4 +178,4 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   CHECK(stem_angle(std::vector<double>{0, 10}, std::vector<double>{2, 1}).value == std::atan(-0.1));
 }
 
-}  // namespace wall_history_test
+}  // namespace seiche::verification::wall_history_test

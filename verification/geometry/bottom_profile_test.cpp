@@ -13,10 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace bottom_profile_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::bottom_profile_test {
 
 const std::vector<double> knots = {-10, -6.5, -6.4, -3, -2.9, 0, 4, 10};
 const std::vector<double> heights = {-1, -1.4, -0.3, -0.3, -1.9, 0, 0.5, 0.2};
@@ -227,4 +224,4 @@ TEST_CASE("outside of its extent a bottom refuses to answer, naming the place an
   }
 }
 
-}  // namespace bottom_profile_test
+}  // namespace seiche::verification::bottom_profile_test

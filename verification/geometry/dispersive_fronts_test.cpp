@@ -7,12 +7,11 @@
 #include "seiche/shallow_water/breaking_bore.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_fronts_test {
+namespace seiche::verification::dispersive_fronts_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::shallow_water::bore_damping;
-using seiche::shallow_water::bore_froude;
+using namespace dispersive_shallow_water_1d;
+using shallow_water::bore_damping;
+using shallow_water::bore_froude;
 
 constexpr std::size_t markers = 81;
 
@@ -83,4 +82,4 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   CHECK(bore_damping(0, 1) == 1);
 }
 
-}  // namespace dispersive_fronts_test
+}  // namespace seiche::verification::dispersive_fronts_test

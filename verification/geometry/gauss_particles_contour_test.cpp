@@ -8,11 +8,9 @@
 #include "validation/instruments/gauss_outline.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_contour_test {
+namespace seiche::verification::gauss_particles_contour_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::Point;
+using namespace gauss_particles;
 
 const std::string source = "Wendland, Adv. Comput. Math. 4 (1995) 389; geometry";
 
@@ -30,7 +28,8 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
       "gauss_particles_contour", "Free particles: their outline",
       "A disc of radius 1 with a hole of radius 0.4: two lines, the outer one against the clock and the inner one "
       "with it, whose areas tend to the exact ones with the square of the spacing, for a kernel that is "
-      "symmetrical about a curved edge.");
+      "symmetrical about a curved edge.",
+      source);
   std::vector<double> spacing;
   std::vector<double> outer;
   bool two = true;
@@ -45,17 +44,11 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
     spacing.push_back(width);
     outer.push_back(std::abs(area(lines[0]) - std::numbers::pi));
   }
-  check.that({.id = "lines",
-              .text = "There are two lines, each the right way round.",
-              .quantity = "so at all spacings",
-              .source = source},
+  check.that("lines", "There are two lines, each the right way round.", "so at all spacings",
              {.value = two ? 1.0 : 0.0, .resolution = "10 to 80 rings"},
              Qualitative{"two lines, areas of opposite sign", "a ring has an outer and an inner edge"});
   check.that(
-      {.id = "order",
-       .text = "The outer area errs by the square of the spacing.",
-       .quantity = "order of the area's error",
-       .source = source},
+      "order", "The outer area errs by the square of the spacing.", "order of the area's error",
       observed_order(spacing, outer),
       Order{2, 0.4,
             "the kernel moves the line by its second moment times the curvature; the grid of half a spacing adds as "
@@ -88,4 +81,4 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   claim("moment-xy", "mixed second moment", mixed, 0);
 }
 
-}  // namespace gauss_particles_contour_test
+}  // namespace seiche::verification::gauss_particles_contour_test

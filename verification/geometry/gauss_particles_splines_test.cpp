@@ -11,11 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_splines_test {
+namespace seiche::verification::gauss_particles_splines_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace gauss_particles;
 
 /// Coefficients of place^power, counted in cells from `middle`, by Marsden's identity; functions are taken 2^p p!
 /// times.
@@ -111,4 +109,4 @@ TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]
   }
 }
 
-}  // namespace gauss_particles_splines_test
+}  // namespace seiche::verification::gauss_particles_splines_test

@@ -11,11 +11,9 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace overlapping_particles_test {
+namespace seiche::verification::overlapping_particles_test {
 
-using namespace seiche;
-using namespace seiche::overlapping_particles;
-using namespace seiche::verification;
+using namespace overlapping_particles;
 using std::numbers::pi;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.1";
@@ -89,7 +87,8 @@ std::vector<Variant> variants() {
 TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of their lens", "[geometry]") {
   Check check("overlapping_kernel", "Overlaps of particles and control volumes",
               "Wendland's function of support 0.7, integrated over the plane; the lens of two discs of radius 0.35, "
-              "counted on a fine lattice. The slopes beside central differences.");
+              "counted on a fine lattice. The slopes beside central differences.",
+              source);
   constexpr double support = 0.7;
   const Kernel smoothed(Shape::smoothed, support);
   const Kernel ball(Shape::ball, support);
@@ -99,10 +98,8 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
     const double d = (i + 0.5) * support / n;
     integral += 2 * pi * d * smoothed.value(d) * support / n;
   }
-  check.that(
-      {.id = "integral", .text = "The integral of the smoothed kernel is 1.", .quantity = "error", .source = source},
-      {.value = integral - 1},
-      Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
+  check.that("integral", "The integral of the smoothed kernel is 1.", "error", {integral - 1},
+             Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
   Worst lens;
   constexpr int lattice = 1400;
   for (const double d : {0.1, 0.35, 0.6}) {
@@ -117,9 +114,8 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
     const double share = static_cast<double>(inside) * support * support / lattice / lattice;
     lens.add(share / (pi * support * support / 4) - ball.value(d));
   }
-  check.that(
-      {.id = "lens", .text = "Balls: the lens over the area of one.", .quantity = "largest error", .source = source},
-      {.value = lens.value()}, Bound{4.0 / lattice, "cells that the rim cuts: its length times a cell, over the area"});
+  check.that("lens", "Balls: the lens over the area of one.", "largest error", {lens.value()},
+             Bound{4.0 / lattice, "cells that the rim cuts: its length times a cell, over the area"});
   for (const auto& [kernel, id] : {std::pair{smoothed, std::string("smoothed")}, {ball, std::string("ball")}}) {
     Worst slope;
     for (const double d : {0.05, 0.2, 0.45, 0.65}) {
@@ -286,4 +282,4 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
   });
 }
 
-}  // namespace overlapping_particles_test
+}  // namespace seiche::verification::overlapping_particles_test

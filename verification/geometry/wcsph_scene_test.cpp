@@ -13,11 +13,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_scene_test {
+namespace seiche::verification::wcsph_scene_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
 const std::string counts = "particle counts published with the two dam breaks, 11103 and 7983";
@@ -145,8 +143,8 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   Check check("wcsph_scenes", "Particles of the beginning",
               "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
               "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
-              "and half a spacing from its effective end, and the pressure of the density is that of water at rest.");
-  check.source(lattices);
+              "and half a spacing from its effective end, and the pressure of the density is that of water at rest.",
+              lattices);
   Worst mass_defect;
   Distances square;
   Distances centred;
@@ -183,9 +181,8 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
       }
     }
   }
-  check.that(
-      {.id = "mass", .text = "The fluid's mass is rho_0 times the area of the water.", .quantity = "relative defect"},
-      {.value = mass_defect.value()}, Roundoff{10, 1, "dx^2 of rounded lengths; the sum is compensated"});
+  check.that("mass", "The fluid's mass is rho_0 times the area of the water.", "relative defect", {mass_defect.value()},
+             Roundoff{10, 1, "dx^2 of rounded lengths; the sum is compensated"});
   const Roundoff water_places{
       .operations = 4,
       .scale = 60,
@@ -201,30 +198,22 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
     limit.expected = expected;
     return limit;
   };
-  check.that({.id = "fluid-square", .text = "Square lattice: neighbours are dx apart.", .quantity = "distance/dx"},
-             {.value = square.fluid.value()}, about(water_places, 1));
-  check.that({.id = "fluid-centred",
-              .text = "Body-centred lattice: neighbours are dx/sqrt 2 apart.",
-              .quantity = "distance/dx"},
-             {.value = centred.fluid.value()}, about(water_places, 1 / std::numbers::sqrt2));
-  check.that({.id = "wall-square",
-              .text = "Square lattice: the first row of water is dx from the row of the wall.",
-              .quantity = "distance/dx"},
-             {.value = square.wall.value()}, about(wall_places, 1));
-  check.that(
-      {.id = "wall-centred",
-       .text = "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a "
-               "spacing in front of the wall, and a quarter beside its particles.",
-       .quantity = "distance/dx"},
-      {.value = centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
-  check.that({.id = "hydrostatic",
-              .text = "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
-              .quantity = "largest error over rho_0 g H",
-              .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
-             {.value = pressure_error.value()},
-             Roundoff{10, 200 / 7.0,
-                      "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
-                      "power, about 10 operations"});
+  check.that("fluid-square", "Square lattice: neighbours are dx apart.", "distance/dx", {square.fluid.value()},
+             about(water_places, 1));
+  check.that("fluid-centred", "Body-centred lattice: neighbours are dx/sqrt 2 apart.", "distance/dx",
+             {centred.fluid.value()}, about(water_places, 1 / std::numbers::sqrt2));
+  check.that("wall-square", "Square lattice: the first row of water is dx from the row of the wall.", "distance/dx",
+             {square.wall.value()}, about(wall_places, 1));
+  check.that("wall-centred",
+             "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a "
+             "spacing in front of the wall, and a quarter beside its particles.",
+             "distance/dx", {centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
+  check.from("Monaghan, J. Comput. Phys. 110 (1994) 399")
+      .that("hydrostatic", "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
+            "largest error over rho_0 g H", {pressure_error.value()},
+            Roundoff{10, 200 / 7.0,
+                     "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
+                     "power, about 10 operations"});
 
   const Scene with_flap = flume(flap_flume(), water(0.013));
   Smallest rearmost;
@@ -238,12 +227,10 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
                        .x);
     }
   }
-  check.that({.id = "sweep",
-              .text = "The bottom reaches as far back as the paddle does.",
-              .quantity = "rearmost place of the paddle behind the end of the bottom",
-              .unit = "m",
-              .source = "interface of the scene"},
-             {.value = std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
+  check.from("interface of the scene")
+      .that("sweep", "The bottom reaches as far back as the paddle does.",
+            "rearmost place of the paddle behind the end of the bottom [m]",
+            {std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
 
   DamBreak odd = tall_column(Lattice::square, false);
   CHECK(dam_break(odd, water(0.114)).warnings.empty());
@@ -255,4 +242,4 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   CHECK(rounded.particles.count(Kind::fluid) == 5000);
 }
 
-}  // namespace wcsph_scene_test
+}  // namespace seiche::verification::wcsph_scene_test

@@ -15,10 +15,7 @@
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "verification/check.hpp"
 
-namespace denormals_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::denormals_test {
 
 constexpr double tiny = 1e-310;
 constexpr std::size_t rows = 16;
@@ -105,4 +102,4 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
               Bound{0, "the same bytes from any number of threads"});
 }
 
-}  // namespace denormals_test
+}  // namespace seiche::verification::denormals_test

@@ -9,10 +9,8 @@
 #include "seiche/linear/sparse_cholesky.hpp"
 #include "verification/check.hpp"
 
-namespace factor_work_test {
+namespace seiche::verification::factor_work_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using linear::FactorWork;
 
 /// Of the pattern with `below` entries under every diagonal, eliminated as it stands.
@@ -60,4 +58,4 @@ TEST_CASE("factors tell what they cost", "[linear]") {
   same("two-blocks", linear::NinePointCholesky(8, 2).work(), {3 * 64, 4 * product});
 }
 
-}  // namespace factor_work_test
+}  // namespace seiche::verification::factor_work_test

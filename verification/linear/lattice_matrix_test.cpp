@@ -13,12 +13,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lattice_matrix_test {
+namespace seiche::verification::lattice_matrix_test {
 
-using namespace seiche::linear;
-using seiche::Worst;
-using seiche::worst;
-using namespace seiche::verification;
+using namespace linear;
 
 struct Shape {
   std::size_t columns, rows, layers;
@@ -213,4 +210,4 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
                     "the tolerance times the norm of the right-hand side, over its smallest entry"});
 }
 
-}  // namespace lattice_matrix_test
+}  // namespace seiche::verification::lattice_matrix_test

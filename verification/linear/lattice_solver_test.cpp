@@ -17,13 +17,9 @@
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
 
-namespace lattice_solver_test {
+namespace seiche::verification::lattice_solver_test {
 
-using namespace seiche::linear;
-using seiche::Largest;
-using seiche::largest;
-using seiche::worst;
-using namespace seiche::verification;
+using namespace linear;
 
 LatticeArray random_array(std::size_t columns, std::size_t rows) {
   LatticeArray result(columns, rows);
@@ -213,7 +209,7 @@ TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
                     .panel({.x = "amplitude / depth", .y = "iterations", .y_min = 0});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     panel.points(fmt::format("{} x {} cells", 4 * rows[i], rows[i]), amplitudes, found[i],
-                 i + 1 == rows.size() ? seiche::evidence::Role::computed : seiche::evidence::Role::peer);
+                 i + 1 == rows.size() ? evidence::Role::computed : evidence::Role::peer);
   }
   const std::size_t chosen = 3;
   Largest spread;
@@ -315,4 +311,4 @@ TEST_CASE("lattices that have no inverse are refused", "[linear]") {
   CHECK_THROWS_AS(HexahedralLattice(1, 1, {1.0}, 0), std::invalid_argument);
 }
 
-}  // namespace lattice_solver_test
+}  // namespace seiche::verification::lattice_solver_test

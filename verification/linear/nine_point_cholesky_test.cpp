@@ -15,12 +15,9 @@
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
 
-namespace nine_point_cholesky_test {
+namespace seiche::verification::nine_point_cholesky_test {
 
-using namespace seiche::linear;
-using seiche::Worst;
-using seiche::worst;
-using namespace seiche::verification;
+using namespace linear;
 
 struct Shape {
   std::size_t columns, rows;
@@ -196,4 +193,4 @@ TEST_CASE("sparse Cholesky refuses what is not a lower triangle and a wrong numb
   CHECK_THROWS_AS(SparseCholesky(Eigen::SparseMatrix<double>(2, 2)), std::invalid_argument);
 }
 
-}  // namespace nine_point_cholesky_test
+}  // namespace seiche::verification::nine_point_cholesky_test

@@ -14,10 +14,8 @@
 #include "verification/noise.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace ring_solver_test {
+namespace seiche::verification::ring_solver_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using linear::RingMatrix;
 using linear::RingSolver;
 
@@ -114,4 +112,4 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
   });
 }
 
-}  // namespace ring_solver_test
+}  // namespace seiche::verification::ring_solver_test

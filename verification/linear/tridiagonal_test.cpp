@@ -9,12 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace tridiagonal_test {
+namespace seiche::verification::tridiagonal_test {
 
-using namespace seiche::linear;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::worst;
+using namespace linear;
 
 struct Problem {
   std::vector<double> diagonal, off_diagonal, right_hand_side;
@@ -142,4 +139,4 @@ TEST_CASE("a matrix that is not positive definite is refused with its row", "[li
   CHECK_THROWS_AS(periodic.factor({std::vector<double>(9, 1.9), off_diagonal}), NotPositiveDefinite);
 }
 
-}  // namespace tridiagonal_test
+}  // namespace seiche::verification::tridiagonal_test

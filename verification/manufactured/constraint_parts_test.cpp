@@ -11,10 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace constraint_parts_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::constraint_parts_test {
 
 std::vector<double> random_rates(std::size_t count, unsigned seed) {
   std::minstd_rand random(seed);
@@ -57,12 +54,12 @@ TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[me
 
 TEST_CASE("areas change along curved walls as their curvature says", "[mechanics]") {
   using namespace lagrangian_mesh_2d;
-  Check check(
-      "lagrangian_mesh_curvature", "Curvature of areas along a curved bottom",
-      "Nodes slide on a bump, others move straight. Along that motion, with constant speeds $s'$, the rates of "
-      "the areas grow by $f''(u, u)$: the part that is bilinear in the velocities of the nodes, and the bend "
-      "of the curve for those that slide. Areas at five times, $h = 10^{-3}$ apart, give their second "
-      "derivatives with an error of $h^4/90$ of the sixth, at most 10, and with roundings of areas over $h^2$.");
+  Check check("lagrangian_mesh_curvature", "Curvature of areas along a curved bottom",
+              "Nodes slide on a bump, others move straight. Along that motion, with constant speeds $s'$, the rates of "
+              "the areas grow by $f''(u, u)$: the part that is bilinear in the velocities of the nodes, and the bend "
+              "of the curve for those that slide. Areas at five times, $h = 10^{-3}$ apart, give their second "
+              "derivatives with an error of $h^4/90$ of the sixth, at most 10, and with roundings of areas over $h^2$.",
+              "Taylor's theorem");
   Model model(layer_mesh_over(verification::bump(), 0, 6, 16, 4, verification::cosine_elevation));
   const mechanics::State start = model.state(VelocityAt([](Point r) {
     return Point{0.3 + 0.2 * std::sin(r.x), 0.2 * std::cos(2 * r.x + r.y)};
@@ -83,11 +80,7 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
     const double second = (-m2[s] + 16 * m1[s] - 30 * now[s] + 16 * p1[s] - p2[s]) / (12 * h * h);
     worst.add(curvature[s] - second);
   }
-  check.that({.id = "areas",
-              .text = "Second derivatives of the cell areas equal differences.",
-              .quantity = "largest difference",
-              .source = "Taylor's theorem"},
-             {.value = worst.value()},
+  check.that("areas", "Second derivatives of the cell areas equal differences.", "largest difference", {worst.value()},
              Bound{1e-9,
                    "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products "
                    "of places up to 6, 1e-15, over h^2"});
@@ -140,4 +133,4 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
   claim("inside", "Velocities of nodes inside the water are not changed by sliding walls.", free.value());
 }
 
-}  // namespace constraint_parts_test
+}  // namespace seiche::verification::constraint_parts_test

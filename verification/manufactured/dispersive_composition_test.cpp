@@ -13,13 +13,10 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_composition_test {
+namespace seiche::verification::dispersive_composition_test {
 
-using namespace seiche::mechanics;
-using Model = seiche::dispersive_shallow_water_1d::Model;
-using seiche::Largest;
-using seiche::Worst;
-using namespace seiche::verification;
+using namespace mechanics;
+using Model = dispersive_shallow_water_1d::Model;
 
 const std::string source = "Yoshida (1990), Suzuki (1990); Hairer, Lubich & Wanner (2006), II.4";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -29,9 +26,8 @@ constexpr double end_time = 20;
 constexpr std::size_t cells = 240;
 
 /// Solitary wave in a periodic level channel, cells of equal volume.
-seiche::dispersive_shallow_water_1d::Markers solitary_wave(
-    const seiche::dispersive_shallow_water_1d::Channel& channel) {
-  const seiche::exact::SerreSolitary wave(amplitude);
+dispersive_shallow_water_1d::Markers solitary_wave(const dispersive_shallow_water_1d::Channel& channel) {
+  const exact::SerreSolitary wave(amplitude);
   constexpr double crest = 20;
   const double excess = wave.excess_up_to(length - crest) - wave.excess_up_to(-crest);
   return solitary_markers(channel, 0, length, (length + excess) / cells, {.amplitude = amplitude, .crest = crest});
@@ -46,8 +42,7 @@ struct Result {
 
 template <template <class> class Base>
 Result run(double tau, const std::vector<double>& stages) {
-  const seiche::dispersive_shallow_water_1d::Channel channel{.bottom = std::make_shared<seiche::LevelBottom>(1.0),
-                                                             .period = length};
+  const dispersive_shallow_water_1d::Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .period = length};
   const auto markers = solitary_wave(channel);
   Model model(channel, markers);
   State state = model.state_of(markers);
@@ -100,12 +95,12 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
               "Solitary wave of amplitude 0.3 in a periodic level channel of length 60, cells of 0.25, $t = 20$. The "
               "error is the largest of a marker's place against the limit of small steps on the same cells, so that it "
               "is all of time. Suzuki's composition of the conservative scheme is of fourth order and keeps energy, "
-              "momentum and the volume of every cell to round-off.");
+              "momentum and the volume of every cell to round-off.",
+              source);
   auto& panel = check.figure("orders", "Orders in time", "Largest error of a marker against the step.")
                     .panel({.x = "tau", .y = "error", .log_x = true, .log_y = true});
   const std::vector<double> limit = run<OneStep>(0.01, suzuki_weights()).x;
-  const auto known =
-      seiche::validation::reference_table("regression_dispersive_composition", check.record().reference_data);
+  const auto known = validation::reference_table("regression_dispersive_composition", check.record().reference_data);
   for (const Method& method : methods()) {
     std::vector<double> error;
     Largest energy;
@@ -120,13 +115,11 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
       volume.add(result.volume);
       solves.add(static_cast<double>(result.solves));
     }
-    panel.line(method.name, method.tau, error, seiche::evidence::Role::computed);
-    check.that({.id = "order-" + method.id,
-                .text = std::string("The error falls with order ") + (method.theory == 4 ? "4" : "2") +
-                        " in the step: " + method.name + ".",
-                .quantity = "observed order of the largest error of a marker",
-                .source = source},
-               observed_order(method.tau, error, 1e-12),
+    panel.line(method.name, method.tau, error, evidence::Role::computed);
+    check.that("order-" + method.id,
+               std::string("The error falls with order ") + (method.theory == 4 ? "4" : "2") +
+                   " in the step: " + method.name + ".",
+               "observed order of the largest error of a marker", observed_order(method.tau, error, 1e-12),
                Order{method.theory, method.theory == 4 ? 0.2 : 0.1,
                      "smooth motion on a level bottom; below 1e-12 the rounding of coordinates up to 60 counts"});
     if (method.known != 0) {
@@ -142,20 +135,16 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
                   Bound{1, "two digits are given"});
     }
     if (method.id != "conservative-suzuki") continue;
-    check.that({.id = "energy",
-                .text = "Suzuki's composition of the conservative scheme keeps the energy.",
-                .quantity = "largest relative defect",
-                .source = digits + ": 6e-15"},
-               {.value = energy.value(), .resolution = "tau = 0.8 .. 0.1"},
-               Roundoff{solves.value(), 1, "one rounded energy per solve"});
-    check.that({.id = "volume",
-                .text = "Suzuki's composition of the conservative scheme conserves every cell's volume.",
-                .quantity = "largest relative defect",
-                .source = digits + ": 8e-13"},
-               {.value = volume.value() / (length / cells), .resolution = "tau = 0.8 .. 0.1"},
-               Roundoff{solves.value(), cells,
-                        "one rounded coordinate, up to the channel's length, per solve and width of a cell"});
+    check.from(digits + ": 6e-15")
+        .that("energy", "Suzuki's composition of the conservative scheme keeps the energy.", "largest relative defect",
+              {.value = energy.value(), .resolution = "tau = 0.8 .. 0.1"},
+              Roundoff{solves.value(), 1, "one rounded energy per solve"});
+    check.from(digits + ": 8e-13")
+        .that("volume", "Suzuki's composition of the conservative scheme conserves every cell's volume.",
+              "largest relative defect", {.value = volume.value() / (length / cells), .resolution = "tau = 0.8 .. 0.1"},
+              Roundoff{solves.value(), cells,
+                       "one rounded coordinate, up to the channel's length, per solve and width of a cell"});
   }
 }
 
-}  // namespace dispersive_composition_test
+}  // namespace seiche::verification::dispersive_composition_test

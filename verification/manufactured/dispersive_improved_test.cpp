@@ -14,12 +14,10 @@
 #include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_improved_test {
+namespace seiche::verification::dispersive_improved_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Mean;
-using seiche::validation::DispersiveManufactured;
+using namespace dispersive_shallow_water_1d;
+using validation::DispersiveManufactured;
 
 constexpr double gamma_factor = 1.0 / 15;
 constexpr double end = 5;
@@ -32,8 +30,8 @@ std::array<double, unknowns> errors_at_end(Kinetics kinetics, Stepping stepping,
       {.alpha = 1.0 / 3 + gamma_factor, .green_naghdi = kinetics == Kinetics::green_naghdi, .gamma = gamma_factor});
   const auto& parameters = exact.parameters();
   const double length = parameters.length;
-  Channel channel{.bottom = std::make_shared<seiche::CosineBottom>(parameters.depth, parameters.bottom_amplitude,
-                                                                   2 * std::numbers::pi / length),
+  Channel channel{.bottom = std::make_shared<CosineBottom>(parameters.depth, parameters.bottom_amplitude,
+                                                           2 * std::numbers::pi / length),
                   .period = length,
                   .gravity = parameters.gravity,
                   .kinetics = kinetics,
@@ -79,7 +77,8 @@ TEST_CASE("improved dispersion over an uneven bottom is of second order", "[manu
       "The motion of `dispersive_manufactured`, whose depth changes by a fifth of its mean and whose markers by "
       "a fifth of their distance, with the energy of improved dispersion, gamma = 1/15 and alpha = 2/5, and the "
       "forces that then sustain it. All unknowns have to converge with second order, for both kinetic energies "
-      "and the two schemes whose gradients of that energy differ.");
+      "and the two schemes whose gradients of that energy differ.",
+      "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
   struct Frame {
     std::string id, text;
     Kinetics kinetics;
@@ -100,15 +99,13 @@ TEST_CASE("improved dispersion over an uneven bottom is of second order", "[manu
         widths.push_back(10 / static_cast<double>(n));
       }
       for (std::size_t k = 0; k < unknowns; ++k) {
-        check.that({.id = fmt::format("order-{}-{}-{}", frame.id, scheme.id, names[k]),
-                    .text = fmt::format("{}, {} scheme: {} is of second order.", frame.text, scheme.text, names[k]),
-                    .quantity = "order of the root-mean-square error",
-                    .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4"},
-                   observed_order(widths, errors[k]),
+        check.that(fmt::format("order-{}-{}-{}", frame.id, scheme.id, names[k]),
+                   fmt::format("{}, {} scheme: {} is of second order.", frame.text, scheme.text, names[k]),
+                   "order of the root-mean-square error", observed_order(widths, errors[k]),
                    Order{2, 0.05, "smooth solution, four resolutions, the same motion as without gamma"});
       }
     }
   }
 }
 
-}  // namespace dispersive_improved_test
+}  // namespace seiche::verification::dispersive_improved_test

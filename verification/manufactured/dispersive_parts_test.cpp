@@ -8,11 +8,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_parts_test {
+namespace seiche::verification::dispersive_parts_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 /// Two slopes of 1 to 4 and 1 to 8 that meet at (0, -1).
 std::shared_ptr<const BottomProfile> valley() {
@@ -123,4 +121,4 @@ TEST_CASE("pressure on the surface acts as its integral with linear weights", "[
   }
 }
 
-}  // namespace dispersive_parts_test
+}  // namespace seiche::verification::dispersive_parts_test

@@ -17,12 +17,10 @@
 #include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_shallow_water_test {
+namespace seiche::verification::dispersive_shallow_water_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::validation::DispersiveManufactured;
+using namespace dispersive_shallow_water_1d;
+using validation::DispersiveManufactured;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -55,8 +53,8 @@ Fields errors_at_end(Kinetics kinetics, Stepping stepping, std::size_t n, long s
   const DispersiveManufactured::Parameters& parameters = exact.parameters();
   const double length = parameters.length;
   const Channel channel{
-      .bottom = std::make_shared<seiche::CosineBottom>(parameters.depth, parameters.bottom_amplitude,
-                                                       2 * std::numbers::pi * parameters.bottom_mode / length),
+      .bottom = std::make_shared<CosineBottom>(parameters.depth, parameters.bottom_amplitude,
+                                               2 * std::numbers::pi * parameters.bottom_mode / length),
       .period = length,
       .gravity = parameters.gravity,
       .kinetics = kinetics,
@@ -116,8 +114,8 @@ double in_last_digits(double value, double printed) {
 
 /// One claim per unknown over all resolutions of the table, and the table itself. @param energy  its code in the table
 void check_table(Check& check, const std::string& id, const Frames& frame, const Named& scheme, double energy) {
-  const seiche::io::Table known =
-      seiche::validation::reference_table("regression_dispersive_manufactured", check.record().reference_data);
+  const io::Table known =
+      validation::reference_table("regression_dispersive_manufactured", check.record().reference_data);
   std::vector<std::pair<std::size_t, Errors>> printed;
   for (std::size_t row = 0; row < known.rows(); ++row) {
     if (known.column("energy")[row] != energy) continue;
@@ -126,7 +124,7 @@ void check_table(Check& check, const std::string& id, const Frames& frame, const
     printed.emplace_back(static_cast<std::size_t>(known.column("n")[row]), errors);
   }
   REQUIRE(!printed.empty());
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "digits_" + id,
       .title = fmt::format("Errors, {}, {} scheme", frame.text, scheme.text),
       .caption = "Root-mean-square errors at t = 5, each with the number of the earlier program after it.",
@@ -161,7 +159,8 @@ TEST_CASE("all unknowns of dispersive shallow water converge with second order o
               "$x = a + 0.3 \\sin(ka)\\cos(0.8t)$ with the dynamic pressure $0.05\\cos(2ka)\\sin(0.8t)$ by forces on "
               "both rates of every particle. The bottom lies on the markers' path, so that frames, volumes and forces "
               "all change. The step is $2.5/n$, the end $t = 5$. Positions, rates and the multipliers have to converge "
-              "with second order, for either kinetic energy and each scheme.");
+              "with second order, for either kinetic energy and each scheme.",
+              source);
   for (const Frames& frame : frames) {
     auto& figure = check.figure("convergence_" + frame.id, "Errors under refinement, " + frame.text,
                                 "Root-mean-square errors at t = 5 against the number of cells; the step shrinks with "
@@ -179,11 +178,9 @@ TEST_CASE("all unknowns of dispersive shallow water converge with second order o
       auto& panel = figure.panel({.x = "cells n", .y = "error", .title = scheme.text, .log_x = true, .log_y = true});
       for (std::size_t k = 0; k < unknowns; ++k) {
         panel.line(names[k], cells, errors[k]);
-        check.that({.id = fmt::format("order-{}-{}-{}", frame.id, scheme.id, names[k]),
-                    .text = fmt::format("{}, {} scheme: {} is of second order.", frame.text, scheme.text, names[k]),
-                    .quantity = "order of the root-mean-square error",
-                    .source = source},
-                   observed_order(widths, errors[k]),
+        check.that(fmt::format("order-{}-{}-{}", frame.id, scheme.id, names[k]),
+                   fmt::format("{}, {} scheme: {} is of second order.", frame.text, scheme.text, names[k]),
+                   "order of the root-mean-square error", observed_order(widths, errors[k]),
                    Order{2, 0.05, "smooth solution, five resolutions deep in the asymptotic range"});
       }
       std::vector<double> slope;
@@ -200,8 +197,8 @@ TEST_CASE("the errors of dispersive shallow water are those of an earlier progra
   check_table(check, "frank", frames[0], schemes[0], 1);
   check_table(check, "green_naghdi", frames[1], schemes[0], 2);
   const Errors conservative = rms_errors(Kinetics::frank, Stepping::conservative, 400);
-  const seiche::io::Table known = seiche::validation::reference_table("regression_dispersive_manufactured_conservative",
-                                                                      check.record().reference_data);
+  const io::Table known =
+      validation::reference_table("regression_dispersive_manufactured_conservative", check.record().reference_data);
   const auto printed = [&](std::size_t k) {
     const double expected = known.column(names[k]).front();
     check.holds(
@@ -215,7 +212,8 @@ TEST_CASE("the errors of dispersive shallow water are those of an earlier progra
 TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactured]") {
   Check check("dispersive_manufactured_step", "Dispersive shallow water: manufactured motion, refinement of the step",
               "Frank's energy, one-step scheme. On 400 cells the error of the cells is taken out marker by marker, as "
-              "that of a run with very short steps. On 1600 cells it is small beside the step's.");
+              "that of a run with very short steps. On 1600 cells it is small beside the step's.",
+              source);
   const auto run = [](std::size_t n, double tau) {
     return errors_at_end(Kinetics::frank, Stepping::one_step, n, std::lround(end / tau));
   };
@@ -237,11 +235,8 @@ TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactu
                     .panel({.x = "step", .y = "error", .log_x = true, .log_y = true});
   for (std::size_t k = 0; k < unknowns; ++k) {
     panel.line(names[k], steps, errors[k]);
-    check.that({.id = "order-" + names[k],
-                .text = "The step's error of " + names[k] + " is of second order.",
-                .quantity = "order of the root-mean-square error",
-                .source = source},
-               observed_order(steps, errors[k]),
+    check.that("order-" + names[k], "The step's error of " + names[k] + " is of second order.",
+               "order of the root-mean-square error", observed_order(steps, errors[k]),
                Order{2, 0.05,
                      "dispersive waves reach omega = 1.9 here: errors of fourth order, (omega tau)^2/4 of those of "
                      "second, are 1 % at the longest step; the shortest step is 16 of the reference's, whose own error "
@@ -257,4 +252,4 @@ TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactu
   }
 }
 
-}  // namespace dispersive_shallow_water_test
+}  // namespace seiche::verification::dispersive_shallow_water_test

@@ -7,10 +7,8 @@
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_smooth_wave_test {
+namespace seiche::verification::finite_volume_smooth_wave_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
@@ -53,7 +51,9 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       "finer grids than that of the "
       "second-order schemes, whose limiter costs a little at the crest. The errors of an earlier program are "
       "regression. For muscl_hll they identify the variant: the edge velocities are weighted to carry the cell's "
-      "momentum because that is what reproduces them; unweighted, the errors differ by up to 5 %, the order does not.");
+      "momentum because that is what reproduces them; unweighted, the errors differ by up to 5 %, the order does not.",
+      "Toro, Shock-capturing methods for free-surface shallow flows "
+      "(2001)");
   const auto wave = exact::SimpleWave::hump(9.81, 1, 0.2, 6, 6);
   const std::array<Expectation, 4> expectations{{
       {Scheme::lax_friedrichs, 1, 1600},
@@ -91,15 +91,13 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
     }
     const auto tail = static_cast<std::ptrdiff_t>(widths.size()) - 4;
     check.that(
-        {.id = id + "-order",
-         .text = "Scheme " + id + " converges with order " + std::to_string(static_cast<int>(expectation.order)) + ".",
-         .quantity = "order of convergence",
-         .source = "Toro, Shock-capturing methods for free-surface shallow flows "
-                   "(2001)"},
+        id + "-order",
+        "Scheme " + id + " converges with order " + std::to_string(static_cast<int>(expectation.order)) + ".",
+        "order of convergence",
         observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
         Order{expectation.order, 0.15, "approached from below: next term of the error on the four finest grids"});
     panel.line(id, widths, errors, Role::computed);
   }
 }
 
-}  // namespace finite_volume_smooth_wave_test
+}  // namespace seiche::verification::finite_volume_smooth_wave_test

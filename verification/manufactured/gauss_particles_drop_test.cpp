@@ -16,15 +16,11 @@
 #include "validation/instruments/gauss_pressure.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_drop_test {
+namespace seiche::verification::gauss_particles_drop_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Mean;
-using seiche::Point;
-using seiche::Worst;
-using seiche::exact::StretchingDrop;
+using namespace gauss_particles;
+using namespace mechanics;
+using exact::StretchingDrop;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
 
@@ -70,13 +66,13 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
       "gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
       "With the five linear solenoidal fields and isotropic second moments the particles move on the exact paths "
       "but for the error in time: of second order with the conservative scheme, for 300 particles and for 4, of "
-      "first order with Frank's projection scheme.");
+      "first order with Frank's projection scheme.",
+      source);
   const std::vector<double> lengths{0.04, 0.02, 0.01, 0.005};
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& error,
                          double theory) {
     check.that(
-        {.id = id, .text = text, .quantity = "order of the largest distance at t = 2", .source = source},
-        observed_order(lengths, error),
+        id, text, "order of the largest distance at t = 2", observed_order(lengths, error),
         Order{theory, 0.01,
               "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
               "order over this range"});
@@ -100,7 +96,7 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
       "The same disc with cubic splines on cells of 0.4 by 0.2, most of them cut by the surface. The fields are in the "
       "space, so that the splines add nothing but the error of sums over particles: with enough of these what is left "
       "is the error of the steps, which is that of the five linear fields. The markers stay on the surface.");
-  seiche::evidence::Table& table =
+  evidence::Table& table =
       check.table({.id = "errors",
                    .title = "Distances from the exact places at t = 2",
                    .caption = "In radii of the disc, tau = 0.01. The last row: linear fields alone.",
@@ -165,4 +161,4 @@ TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
   }
 }
 
-}  // namespace gauss_particles_drop_test
+}  // namespace seiche::verification::gauss_particles_drop_test

@@ -12,10 +12,9 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_projection_test {
+namespace seiche::verification::gauss_particles_projection_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
+using namespace gauss_particles;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, formula (21)";
 
@@ -93,7 +92,8 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
       "gauss_particles_projection", "Free particles: the projection of a smooth field",
       "Water between a flat bottom and the surface 1 + 0.1 cos x. Velocities of a known stream function are "
       "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows and "
-      "for particles and masses displaced at random by up to half their spacing and half their size.");
+      "for particles and masses displaced at random by up to half their spacing and half their size.",
+      source);
   auto& figure = check.figure("orders", "Error of the projection", "Against the cells of a lattice.");
   auto& panel = figure.panel({.x = "h", .y = "relative error", .log_x = true, .log_y = true});
   for (const bool random : {false, true}) {
@@ -116,11 +116,8 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
           "p = " + std::to_string(degree) + (random ? ", random particles" : ", particles in rows");
       panel.line(name, errors.sizes, errors.errors, Role::computed);
       check.that(
-          {.id = std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
-           .text = "The projection errs by O(h^p): " + name + ".",
-           .quantity = "order of the relative error",
-           .source = source},
-          errors.order(),
+          std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
+          "The projection errs by O(h^p): " + name + ".", "order of the relative error", errors.order(),
           Order{static_cast<double>(degree), 0.25,
                 "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 at the "
                 "coarsest lattice, 0.08 at the finest, a quarter on average"});
@@ -134,7 +131,8 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
       "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but for "
       "the error of sums over particles. What the projection leaves of it falls with the square of the particles' "
       "spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the seed of "
-      "the instability under gravity.");
+      "the instability under gravity.",
+      source);
   for (const bool end_corrected : {false, true}) {
     Convergence leaks;
     for (const int per_side : {8, 16, 32, 64}) {
@@ -143,12 +141,10 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
       leaks.add(1.0 / per_side, norm(at, projected(at, full, 3, 40)) / norm(at, full));
     }
     const double theory = end_corrected ? 4 : 2;
-    check.that({.id = end_corrected ? "end-corrected" : "midpoint",
-                .text = std::string("Projections with ") +
-                        (end_corrected ? "end-corrected masses have order 4." : "equal masses have order 2."),
-                .quantity = "order of the part of a gradient that is left, in the particles' spacing",
-                .source = source},
-               leaks.order(),
+    check.that(end_corrected ? "end-corrected" : "midpoint",
+               std::string("Projections with ") +
+                   (end_corrected ? "end-corrected masses have order 4." : "equal masses have order 2."),
+               "order of the part of a gradient that is left, in the particles' spacing", leaks.order(),
                end_corrected
                    ? Order{theory, 0.5,
                            "the midpoint rule with its first end correction is of fourth order; where rows of "
@@ -167,22 +163,22 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       "is the integral of the squared gradient of their vorticity, times h^(7/2), and zero for an irrotational flow.");
   struct Flow {
     std::string id, text;
-    std::function<seiche::Point(double x, double y)> velocity;
+    std::function<Point(double x, double y)> velocity;
     double gradient;  ///< of the vorticity
   };
   const std::vector<Flow> flows{{"shear", "Stream function y^3/6",
                                  [](double, double y) {
-                                   return seiche::Point{y * y / 2, 0};
+                                   return Point{y * y / 2, 0};
                                  },
                                  1},
                                 {"crossed", "Stream function x^2 y/2",
                                  [](double x, double y) {
-                                   return seiche::Point{x * x / 2, -x * y};
+                                   return Point{x * x / 2, -x * y};
                                  },
                                  1},
                                 {"irrotational", "Stream function x^3 - 3 x y^2",
                                  [](double x, double y) {
-                                   return seiche::Point{-6 * x * y, 3 * (y * y - x * x)};
+                                   return Point{-6 * x * y, 3 * (y * y - x * x)};
                                  },
                                  0}};
   constexpr double factor = 1e-13;  // small enough to change nothing
@@ -200,7 +196,7 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       space.place({}, at.x, at.y, at.mass, factor);
       Velocities w;
       for (std::size_t k = 0; k < at.size(); ++k) {
-        const seiche::Point v = flow.velocity(at.x[k], at.y[k]);
+        const Point v = flow.velocity(at.x[k], at.y[k]);
         w.u.push_back(v.x);
         w.v.push_back(v.y);
       }
@@ -215,4 +211,4 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
   }
 }
 
-}  // namespace gauss_particles_projection_test
+}  // namespace seiche::verification::gauss_particles_projection_test

@@ -10,11 +10,9 @@
 #include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace integrator_parts_test {
+namespace seiche::verification::integrator_parts_test {
 
-using namespace seiche;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace mechanics;
 using rigid_chain::RigidChain;
 
 double sum_of_powers(const std::vector<double>& weights, int power) {
@@ -132,4 +130,4 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
         "products of velocities up to 3 with differences up to 2, ten to a link; nothing accumulates");
 }
 
-}  // namespace integrator_parts_test
+}  // namespace seiche::verification::integrator_parts_test

@@ -12,11 +12,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_3d_section_test {
+namespace seiche::verification::lagrangian_mesh_3d_section_test {
 
-using namespace seiche;
 using mechanics::Stepping;
-using namespace seiche::verification;
 
 namespace section = lagrangian_mesh_2d;
 namespace space = lagrangian_mesh_3d;
@@ -83,7 +81,8 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
       "lagrangian_mesh_3d_section", "Hexahedra beside the mesh in the plane, over a slope",
       "A hump over a bottom that rises along x, 24 x 3 cells in the plane, 24 x 2 x 3 in space, until t = 4. On a "
       "plane slope both slide the same way, to round-off. On a bent one the mesh in the plane counts arc "
-      "lengths, the hexahedra have one more constraint: two schemes of second order.");
+      "lengths, the hexahedra have one more constraint: two schemes of second order.",
+      source);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     check.holds("Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
@@ -95,12 +94,8 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
   const std::vector<double> taus{0.2, 0.1, 0.05, 0.025};
   std::vector<double> differences;
   for (const double tau : taus) differences.push_back(difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau));
-  check.that({.id = "bent-order",
-              .text = "Over a bent slope the difference vanishes with the square of the step.",
-              .quantity = "observed order",
-              .source = source},
-             observed_order(taus, differences),
-             Order{.theory = 2, .tolerance = 0.3, .reason = "both schemes are symmetric, of second order"});
+  check.that("bent-order", "Over a bent slope the difference vanishes with the square of the step.", "observed order",
+             observed_order(taus, differences), Order{2, 0.3, "both schemes are symmetric, of second order"});
 }
 
-}  // namespace lagrangian_mesh_3d_section_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_section_test

@@ -14,11 +14,9 @@
 #include "verification/check.hpp"
 #include "verification/manufactured/hexahedral_motion.hpp"
 
-namespace lagrangian_mesh_3d_test {
+namespace seiche::verification::lagrangian_mesh_3d_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using namespace seiche::lagrangian_mesh_3d;
+using namespace lagrangian_mesh_3d;
 using Motion = HexahedralMotion;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
@@ -166,8 +164,8 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
               "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force "
               "over the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the "
               "labels: both by differences of sixth order over steps of 1/50, which know nothing of the formulas for "
-              "derivatives.");
-  check.source(source);
+              "derivatives.",
+              source);
   const auto bottom = Motion::bottom();
   /// At labels X, Y, height and a time.
   using At = std::array<double, 4>;
@@ -221,25 +219,18 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
       }
     }
   }
-  check.that(
-      {.id = "volume", .text = "The exact motion conserves volumes: det F = 1.", .quantity = "largest det F - 1"},
-      {.value = volume.value()}, Roundoff{100, 4, "products of three of some tens of roundings each"});
-  check.that({.id = "walls",
-              .text = "The exact motion stays on the walls and the bottom.",
-              .quantity = "largest distance from them"},
-             {.value = walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
+  check.that("volume", "The exact motion conserves volumes: det F = 1.", "largest det F - 1", {volume.value()},
+             Roundoff{100, 4, "products of three of some tens of roundings each"});
+  check.that("walls", "The exact motion stays on the walls and the bottom.", "largest distance from them",
+             {walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
   const Bound bound{.limit = 1e-7,
                     .reason =
                         "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; "
                         "a term of the pressure forgotten or a wrong sign makes 1e-2"};
-  check.that({.id = "velocity",
-              .text = "Velocities of the exact motion are the rates of its positions.",
-              .quantity = "largest difference from that by differences"},
-             {.value = velocity.value()}, bound);
-  check.that({.id = "force",
-              .text = "The force over the acceleration is the gradient of the pressure.",
-              .quantity = "largest difference by differences"},
-             {.value = balance.value()}, bound);
+  check.that("velocity", "Velocities of the exact motion are the rates of its positions.",
+             "largest difference from that by differences", {velocity.value()}, bound);
+  check.that("force", "The force over the acceleration is the gradient of the pressure.",
+             "largest difference by differences", {balance.value()}, bound);
 }
 
 TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured][full]") {
@@ -250,7 +241,8 @@ TEST_CASE("hexahedra over an uneven bottom are of second order against a manufac
       "nodes slide on it by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root "
       "mean squares. A node of the surface, of the bottom or of a wall feels the pressure gradient half a cell "
       "inside and slips along it to first order, in a layer of one cell, which the pressure there feels. Everything "
-      "else is of second order.");
+      "else is of second order.",
+      source);
   std::vector<double> sizes;
   std::vector<std::vector<double>> errors(quantities.size());
   for (const std::size_t n : {16U, 20U, 24U, 32U, 40U}) {
@@ -263,10 +255,7 @@ TEST_CASE("hexahedra over an uneven bottom are of second order against a manufac
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const Quantity& quantity = quantities[i];
     panel.line(quantity.id, sizes, errors[i]);
-    check.that({.id = quantity.id,
-                .text = "Over the uneven bottom " + quantity.text + ".",
-                .quantity = "observed order",
-                .source = source},
+    check.that(quantity.id, "Over the uneven bottom " + quantity.text + ".", "observed order",
                observed_order(sizes, errors[i]), quantity.order);
   }
   validation::slope_guide(panel, 1, sizes, errors[4].back() * 1.5);
@@ -276,7 +265,8 @@ TEST_CASE("hexahedra over an uneven bottom are of second order against a manufac
 TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "[manufactured]") {
   Check check("lagrangian_mesh_3d_manufactured_time", "Hexahedra: manufactured motion, order in time",
               "The same motion on $6^3$ cells with 8 to 64 steps, against 512 steps on the same cells: errors of time "
-              "alone, with the bottom's nodes among them.");
+              "alone, with the bottom's nodes among them.",
+              source);
   constexpr std::size_t n = 6;
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Flow finest = flow_of(n, stepping, 512);
@@ -294,17 +284,11 @@ TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "
     }
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
-    check.that({.id = id + "-places",
-                .text = id + ": places are second-order in time.",
-                .quantity = "observed order",
-                .source = source},
+    check.that(id + "-places", id + ": places are second-order in time.", "observed order",
                observed_order(taus, places), second);
-    check.that({.id = id + "-velocities",
-                .text = id + ": velocities are second-order in time.",
-                .quantity = "observed order",
-                .source = source},
+    check.that(id + "-velocities", id + ": velocities are second-order in time.", "observed order",
                observed_order(taus, velocities), second);
   }
 }
 
-}  // namespace lagrangian_mesh_3d_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_test

@@ -9,10 +9,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_accuracy_test {
+namespace seiche::verification::lagrangian_mesh_accuracy_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 2";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
@@ -58,7 +57,7 @@ struct Expected {
 /// Errors of one integrator on a motion: digits, order, energy.
 class Judge {
  public:
-  Judge(Check& check, seiche::evidence::Panel& panel, const Motion& motion, const State& truth)
+  Judge(Check& check, evidence::Panel& panel, const Motion& motion, const State& truth)
       : check_(check), panel_(panel), motion_(motion), truth_(truth) {}
 
   void order_and_digits(Integrator integrator, const std::vector<int>& steps, const std::vector<Expected>& expected,
@@ -110,7 +109,7 @@ class Judge {
   }
 
   Check& check_;
-  seiche::evidence::Panel& panel_;
+  evidence::Panel& panel_;
   const Motion& motion_;
   const State& truth_;
 };
@@ -166,4 +165,4 @@ TEST_CASE("sloshing water: errors of the integrators", "[manufactured]") {
   judge.energy(Integrator::one_step, 160, {9.2e-5, 2}, problem.model.potential_energy(problem.start.q));
 }
 
-}  // namespace lagrangian_mesh_accuracy_test
+}  // namespace seiche::verification::lagrangian_mesh_accuracy_test

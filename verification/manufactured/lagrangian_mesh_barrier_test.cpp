@@ -6,17 +6,16 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_barrier_test {
+namespace seiche::verification::lagrangian_mesh_barrier_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
   Check check(
       "lagrangian_mesh_barrier", "Corner barrier: force and energy",
       "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node against "
-      "differences of the energy, fourth order in their width.");
+      "differences of the energy, fourth order in their width.",
+      "the energy of corner_barrier.hpp");
   Mesh mesh = free_patch(3, 3, {0, 0}, {3, 3});
   std::vector<double> areas(mesh.cells(), 1.0);
   std::vector<double> x = mesh.x;
@@ -47,11 +46,9 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
     }
     errors.add(width, largest.value());
   }
-  check.that({.id = "force",
-              .text = "The forces agree with the energy.",
-              .quantity = "order of the largest difference in the width of the differences",
-              .source = "the energy of corner_barrier.hpp"},
-             errors.order(1e-9), Order{4, 0.3, "fourth-order differences of a smooth energy"});
+  check.that("force", "The forces agree with the energy.",
+             "order of the largest difference in the width of the differences", errors.order(1e-9),
+             Order{4, 0.3, "fourth-order differences of a smooth energy"});
 }
 
-}  // namespace lagrangian_mesh_barrier_test
+}  // namespace seiche::verification::lagrangian_mesh_barrier_test

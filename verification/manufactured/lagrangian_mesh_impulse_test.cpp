@@ -9,10 +9,7 @@
 #include "validation/instruments/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_impulse_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::lagrangian_mesh_impulse_test {
 
 const std::string source = "Lamb, Hydrodynamics (1932), art. 11; Frank (1994), chapter 2";
 constexpr double length = 40;
@@ -63,7 +60,8 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
       "of 4 to 32 rows at rest. In the lower half the velocities are the wave's to second order, and so is the "
       "energy. At the surface they are so to first order only: a surface node feels the pressure half a cell "
       "below. This is what the mesh takes for potential flow; nodes started with the exact velocities slide over "
-      "the row beneath for ever.");
+      "the row beneath for ever.",
+      source);
   const exact::SolitaryWave wave(0.3);
   std::vector<double> h, lower_half, surface, kinetic;
   Largest rates;
@@ -80,8 +78,7 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
           .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
                          Order criterion) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = source}, observed_order(h, errors),
-               criterion);
+    check.that(id, text, "observed order", observed_order(h, errors), criterion);
     panel.points(id, h, errors, Role::computed);
   };
   order("lower-half", "Velocities in the lower half agree with the wave, to second order.", lower_half,
@@ -91,15 +88,11 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
   order("surface", "Velocities at the surface are so to first order.", surface,
         {1, 0.2, "a surface node feels the pressure half a cell below"});
   check.that(
-      {.id = "areas",
-       .text = "Rates of all cell areas after the impulse are zero to round-off.",
-       .quantity = "largest rate of an area over the area",
-       .unit = "sqrt(g/depth)",
-       .source = source},
-      {.value = rates.value(), .resolution = "4 to 32 rows"},
+      "areas", "Rates of all cell areas after the impulse are zero to round-off.",
+      "largest rate of an area over the area [sqrt(g/depth)]", {.value = rates.value(), .resolution = "4 to 32 rows"},
       Roundoff{10, 1300,
                "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the cells' "
                "reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
 }
 
-}  // namespace lagrangian_mesh_impulse_test
+}  // namespace seiche::verification::lagrangian_mesh_impulse_test

@@ -15,11 +15,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_initial_test {
+namespace seiche::verification::lagrangian_mesh_initial_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 const std::string source = "Frank (1994), chapter 2: first data";
 
@@ -164,8 +162,8 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
                     .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
   const auto order = [&](const std::string& what, const std::string& text, const std::vector<double>& errors,
                          double tolerance, const std::string& reason) {
-    check.that({.id = id + "-" + what, .text = name + ": " + text, .quantity = "observed order", .source = source},
-               observed_order(h, errors), Order{2, tolerance, reason});
+    check.that(id + "-" + what, name + ": " + text, "observed order", observed_order(h, errors),
+               Order{2, tolerance, reason});
     panel.points(what, h, errors, Role::computed);
   };
   const std::string smooth = "smooth wave; the coarsest mesh has four rows";
@@ -182,11 +180,12 @@ TEST_CASE("first data of a mesh are those of the exact wave, to second order", "
               "Surface and velocities of an exact solitary wave and of a wavelength of an exact Stokes wave between "
               "sides that move with the water, on meshes of 4 to 32 rows. Columns hold equal areas of water to "
               "round-off. The polygons' area, the energies after the projection on constant areas, and what the "
-              "projection changes converge with second order to the integrals of the waves.");
+              "projection changes converge with second order to the integrals of the waves.",
+              source);
   const exact::SolitaryWave solitary(0.3);
   check_piece(check, "solitary", "Solitary wave, A = 0.3", solitary_piece(solitary), 1, 20);
   const exact::StokesWave stokes(0.1, 4, 1, 1);
   check_piece(check, "stokes", "Stokes wave, a = 0.1, wavelength 4", stokes_piece(stokes), 1, 2);
 }
 
-}  // namespace lagrangian_mesh_initial_test
+}  // namespace seiche::verification::lagrangian_mesh_initial_test

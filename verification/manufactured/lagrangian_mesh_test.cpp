@@ -9,12 +9,11 @@
 #include "validation/instruments/mesh_double_shear.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_test {
+namespace seiche::verification::lagrangian_mesh_test {
 
-using namespace seiche::verification;
-using seiche::mechanics::Stepping;
-using seiche::validation::double_shear_errors;
-using seiche::validation::DoubleShearErrors;
+using mechanics::Stepping;
+using validation::double_shear_errors;
+using validation::DoubleShearErrors;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
 
@@ -74,14 +73,11 @@ void check_orders(Check& check, const Variant& variant) {
   for (std::size_t k = 0; k < quantities.size(); ++k) {
     const Quantity& quantity = quantities[k];
     panel.line(quantity.id, cells, errors[k]);
-    check.that({.id = fmt::format("{}-{}", variant.id, quantity.id),
-                .text = fmt::format("{}: {}.", variant.text, quantity.text),
-                .quantity = "order of the error",
-                .source = source},
-               observed_order(widths, errors[k]), quantity.order);
+    check.that(fmt::format("{}-{}", variant.id, quantity.id), fmt::format("{}: {}.", variant.text, quantity.text),
+               "order of the error", observed_order(widths, errors[k]), quantity.order);
   }
-  seiche::validation::slope_guide(panel, -1, cells, 1.5 * errors[4].back());
-  seiche::validation::slope_guide(panel, -2, cells, errors[0].back() / 1.5);
+  validation::slope_guide(panel, -1, cells, 1.5 * errors[4].back());
+  validation::slope_guide(panel, -2, cells, errors[0].back() / 1.5);
 }
 
 TEST_CASE("the Lagrangian mesh is of second order in the interior, in pressure and in the surface's shape",
@@ -91,11 +87,12 @@ TEST_CASE("the Lagrangian mesh is of second order in the interior, in pressure a
               "all around; $t = 1$, steps of a fifth of a cell. A surface node feels the pressure gradient half a cell "
               "below the surface and slips along it to first order; in a layer of one cell that makes order 1.5 in the "
               "root mean square. Everything else is of second order. The distorted mesh is displaced within the square "
-              "by up to 0.12.");
+              "by up to 0.12.",
+              source);
   check_orders(check, {"one-step", "one-step scheme", Stepping::one_step, 0});
   check_orders(check, {"conservative", "conservative scheme", Stepping::conservative, 0});
   check_orders(check, {"one-step-distorted", "one-step scheme, distorted mesh", Stepping::one_step, 0.12});
   check_orders(check, {"conservative-distorted", "conservative scheme, distorted mesh", Stepping::conservative, 0.12});
 }
 
-}  // namespace lagrangian_mesh_test
+}  // namespace seiche::verification::lagrangian_mesh_test

@@ -8,11 +8,9 @@
 #include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
 #include "verification/check.hpp"
 
-namespace mesh_remap_test {
+namespace seiche::verification::mesh_remap_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 constexpr double size = std::numbers::pi;
 
@@ -48,7 +46,8 @@ TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manuf
   Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
               "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for "
               "others: nodes move by up to 0.3 of a cell. Root mean square of the errors at the new "
-              "nodes.");
+              "nodes.",
+              "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
   std::vector<double> sizes, errors;
   for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
     sizes.push_back(size / static_cast<double>(n));
@@ -58,14 +57,10 @@ TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manuf
                     .panel({.x = "width of a cell", .y = "error", .log_x = true, .log_y = true});
   panel.line("velocity", sizes, errors);
   validation::slope_guide(panel, 3, sizes, errors.back() * 1.5);
-  check.that({.id = "velocity",
-              .text = "Velocities are carried to third order.",
-              .quantity = "observed order",
-              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             observed_order(sizes, errors),
+  check.that("velocity", "Velocities are carried to third order.", "observed order", observed_order(sizes, errors),
              Order{3, 0.3,
                    "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
                    "carries along, by h^2 times the change of the cell's size, h"});
 }
 
-}  // namespace mesh_remap_test
+}  // namespace seiche::verification::mesh_remap_test

@@ -8,12 +8,10 @@
 #include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace one_step_accuracy_test {
+namespace seiche::verification::one_step_accuracy_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::rigid_chain;
-using seiche::Worst;
-using namespace seiche::verification;
+using namespace mechanics;
+using namespace rigid_chain;
 
 const std::string source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), II, VII";
 constexpr double end_time = 5;
@@ -34,7 +32,8 @@ State integrated(Integrator integrator, int steps, Worst* energy = nullptr) {
 TEST_CASE("integrators of constrained systems have their orders", "[manufactured]") {
   Check check("integrator_orders", "Orders of the integrators of constrained systems",
               "Spherical double pendulum (unit links, masses 1 and 1.3, unit gravity) to $t = 5$; the error is the "
-              "largest of a coordinate against RK4 with 131072 steps.");
+              "largest of a coordinate against RK4 with 131072 steps.",
+              source);
   const State truth = integrated(Integrator::runge_kutta_4, 1 << 17);
   auto& panel = check.figure("orders", "Orders of the integrators", "Largest coordinate error against the step.")
                     .panel({.x = "tau", .y = "error", .log_x = true, .log_y = true});
@@ -55,24 +54,20 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
       tau.erase(tau.begin(), tau.begin() + 2);
       error.erase(error.begin(), error.begin() + 2);
     }
-    check.that({.id = std::string(name(integrator)),
-                .text = "The coordinate error of " + std::string(title(integrator)) + " has order " +
-                        std::to_string(order(integrator)) + ".",
-                .quantity = "order of the largest coordinate error",
-                .source = source},
-               observed_order(tau, error, 5e-12),
+    check.that(std::string(name(integrator)),
+               "The coordinate error of " + std::string(title(integrator)) + " has order " +
+                   std::to_string(order(integrator)) + ".",
+               "order of the largest coordinate error", observed_order(tau, error, 5e-12),
                Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
                      "smooth motion; below 5e-12 the rounding of the 131072 steps of the reference counts"});
     panel.line(std::string(title(integrator)), tau, error,
-               keeps_energy(integrator) ? seiche::evidence::Role::computed : seiche::evidence::Role::peer);
+               keeps_energy(integrator) ? evidence::Role::computed : evidence::Role::peer);
   }
-  check.that(
-      {.id = "energy",
-       .text = "The one-step scheme, its conservative variant and their compositions keep the energy to round-off.",
-       .quantity = "largest energy defect",
-       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-      {.value = energy.value(), .resolution = "50 .. 1600 steps"},
-      Roundoff{16000, 3, "one rounded energy of order 3 in each of at most 16000 stages"});
+  check.from("Frank, Discrete models of incompressible fluid (1994), chapter 1")
+      .that("energy",
+            "The one-step scheme, its conservative variant and their compositions keep the energy to round-off.",
+            "largest energy defect", {.value = energy.value(), .resolution = "50 .. 1600 steps"},
+            Roundoff{16000, 3, "one rounded energy of order 3 in each of at most 16000 stages"});
 }
 
-}  // namespace one_step_accuracy_test
+}  // namespace seiche::verification::one_step_accuracy_test

@@ -6,11 +6,9 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "verification/check.hpp"
 
-namespace particles_ends_test {
+namespace seiche::verification::particles_ends_test {
 
-using namespace seiche;
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr double g = 9.81;
 
@@ -18,7 +16,8 @@ TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufacture
   Check check(
       "particles_friction", "Uniform stream under friction",
       "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, hence "
-      "$u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.");
+      "$u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.",
+      "Manning's law, integrated");
   constexpr double depth = 0.3;
   constexpr double velocity = 2;
   constexpr double manning = 0.03;
@@ -33,11 +32,9 @@ TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufacture
     for (long k = 0; k < count; ++k) flow.advance(end / static_cast<double>(count));
     errors.add(end / static_cast<double>(count), std::abs(flow.particles().velocity[10] - exact));
   }
-  check.that({.id = "order",
-              .text = "The velocity after four seconds is second-order in the step.",
-              .quantity = "order of the error of the velocity",
-              .source = "Manning's law, integrated"},
-             errors.order(1e-12), Order{2, 0.1, "a scheme of second order for an ordinary differential equation"});
+  check.that("order", "The velocity after four seconds is second-order in the step.",
+             "order of the error of the velocity", errors.order(1e-12),
+             Order{2, 0.1, "a scheme of second order for an ordinary differential equation"});
 }
 
 TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufactured]") {
@@ -45,7 +42,8 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
       "particles_piston", "Accelerated piston",
       "A piston that moves into still water with velocity $v = b t^2$ makes a simple wave: until it breaks, the "
       "celerity "
-      "at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the thrust $c^4/(2g)$.");
+      "at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the thrust $c^4/(2g)$.",
+      "Stoker, Water Waves (1957), section 10.3");
   constexpr double b = 0.2;
   constexpr double end = 2;
   const double c = std::sqrt(g);
@@ -62,11 +60,8 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
     for (long k = 0; k < steps; ++k) flow.advance(end / static_cast<double>(steps));
     errors.add(10 / static_cast<double>(count), std::abs(flow.ledger().left_impulse.value() - exact));
   }
-  check.that({.id = "impulse",
-              .text = "The piston's impulse agrees with the simple wave, to second order.",
-              .quantity = "order of the error of the impulse",
-              .source = "Stoker, Water Waves (1957), section 10.3"},
-             errors.order(1e-12), Order{2, 0.3, "second order in width and step"});
+  check.that("impulse", "The piston's impulse agrees with the simple wave, to second order.",
+             "order of the error of the impulse", errors.order(1e-12), Order{2, 0.3, "second order in width and step"});
 }
 
-}  // namespace particles_ends_test
+}  // namespace seiche::verification::particles_ends_test

@@ -13,11 +13,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace particles_parts_test {
+namespace seiche::verification::particles_parts_test {
 
-using namespace seiche;
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr double g = 9.81;
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
@@ -105,7 +103,8 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
       "particles_outflow", "A fan through a fixed section",
       "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows the "
       "water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
-      "their integrals. To the left the same, bit by bit but for the order of sums.");
+      "their integrals. To the left the same, bit by bit but for the order of sums.",
+      "Ritter (1892)");
   const double c0 = std::sqrt(g);
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   const auto passed = [&](int power) {
@@ -130,20 +129,16 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
     asymmetry.add(right.momentum - left.momentum);
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = "Ritter (1892)"},
-               observed_order(widths, errors, 1e-12),
+    check.that(id, text, "observed order", observed_order(widths, errors, 1e-12),
                Order{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"});
   };
   order("mass", "The mass that has left is of second order.", mass);
   order("momentum", "The momentum that has left is second-order in the particle spacing.", momentum);
-  check.that({.id = "mirrored",
-              .text = "To the left the same passes as to the right.",
-              .quantity = "largest difference of mass or momentum",
-              .source = source},
-             {.value = asymmetry.value()},
-             Roundoff{100.0 * 6 * 640, passed(2),
-                      "a hundred rounded operations per step near the section, of numbers up to the "
-                      "momentum that has passed"});
+  check.from(source).that("mirrored", "To the left the same passes as to the right.",
+                          "largest difference of mass or momentum", {asymmetry.value()},
+                          Roundoff{100.0 * 6 * 640, passed(2),
+                                   "a hundred rounded operations per step near the section, of numbers up to the "
+                                   "momentum that has passed"});
 }
 
 TEST_CASE("a particle that a jump has left is in the state behind it", "[manufactured]") {
@@ -204,4 +199,4 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
   claim("momentum", "The momentum that has left is second-order in the particle spacing.", momenta.value());
 }
 
-}  // namespace particles_parts_test
+}  // namespace seiche::verification::particles_parts_test

@@ -8,11 +8,9 @@
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "verification/check.hpp"
 
-namespace plan_remap_test {
+namespace seiche::verification::plan_remap_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double size = std::numbers::pi;
 
@@ -63,7 +61,8 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   Check check("plan_remap_order", "Remap of the two-dimensional horizontal model: order",
               "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
               "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
-              "at the new nodes.");
+              "at the new nodes.",
+              "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
   std::vector<double> sizes, of_elevation, of_velocity;
   for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
     const Errors found = errors(n);
@@ -79,16 +78,10 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   const Order third{3, 0.3,
                     "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
                     "carries along, by h^2 times the change of the cell's size, h"};
-  check.that({.id = "elevation",
-              .text = "Elevations are carried to third order.",
-              .quantity = "observed order",
-              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
+  check.that("elevation", "Elevations are carried to third order.", "observed order",
              observed_order(sizes, of_elevation), third);
-  check.that({.id = "velocity",
-              .text = "Velocities after the remap are of second order.",
-              .quantity = "observed order",
-              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
+  check.that("velocity", "Velocities after the remap are of second order.", "observed order",
              observed_order(sizes, of_velocity), third);
 }
 
-}  // namespace plan_remap_test
+}  // namespace seiche::verification::plan_remap_test

@@ -10,11 +10,10 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/manufactured/particle_operators.hpp"
 
-namespace wcsph_operators_test {
+namespace seiche::verification::wcsph_operators_test {
 
-using namespace seiche::verification;
-using seiche::evidence::Claim;
-using seiche::wcsph::CubicSpline;
+using evidence::Claim;
+using wcsph::CubicSpline;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 const std::string source =
@@ -220,4 +219,4 @@ TEST_CASE("operators converge on disordered particles when the number of neighbo
       {{"difference", "difference gradient", &Errors::difference, {8.1e-2, 4.4e-2, 2.2e-2}, {5e-4, 5e-4, 5e-4}}}, true);
 }
 
-}  // namespace wcsph_operators_test
+}  // namespace seiche::verification::wcsph_operators_test

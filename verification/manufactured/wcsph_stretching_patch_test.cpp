@@ -11,11 +11,10 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_stretching_patch_test {
+namespace seiche::verification::wcsph_stretching_patch_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::exact::StretchingDrop;
+using namespace wcsph;
+using exact::StretchingDrop;
 
 struct Errors {
   double axis, velocity, energy, momentum, turning;
@@ -62,15 +61,15 @@ struct Run {
 
 std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
   const StretchingDrop drop(1, 1, -1, 1);
-  seiche::evidence::Table table{.id = "errors",
-                                .title = "Errors of the patch",
-                                .caption = "Semi-axis and energy relative, velocity over its value of the beginning.",
-                                .columns = {{"kernel, spacing", ""},
-                                            {"semi-axis, t = 0.5", "1"},
-                                            {"semi-axis, t = 1", "1"},
-                                            {"velocity, t = 0.5", "1"},
-                                            {"velocity, t = 1", "1"},
-                                            {"energy, t = 1", "1"}}};
+  evidence::Table table{.id = "errors",
+                        .title = "Errors of the patch",
+                        .caption = "Semi-axis and energy relative, velocity over its value of the beginning.",
+                        .columns = {{"kernel, spacing", ""},
+                                    {"semi-axis, t = 0.5", "1"},
+                                    {"semi-axis, t = 1", "1"},
+                                    {"velocity, t = 0.5", "1"},
+                                    {"velocity, t = 1", "1"},
+                                    {"energy, t = 1", "1"}}};
   auto& figure = check.figure("shape", "Stretched patch at t = 1", "Particles, and the exact outline.");
   std::vector<Errors> last;
   for (const Run& run : runs) {
@@ -165,7 +164,8 @@ TEST_CASE("the Wendland kernel follows the exact drop more closely", "[manufactu
   Check check(
       "wcsph_stretching_patch_wendland", "Free patch that is stretched, Wendland kernel",
       article +
-          " The wider kernel, without negative second derivatives where particles pair, has a third of the errors.");
+          " The wider kernel, without negative second derivatives where particles pair, has a third of the errors.",
+      "Dehnen and Aly, Mon. Not. R. Astron. Soc. 425 (2012) 1068");
   const std::vector<Errors> found = judge(check, {{"fine",
                                                    "Wendland, h = 2 dx, dx = 0.02",
                                                    KernelName::wendland_c2,
@@ -176,11 +176,9 @@ TEST_CASE("the Wendland kernel follows the exact drop more closely", "[manufactu
                                                    {1.3e-2, 5e-4},
                                                    {2.2e-2, 5e-4},
                                                    {5.4e-5, 5e-7}}});
-  check.that({.id = "better",
-              .text = "The semi-axis is at least twice as accurate as with the cubic spline.",
-              .quantity = "relative error of the semi-axis at t = 1",
-              .source = "Dehnen and Aly, Mon. Not. R. Astron. Soc. 425 (2012) 1068"},
-             {.value = found.front().axis}, Bound{0.5 * 6.3e-3, "half of the cubic spline's 6.3e-3"});
+  check.that("better", "The semi-axis is at least twice as accurate as with the cubic spline.",
+             "relative error of the semi-axis at t = 1", {found.front().axis},
+             Bound{0.5 * 6.3e-3, "half of the cubic spline's 6.3e-3"});
 }
 
-}  // namespace wcsph_stretching_patch_test
+}  // namespace seiche::verification::wcsph_stretching_patch_test

@@ -11,10 +11,9 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_taylor_green_test {
+namespace seiche::verification::wcsph_taylor_green_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double k = 2 * std::numbers::pi;
 const std::string source = "Taylor and Green, Proc. R. Soc. Lond. A 158 (1937) 499";
@@ -150,19 +149,15 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
   const auto loss = [&](const Decay& decay, std::size_t n, double smoothing) {
     return rate_on_lattice(n, smoothing) - decay.rate_over(rate);
   };
-  check.that({.id = "strain-spacing",
-              .text = "What is lost later does not depend on the spacing.",
-              .quantity = "rate of the lattice less that of the run, N = 100 over N = 50",
-              .source = source},
-             {.value = loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
-             Bound{0.25, "an error of first order would halve, to 0.5: half of that way", 1});
+  check.from(source).that("strain-spacing", "What is lost later does not depend on the spacing.",
+                          "rate of the lattice less that of the run, N = 100 over N = 50",
+                          {loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
+                          Bound{0.25, "an error of first order would halve, to 0.5: half of that way", 1});
   const Decay wide = run(vortices, {50, 0, {.smoothing = 2}});
-  check.that({.id = "strain-neighbours",
-              .text = "More neighbours do not feel the strain.",
-              .quantity = "rate of the lattice less that of the run, h = 2 dx over h = 1.3 dx",
-              .source = source},
-             {.value = loss(wide, 50, 2) / loss(coarse, 50, 1.3), .resolution = "N = 50"},
-             Bound{0.5, "what names the cause takes more than half of it away"});
+  check.from(source).that("strain-neighbours", "More neighbours do not feel the strain.",
+                          "rate of the lattice less that of the run, h = 2 dx over h = 1.3 dx",
+                          {.value = loss(wide, 50, 2) / loss(coarse, 50, 1.3), .resolution = "N = 50"},
+                          Bound{0.5, "what names the cause takes more than half of it away"});
 }
 
 TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufactured]") {
@@ -223,26 +218,22 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
   const auto energy_rate = [&](const Decay& decay) {
     return -std::log(decay.kinetic.back() / decay.kinetic.front()) / (2 * vortices.rate() * decay.time.back());
   };
-  check.that({.id = "rate",
-              .text = "With shifting the energy decays at the rate of the vortices.",
-              .quantity = "rate of decay of the kinetic energy over 4 nu k^2"},
+  check.that("rate", "With shifting the energy decays at the rate of the vortices.",
+             "rate of decay of the kinetic energy over 4 nu k^2",
              {.value = energy_rate(shifted), .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.05,
                    "published decays with shifting agree with the exact one to the width of their lines; the "
                    "plain scheme is wrong by a third to a factor",
                    1});
-  check.that({.id = "velocity",
-              .text = "The velocity field agrees with the exact vortices.",
-              .quantity = "L2 of the velocity error over the initial speed, after one decay time"},
+  check.that("velocity", "The velocity field agrees with the exact vortices.",
+             "L2 of the velocity error over the initial speed, after one decay time",
              {.value = shifted.velocity_error, .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.02, "as at Re = 10, where the plain scheme keeps the vortices"});
-  check.that({.id = "better",
-              .text = "Shifting takes away most of the error of the plain scheme.",
-              .quantity = "velocity error with shifting over that without"},
-             {.value = shifted.velocity_error / plain.velocity_error},
+  check.that("better", "Shifting takes away most of the error of the plain scheme.",
+             "velocity error with shifting over that without", {shifted.velocity_error / plain.velocity_error},
              Bound{0.25, "a cure takes away more than three quarters of what it is for"});
   draw(check, "Reynolds number 100: kinetic energy of particles.", vortices,
        {{"cubic spline, plain", narrow}, {"Wendland, plain", plain}, {"Wendland with shifting", shifted}});
 }
 
-}  // namespace wcsph_taylor_green_test
+}  // namespace seiche::verification::wcsph_taylor_green_test

@@ -9,16 +9,11 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace dispersive_plan_rest_test {
+namespace seiche::verification::dispersive_plan_rest_test {
 
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::PlanBottom;
-using seiche::Point;
-using seiche::Worst;
-using seiche::linear::SolverMethod;
+using namespace dispersive_shallow_water_2d;
+using namespace mechanics;
+using linear::SolverMethod;
 
 struct Lake {
   std::string id, text;
@@ -55,8 +50,8 @@ Lattice sheared() {
 
 std::vector<Lake> lakes() {
   Rectangle window = box();
-  window.sides.west = seiche::plan_lattice::HeldSide{};
-  window.sides.north = seiche::plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
+  window.sides.west = plan_lattice::HeldSide{};
+  window.sides.north = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
   return {{"level", "a level bottom", rectangular_lattice(box())},
           {"quartic", "a polynomial bottom", rectangular_lattice(box(quartic_bottom()))},
           {"bump", "a bump that is no polynomial", rectangular_lattice(box(std::make_shared<BumpBottom>()))},
@@ -125,4 +120,4 @@ TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
   }
 }
 
-}  // namespace dispersive_plan_rest_test
+}  // namespace seiche::verification::dispersive_plan_rest_test

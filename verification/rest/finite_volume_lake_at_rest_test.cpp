@@ -6,10 +6,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_lake_at_rest_test {
+namespace seiche::verification::finite_volume_lake_at_rest_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 
 TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and without an island", "[rest]") {
@@ -47,4 +45,4 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
   }
 }
 
-}  // namespace finite_volume_lake_at_rest_test
+}  // namespace seiche::verification::finite_volume_lake_at_rest_test

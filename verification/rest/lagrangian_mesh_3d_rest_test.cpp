@@ -8,12 +8,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace lagrangian_mesh_3d_rest_test {
+namespace seiche::verification::lagrangian_mesh_3d_rest_test {
 
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Point;
+using namespace lagrangian_mesh_3d;
+using namespace mechanics;
 
 struct Lake {
   std::string id, text;
@@ -25,8 +23,8 @@ std::vector<Lake> lakes() {
   Layer wedge = layer;
   wedge.south_wall = [](double x) { return x < 3 ? 0.0 : (x - 3) * 0.5; };
   Layer window = layer;
-  window.sides.west = seiche::plan_lattice::HeldSide{};
-  window.sides.north = seiche::plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
+  window.sides.west = plan_lattice::HeldSide{};
+  window.sides.north = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
   Layer shoal = layer;
   shoal.bottom = uneven_bottom();
   Layer wedge_over_shoal = wedge;
@@ -56,4 +54,4 @@ TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit",
   }
 }
 
-}  // namespace lagrangian_mesh_3d_rest_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_rest_test

@@ -11,15 +11,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_rest_test {
+namespace seiche::verification::lagrangian_mesh_rest_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Point;
-using seiche::Worst;
-using seiche::worst;
+using namespace lagrangian_mesh_2d;
+using namespace mechanics;
 
 /// Moves every node that may move at random: interior nodes anywhere, others along their wall or the still surface.
 Mesh jittered(Mesh mesh, double part, unsigned seed) {
@@ -94,4 +89,4 @@ TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") 
   }
 }
 
-}  // namespace lagrangian_mesh_rest_test
+}  // namespace seiche::verification::lagrangian_mesh_rest_test

@@ -13,12 +13,10 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace dirichlet_mesh_test {
+namespace seiche::verification::dirichlet_mesh_test {
 
-using namespace seiche;
-using namespace seiche::dirichlet_mesh;
-using namespace seiche::free_lagrangian;
-using namespace seiche::verification;
+using namespace dirichlet_mesh;
+using namespace free_lagrangian;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -208,4 +206,4 @@ TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robust
                      20);
 }
 
-}  // namespace dirichlet_mesh_test
+}  // namespace seiche::verification::dirichlet_mesh_test

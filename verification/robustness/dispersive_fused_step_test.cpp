@@ -17,16 +17,12 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_fused_step_test {
+namespace seiche::verification::dispersive_fused_step_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
-using seiche::worst;
-using seiche::mechanics::ConservativeStep;
-using seiche::mechanics::OneStep;
-using seiche::mechanics::State;
+using namespace dispersive_shallow_water_1d;
+using mechanics::ConservativeStep;
+using mechanics::OneStep;
+using mechanics::State;
 
 constexpr double cotangent = 10;
 
@@ -37,10 +33,10 @@ struct Basin {
 
 /// Water of `cells` cells of 0.25 up to x = 0; the beach ends there.
 std::vector<Basin> basins() {
-  const auto level = std::make_shared<seiche::LevelBottom>(1.0);
-  const auto beach = std::make_shared<seiche::PiecewiseLinearBottom>(std::vector{-1000.0, -cotangent, 10 * cotangent},
-                                                                     std::vector{-1.0, -1.0, 10.0});
-  const auto waves = std::make_shared<seiche::CosineBottom>(1.0, 0.2, 0.3);
+  const auto level = std::make_shared<LevelBottom>(1.0);
+  const auto beach = std::make_shared<PiecewiseLinearBottom>(std::vector{-1000.0, -cotangent, 10 * cotangent},
+                                                             std::vector{-1.0, -1.0, 10.0});
+  const auto waves = std::make_shared<CosineBottom>(1.0, 0.2, 0.3);
   return {{"level", "level, walls", {.bottom = level}},
           {"beach", "wall and shore", {.bottom = beach, .right = End::tip}},
           {"beach-gn",
@@ -63,7 +59,7 @@ Markers pushed_water(const Channel& channel, std::size_t cells) {
 template <class Step>
 State run(Model& model, const Markers& markers, typename Step::Settings settings, double tau, int steps) {
   State state = model.state_of(markers);
-  seiche::mechanics::Start(model).project(state);
+  mechanics::Start(model).project(state);
   Step scheme(model, settings);
   for (int n = 0; n < steps; ++n) scheme.step(state, tau);
   return state;
@@ -197,4 +193,4 @@ TEST_CASE("fused steps agree with separate calls in long channels", "[robustness
   }
 }
 
-}  // namespace dispersive_fused_step_test
+}  // namespace seiche::verification::dispersive_fused_step_test

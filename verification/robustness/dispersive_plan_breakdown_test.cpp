@@ -8,11 +8,9 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace dispersive_plan_breakdown_test {
+namespace seiche::verification::dispersive_plan_breakdown_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -92,4 +90,4 @@ TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, st
   }
 }
 
-}  // namespace dispersive_plan_breakdown_test
+}  // namespace seiche::verification::dispersive_plan_breakdown_test

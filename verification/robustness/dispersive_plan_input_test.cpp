@@ -9,11 +9,9 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace dispersive_plan_input_test {
+namespace seiche::verification::dispersive_plan_input_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -154,4 +152,4 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
               Bound{0, "one of two", 1});
 }
 
-}  // namespace dispersive_plan_input_test
+}  // namespace seiche::verification::dispersive_plan_input_test

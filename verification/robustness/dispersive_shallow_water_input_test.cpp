@@ -6,11 +6,9 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace dispersive_shallow_water_input_test {
+namespace seiche::verification::dispersive_shallow_water_input_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -213,4 +211,4 @@ TEST_CASE("bad starts, schemes and steps are refused with name, value and range"
   CHECK(flow.time() == 0.1);
 }
 
-}  // namespace dispersive_shallow_water_input_test
+}  // namespace seiche::verification::dispersive_shallow_water_input_test

@@ -20,11 +20,9 @@
 #include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace failed_step_test {
+namespace seiche::verification::failed_step_test {
 
-using namespace seiche;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace mechanics;
 using rigid_chain::RigidChain;
 
 bool same(const State& a, const State& b) {
@@ -227,4 +225,4 @@ TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robus
               Bound{0, "equality of bytes"});
 }
 
-}  // namespace failed_step_test
+}  // namespace seiche::verification::failed_step_test

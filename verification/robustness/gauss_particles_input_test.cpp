@@ -13,11 +13,9 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace gauss_particles_input_test {
+namespace seiche::verification::gauss_particles_input_test {
 
-using namespace seiche::gauss_particles;
-using seiche::Point;
-using namespace seiche::verification;
+using namespace gauss_particles;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -42,7 +40,7 @@ std::unique_ptr<FieldSpace> splines(const LatticePlan& plan = tank(), SplineSpac
 std::string breakdown(const std::function<void()>& action) {
   try {
     action();
-  } catch (const seiche::Divergence& failure) {
+  } catch (const Divergence& failure) {
     return failure.what();
   }
   return {};
@@ -121,7 +119,7 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
   });
   with_plan("A bottom with a corner.", {"slope jumps", "x = 1"}, [](LatticePlan& p) {
     p.ground.profile =
-        std::make_shared<seiche::PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
+        std::make_shared<PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
   });
 
   const auto with_settings = [&](const std::string& text, const std::vector<std::string>& words, Settings settings) {
@@ -164,7 +162,7 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
       "gauss_particles_breakdown", "Free particles that leave their lattice",
       "A drop flies through a lattice that does not follow it: the run stops before the step in which a particle "
       "comes within two cells of its end, and the state is that before the step.");
-  const LatticeAt fixed = [](seiche::mechanics::Interval, const Bounds&) {
+  const LatticeAt fixed = [](mechanics::Interval, const Bounds&) {
     return Lattice{SplineAxis(3, -2, 0.25, 16, Ends::free), SplineAxis(3, -2, 0.25, 16, Ends::free)};
   };
   Flow flow(disc(1, 12), std::make_unique<SplineSpace>(Ground{}, fixed, SplineSpace::Settings{}),
@@ -183,4 +181,4 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
                     1.5 - std::sqrt((121.0 + 144.0) / 2) / 12});
 }
 
-}  // namespace gauss_particles_input_test
+}  // namespace seiche::verification::gauss_particles_input_test

@@ -14,11 +14,9 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace lagrangian_mesh_3d_test {
+namespace seiche::verification::lagrangian_mesh_3d_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_3d;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -161,4 +159,4 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
               Bound{0, "one for each unit of time, once the water beyond the next column stirs", 10});
 }
 
-}  // namespace lagrangian_mesh_3d_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_test

@@ -10,14 +10,12 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace lagrangian_mesh_breakdown_test {
+namespace seiche::verification::lagrangian_mesh_breakdown_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
-  return seiche::verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
+  return verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
 }
 
 TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place", "[robustness]") {
@@ -77,4 +75,4 @@ TEST_CASE("implicit steps that do not converge stop, and long steps are counted"
                      6);
 }
 
-}  // namespace lagrangian_mesh_breakdown_test
+}  // namespace seiche::verification::lagrangian_mesh_breakdown_test

@@ -9,11 +9,9 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace lagrangian_mesh_input_test {
+namespace seiche::verification::lagrangian_mesh_input_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -171,4 +169,4 @@ TEST_CASE("meshes that cannot be rezoned are refused with the reason", "[robustn
            }});
 }
 
-}  // namespace lagrangian_mesh_input_test
+}  // namespace seiche::verification::lagrangian_mesh_input_test

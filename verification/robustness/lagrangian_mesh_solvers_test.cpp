@@ -13,12 +13,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_solvers_test {
+namespace seiche::verification::lagrangian_mesh_solvers_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using seiche::Worst;
-using namespace seiche::verification;
-using seiche::linear::SolverMethod;
+using namespace lagrangian_mesh_2d;
+using linear::SolverMethod;
 
 /// Water with an inclined surface, released between walls.
 Flow released(std::size_t columns, std::size_t rows, Scheme scheme, SolverMethod method, double tolerance,
@@ -57,8 +55,7 @@ TEST_CASE("banded and iterative solvers give one motion", "[robustness]") {
       return flow;
     };
     const Flow banded = run(SolverMethod::banded, 1e-10);
-    const auto agrees = [&, name = id](const std::string& what, const Flow& other,
-                                       const seiche::evidence::Criterion& limit) {
+    const auto agrees = [&, name = id](const std::string& what, const Flow& other, const evidence::Criterion& limit) {
       check.holds(name + ": the " + what + " solver gives the banded one's motion.",
                   {largest_difference(banded, other)}, limit);
     };
@@ -70,4 +67,4 @@ TEST_CASE("banded and iterative solvers give one motion", "[robustness]") {
   }
 }
 
-}  // namespace lagrangian_mesh_solvers_test
+}  // namespace seiche::verification::lagrangian_mesh_solvers_test

@@ -9,11 +9,9 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace overlapping_particles_test {
+namespace seiche::verification::overlapping_particles_test {
 
-using namespace seiche;
-using namespace seiche::overlapping_particles;
-using namespace seiche::verification;
+using namespace overlapping_particles;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -143,4 +141,4 @@ TEST_CASE("overlapping particles that go through a wall stop with time, step and
                      "goes through wall 0", -0.01, 0.81);
 }
 
-}  // namespace overlapping_particles_test
+}  // namespace seiche::verification::overlapping_particles_test

@@ -11,10 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace particles_input_test {
+namespace seiche::verification::particles_input_test {
 
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -78,7 +77,7 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
   });
   refused("bed", "A bed whose primitive belongs to another bed.", "bed", [] {
     Forcing forcing;
-    forcing.bed = seiche::Bed{[](double x) { return x; }, [](double x) { return x; }};
+    forcing.bed = Bed{[](double x) { return x; }, [](double x) { return x; }};
     ParticleFlow flow(still_water(), {}, forcing);
   });
   refused("piston", "A piston without a velocity.", "piston", [] {
@@ -88,7 +87,7 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
   refused("tau_celerity", "A step beyond the celerity limit.", "celerity",
           [] { ParticleFlow(still_water()).advance(1); });
   refused("tau_jump", "A step in which a jump would cross more than a particle.", "particle", [] {
-    const double u = seiche::shallow_water::velocity_change(9.81, 8, 1);
+    const double u = shallow_water::velocity_change(9.81, 8, 1);
     ParticleFlow flow(bore(9.81, 0, 5, 10, 8, 1, 10), {Piston{[u](double) { return u; }}, Wall{}});
     flow.advance(0.05);
     flow.advance(0.09);
@@ -120,10 +119,10 @@ TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
       "particles_piston_almost_escapes", "A piston that withdraws just below the limit",
       "Still water follows a piston up to twice its celerity. A piston with 0.99 of that is no vacuum: the run goes "
       "on, with positive depths.");
-  const double escape = 2 * seiche::shallow_water::celerity(9.81, 1);
+  const double escape = 2 * shallow_water::celerity(9.81, 1);
   ParticleFlow flow(still_water(40), {Piston{[=](double) { return -0.99 * escape; }}, Wall{}});
   flow.advance_to(0.5);
-  seiche::Smallest thinnest;
+  Smallest thinnest;
   for (std::size_t i = 0; i < flow.particles().size(); ++i) thinnest.add(flow.particles().depth(i));
   check.holds("Depths of all particles stay positive while the piston almost escapes.",
               {thinnest.value() > 0 ? 1.0 : 0.0},
@@ -142,7 +141,7 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
   long step = 0;
   try {
     for (int k = 0; k < 10; ++k) flow.advance(0.05);
-  } catch (const seiche::Divergence& error) {
+  } catch (const Divergence& error) {
     stopped = true;
     place = error.place();
     step = error.step();
@@ -180,8 +179,8 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
   const auto press = [&] {
     for (int k = 0; k < 40; ++k) pressed.advance(0.1);
   };
-  CHECK_THROWS_AS(press(), seiche::Divergence);
+  CHECK_THROWS_AS(press(), Divergence);
   CHECK(pressed.time() == Approx(0.1 * static_cast<double>(pressed.steps())));
 }
 
-}  // namespace particles_input_test
+}  // namespace seiche::verification::particles_input_test

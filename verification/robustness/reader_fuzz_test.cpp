@@ -25,10 +25,7 @@
 #include "verification/robustness/fuzzing.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace reader_fuzz_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::reader_fuzz_test {
 
 void claim(Check& check, const std::string& format, const Tally& tally) {
   const long count = tally.accepted + tally.refused + tally.misbehaved;
@@ -223,4 +220,4 @@ TEST_CASE("what crashes or spins in a child process is a refusal in the parent",
           });
 }
 
-}  // namespace reader_fuzz_test
+}  // namespace seiche::verification::reader_fuzz_test

@@ -17,10 +17,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace strangers_files_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::strangers_files_test {
 
 /// An HDF5 file that `fill` writes by the library's own functions, for what ours cannot.
 template <class Fill>
@@ -151,4 +148,4 @@ TEST_CASE("a stranger's text is shown in printable characters", "[robustness]") 
   CHECK(printable("").empty());
 }
 
-}  // namespace strangers_files_test
+}  // namespace seiche::verification::strangers_files_test

@@ -9,12 +9,10 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace variable_mass_test {
+namespace seiche::verification::variable_mass_test {
 
-using namespace seiche;
-using namespace seiche::free_lagrangian;
-using namespace seiche::variable_mass;
-using namespace seiche::verification;
+using namespace free_lagrangian;
+using namespace variable_mass;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -155,4 +153,4 @@ TEST_CASE("variable masses that cannot go on stop with time, step and place", "[
   holds_of_breakdown(check, "high-wave", run_until_break(high, 20, [](Flow& f) { f.advance(0.01); }), "", 0, 1);
 }
 
-}  // namespace variable_mass_test
+}  // namespace seiche::verification::variable_mass_test

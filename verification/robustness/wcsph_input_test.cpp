@@ -18,10 +18,9 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_input_test {
+namespace seiche::verification::wcsph_input_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 const Settings good{.sound_speed = 20};
@@ -147,7 +146,7 @@ TEST_CASE("a computation that breaks down says when and where, and keeps the las
   double time = -1;
   try {
     for (int step = 0; step < 1000; ++step) flow.advance(0.004);
-  } catch (const seiche::Divergence& divergence) {
+  } catch (const Divergence& divergence) {
     message = divergence.what();
     time = divergence.time();
   }
@@ -163,4 +162,4 @@ TEST_CASE("a computation that breaks down says when and where, and keeps the las
   CHECK_THROWS_AS(Flow(water, spacing, good).advance(std::numeric_limits<double>::quiet_NaN()), std::exception);
 }
 
-}  // namespace wcsph_input_test
+}  // namespace seiche::verification::wcsph_input_test

@@ -9,11 +9,9 @@
 #include "verification/check.hpp"
 #include "verification/live_memory.hpp"
 
-namespace wcsph_memory_test {
+namespace seiche::verification::wcsph_memory_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 /// Bytes per particle after some steps of a column in a tank that is mostly empty.
 double memory_of(Settings settings, double& particles) {
@@ -47,4 +45,4 @@ TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
   }
 }
 
-}  // namespace wcsph_memory_test
+}  // namespace seiche::verification::wcsph_memory_test

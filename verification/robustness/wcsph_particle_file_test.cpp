@@ -15,11 +15,9 @@
 #include "verification/robustness/refusals.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace wcsph_particle_file_test {
+namespace seiche::verification::wcsph_particle_file_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 Scene scene() {
   return flume({.length = 0.4, .depth = 0.1, .stroke = 0.05, .frequency = 6, .spacing = 0.02}, {.sound_speed = 20});
@@ -180,4 +178,4 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   CHECK_THROWS_AS(ParticleFile("/proc/nowhere/file"), std::runtime_error);
 }
 
-}  // namespace wcsph_particle_file_test
+}  // namespace seiche::verification::wcsph_particle_file_test

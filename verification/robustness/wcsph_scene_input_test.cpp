@@ -8,11 +8,9 @@
 #include "validation/instruments/sph_front.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace wcsph_scene_input_test {
+namespace seiche::verification::wcsph_scene_input_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -154,4 +152,4 @@ TEST_CASE("the reading of surfaces refuses what has no answer", "[robustness]") 
   CHECK(VolumeFraction(Particles{}, 0.1).at(0, 0) == 0);
 }
 
-}  // namespace wcsph_scene_input_test
+}  // namespace seiche::verification::wcsph_scene_input_test

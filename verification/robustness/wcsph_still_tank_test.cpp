@@ -10,11 +10,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_still_tank_test {
+namespace seiche::verification::wcsph_still_tank_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double gravity = 9.81;
 constexpr double width = 1;
@@ -96,7 +94,7 @@ struct Option {
 
 std::vector<Rest> settle_all(Check& check, const std::vector<Option>& options, double spacing, double time,
                              bool full = false) {
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "errors",
       .title = fmt::format("Tank at rest after {} s", time),
       .caption =
@@ -123,7 +121,8 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
       "wcsph_still_tank", "Tank at rest: plain scheme, clamped walls, density filter",
       "1 m x 0.5 m of water, $dx = 0.025$ m, $c_0 = 10\\sqrt{2gH}$, $\\alpha = 0.1$, hydrostatic start, 2 s. Dynamic "
       "wall particles make errors of the pressure of 4 % at walls and corners, which do not converge with the "
-      "spacing: a property of theirs. The density filter smooths the interior and lets the water sink slowly.");
+      "spacing: a property of theirs. The density filter smooths the interior and lets the water sink slowly.",
+      source);
   Settings clamped;
   clamped.walls = WallPressure::clamped;
   Settings filtered;
@@ -141,10 +140,7 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
   const std::string reason = "regression: 1.5 times that of an earlier program; noise after two seconds of settling";
   for (std::size_t k = 0; k < printed.size(); ++k) {
     const auto claim = [&](const std::string& what, double value, double limit) {
-      check.that({.id = printed[k].id + "-" + what,
-                  .text = fmt::format("The tank stays at rest ({}).", printed[k].name),
-                  .quantity = what,
-                  .source = source},
+      check.that(printed[k].id + "-" + what, fmt::format("The tank stays at rest ({}).", printed[k].name), what,
                  {.value = value, .resolution = fmt::format("dx = 0.025 m, {} steps", rest[k].steps)},
                  Bound{1.5 * limit, reason});
     };
@@ -152,17 +148,13 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
     claim("pressure-core", rest[k].core, printed[k].core);
     claim("velocity", rest[k].velocity, printed[k].velocity);
   }
-  check.that({.id = "sinking",
-              .text = "The plain scheme keeps the centre of mass.",
-              .quantity = "sinking of the centre of mass over the depth",
-              .source = "equilibrium"},
-             {.value = rest[0].sinking},
-             Bound{1e-3, "regression: 4e-4 in an earlier program; the gap at the walls settles"});
-  check.that({.id = "filter-smooths",
-              .text = "The density filter takes most of the noise out of the interior.",
-              .quantity = "core error with the filter over that without",
-              .source = "Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448"},
-             {.value = rest[2].core / rest[0].core}, Bound{0.5, "regression: 0.31 in an earlier program"});
+  check.from("equilibrium")
+      .that("sinking", "The plain scheme keeps the centre of mass.", "sinking of the centre of mass over the depth",
+            {rest[0].sinking}, Bound{1e-3, "regression: 4e-4 in an earlier program; the gap at the walls settles"});
+  check.from("Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448")
+      .that("filter-smooths", "The density filter takes most of the noise out of the interior.",
+            "core error with the filter over that without", {rest[2].core / rest[0].core},
+            Bound{0.5, "regression: 0.31 in an earlier program"});
 }
 
 TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves the water where it is",
@@ -179,8 +171,7 @@ TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves 
   const std::string antuono = "Antuono, Colagrossi, Marrone and Molteni, Comput. Phys. Comm. 181 (2010) 532";
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = antuono}, {.value = value},
-               Bound{limit, reason});
+    check.from(antuono).that(id, text, quantity, {value}, Bound{limit, reason});
   };
   claim("core", "The interior has the pressure that the uncorrected form gives it.", "core error over rho_0 g H",
         rest[1].core, 1.5 * 1.2e-2, "regression: 1.5 times that of an earlier program for the uncorrected form");
@@ -205,7 +196,7 @@ TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[ro
       check, {{"dynamic", "dynamic walls", {}}, {"extrapolated", "extrapolated walls", extrapolated}}, 0.025, 1, true);
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = adami}, {.value = value}, Bound{limit, reason});
+    check.from(adami).that(id, text, quantity, {value}, Bound{limit, reason});
   };
   claim("pressure", "The pressure of the still tank is hydrostatic.", "L2 error over rho_0 g H", rest[1].all, 0.0105,
         "|M - 1| = 1.05 % of the pressure at the bottom, by which the derivative on the lattice is wrong");
@@ -218,4 +209,4 @@ TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[ro
         "more than half of the error is that of the walls");
 }
 
-}  // namespace wcsph_still_tank_test
+}  // namespace seiche::verification::wcsph_still_tank_test
