@@ -70,8 +70,8 @@ Check::~Check() {
                      .source = "table of assertions"},
                     {.value = used_.value()},
                     evidence::Bound{1,
-                                    "each has its own limit and reason; round-off and presence count 0 "
-                                    "where they are met, infinity where not"});
+                                    "each has its own limit and reason; round-off and presence count 0 where they are "
+                                    "met, infinity where not"});
       record_.table(std::move(assertions_));
     }
     evidence::write(record_, evidence_directory());

@@ -104,8 +104,7 @@ inline std::vector<double> sorted_back(const wcsph::Particles& particles, const 
 
 /// Largest difference over the largest magnitude of the reference.
 inline double relative_difference(const std::vector<double>& values, const std::vector<double>& reference) {
-  Worst difference;
-  Worst scale;
+  Worst difference, scale;
   for (std::size_t a = 0; a < values.size(); ++a) {
     difference.add(values[a] - reference[a]);
     scale.add(reference[a]);

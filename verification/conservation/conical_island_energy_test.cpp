@@ -23,12 +23,10 @@ validation::ConicalIsland island() {
 }
 
 TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation][full]") {
-  Check check(
-      "conical_island_energy", "A wave climbs an island: conservative steps",
-      "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, cells "
-      "next "
-      "to it are as thin as the water is there, and the bottom is a spline through a raster. Until a second after the "
-      "crest would be at the middle of the island.");
+  Check check("conical_island_energy", "A wave climbs an island: conservative steps",
+              "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, "
+              "cells next to it are as thin as the water is there, and the bottom is a spline through a raster. Until "
+              "a second after the crest would be at the middle of the island.");
   const std::string source = "Frank (1994), chapter 1 and section 4.2";
   const validation::ConicalIsland set_up = island();
   Flow flow = set_up.flow();
@@ -56,11 +54,11 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
                           "largest elevation of the shoreline over the wave's height",
                           {highest.value() / (0.045 * 0.32)},
                           Bound{1.25, "the height is doubled at a wall; the experiment's largest is 2.8", 2.5});
-  check.from(source).that("energy", "Energy of the wave at the island is conserved to round-off.",
-                          "largest change over the first value", {drift.value()},
-                          Roundoff{static_cast<double>(flow.steps()), 100,
-                                   "places of 20 m and sides of 0.2 m next to the shore: each step rounds their "
-                                   "differences anew"});
+  check.from(source).that(
+      "energy", "Energy of the wave at the island is conserved to round-off.", "largest change over the first value",
+      {drift.value()},
+      Roundoff{static_cast<double>(flow.steps()), 100,
+               "places of 20 m and sides of 0.2 m next to the shore: each step rounds their differences anew"});
 }
 
 }  // namespace seiche::verification::conical_island_energy_test

@@ -25,16 +25,14 @@ Flow moving_patch(double stabilisation) {
 }
 
 TEST_CASE("water at rest in Dirichlet cells stays at rest on any mesh", "[conservation]") {
-  Check check(
-      "dirichlet_mesh_rest", "Still water on jittered Dirichlet meshes",
-      "24 x 8 cells in a box 3 x 1, nodes inside moved at random by up to a fifth of the spacing, those of the "
-      "walls along them; 200 steps of 0.05, without stabilisation. With the surface at y = 0 the gradient of "
-      "the potential energy of the polygon of water is zero. At y = 1 gravity and the pressure rho g balance to "
-      "rounding: the areas of all cells together are the polygon.");
+  Check check("dirichlet_mesh_rest", "Still water on jittered Dirichlet meshes",
+              "24 x 8 cells in a box 3 x 1, nodes inside moved at random by up to a fifth of the spacing, those of the "
+              "walls along them; 200 steps of 0.05, without stabilisation. With the surface at y = 0 the gradient of "
+              "the potential energy of the polygon of water is zero. At y = 1 gravity and the pressure rho g balance "
+              "to rounding: the areas of all cells together are the polygon.");
   for (const auto& [level, id] : {std::pair{0.0, std::string("level-0")}, {1.0, "level-1"}}) {
     const Layer layer{.begin = 0, .end = 3, .bottom = level - 1, .level = level, .columns = 24, .rows = 8};
-    Worst speed;
-    Worst pressure;
+    Worst speed, pressure;
     long flips = 0;
     for (const unsigned long seed : {1UL, 2UL, 3UL}) {
       Flow flow(jittered(layer_mesh(layer), 0.2, seed), {}, {.stabilisation = 0});
@@ -56,13 +54,13 @@ TEST_CASE("water at rest in Dirichlet cells stays at rest on any mesh", "[conser
     const Roundoff kicks{.operations = 200 * 20,
                          .scale = 0.4,
                          .reason =
-                             "200 kicks of tau times the acceleration g/h = 8, that of the pressure and of "
-                             "gravity, sums of some twenty terms"};
+                             "200 kicks of tau times the acceleration g/h = 8, that of the pressure and of gravity, "
+                             "sums of some twenty terms"};
     check.holds(id + ": Nothing moves beyond rounding.", {speed.value()}, kicks);
-    check.holds(id + "-pressure: The dynamic pressure is rho g.", {pressure.value()},
-                Roundoff{200 * 20, 8,
-                         "the rounding of a velocity is taken out within half a step: over tau/2 = 1/40, and "
-                         "half a spacing"});
+    check.holds(
+        id + "-pressure: The dynamic pressure is rho g.", {pressure.value()},
+        Roundoff{200 * 20, 8,
+                 "the rounding of a velocity is taken out within half a step: over tau/2 = 1/40, and half a spacing"});
   }
 }
 
@@ -72,9 +70,7 @@ TEST_CASE("areas of Dirichlet cells drift by the square of the step, as does ene
               "that sloshes under gravity until t = 1, stabilisation 0.01: kinetic and potential energy with what the "
               "stabilisation took. Steps halved four times.",
               source);
-  std::vector<double> steps;
-  std::vector<double> drifts;
-  std::vector<double> energies;
+  std::vector<double> steps, drifts, energies;
   for (const int n : {10, 20, 40, 80, 160}) {
     Flow patch = moving_patch(0);
     patch.advance_to(0.2, 0.2 / n);

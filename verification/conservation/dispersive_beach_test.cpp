@@ -111,11 +111,10 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
 }
 
 TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[conservation]") {
-  Check check(
-      "dispersive_corner_conservation", "Dispersive shallow water: markers that cross a corner of the bottom",
-      "Steep slopes: markers near the toe go back and forth over it, and the frame of a marker in the middle of "
-      "its step may flip from one sweep of the implicit step to the next. The frames are held from the fourth "
-      "sweep on. Energy and volumes do not depend on them, and stay exact.");
+  Check check("dispersive_corner_conservation", "Dispersive shallow water: markers that cross a corner of the bottom",
+              "Steep slopes: markers near the toe go back and forth over it, and the frame of a marker in the middle "
+              "of its step may flip from one sweep of the implicit step to the next. The frames are held from the "
+              "fourth sweep on. Energy and volumes do not depend on them, and stay exact.");
   for (const Beach& beach :
        {Beach{1, 0.5, 0.25, 40}, Beach{1, 0.5, 0.125, 40}, Beach{3.732, 0.1, 0.25, 40}, Beach{3.732, 0.1, 0.125, 40}}) {
     Flow flow = beach_flow(beach, {.stepping = Stepping::conservative});

@@ -181,10 +181,9 @@ TEST_CASE("a low bore stays undular", "[conservation]") {
 TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
   Check check(
       "dispersive_breaking_zigzag", "Markers that the water does not resolve",
-      "Markers 0.2 apart go up and down by turns by 1e-5. Volumes do not feel it, the potential energy does, "
-      "with $\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the model, and the exchange of "
-      "vertical momentum damps it with $\\zeta = 0.2/0.1 = 2$ times what is critical. In water 0.3 deep it is left "
-      "alone.");
+      "Markers 0.2 apart go up and down by turns by 1e-5. Volumes do not feel it, the potential energy does, with "
+      "$\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the model, and the exchange of vertical "
+      "momentum damps it with $\\zeta = 0.2/0.1 = 2$ times what is critical. In water 0.3 deep it is left alone.");
   const auto zigzag = [](double depth) {
     const Channel channel{.bottom = std::make_shared<LevelBottom>(depth), .period = 3.2, .breaking = Breaking{}};
     Markers markers = still_markers(channel, equal_labels(channel, 0, 3.2, 16));

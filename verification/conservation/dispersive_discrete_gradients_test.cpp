@@ -76,16 +76,13 @@ std::vector<Basin> basins() {
 }
 
 TEST_CASE("discrete gradients keep energy and volumes in every kind of channel", "[conservation]") {
-  Check check(
-      "dispersive_discrete_gradients", "Dispersive shallow water: energy in every kind of channel",
-      "Still water over 40 depths gets the velocity $0.1\\,e^{-(x/4)^2}$, made compatible with constant "
-      "volumes. The waves run to the ends and back, $t \\le 60$;"
-      " water with a free end collapses there like one behind a dam, $t \\le 10$ and 3. Cells of 0.25, steps of at "
-      "most 0.1. "
-      "The fully "
-      "conservative scheme has discrete gradients of every part of the energy: of gravity, of improved dispersion "
-      "with any power of the depth, of the bottom under moving ends. Energy is to be kept to round-off "
-      "with walls, shores and free ends, over level and uneven bottoms, for either kinetic energy.");
+  Check check("dispersive_discrete_gradients", "Dispersive shallow water: energy in every kind of channel",
+              "Still water over 40 depths gets the velocity $0.1\\,e^{-(x/4)^2}$, made compatible with constant "
+              "volumes. The waves run to the ends and back, $t \\le 60$; water with a free end collapses there like "
+              "one behind a dam, $t \\le 10$ and 3. Cells of 0.25, steps of at most 0.1. The fully conservative scheme "
+              "has discrete gradients of every part of the energy: of gravity, of improved dispersion with any power "
+              "of the depth, of the bottom under moving ends. Energy is to be kept to round-off with walls, shores and "
+              "free ends, over level and uneven bottoms, for either kinetic energy.");
   evidence::Table table{.id = "defects",
                         .title = "Largest defects",
                         .caption = "Energy relative to its beginning.",
@@ -101,8 +98,7 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
     }
     Flow flow(basin.channel, markers, {.stepping = Stepping::conservative, .composition = basin.composition});
     const double energy = flow.energy();
-    Largest highest;
-    Largest kinetic;
+    Largest highest, kinetic;
     const Defects defects = defects_until(flow, basin.end, 0.1, 0.3, [&] {
       for (const double y : flow.y()) highest.add(y);
       kinetic.add(flow.model().kinetic_energy(flow.state().q, flow.state().u));
@@ -110,11 +106,11 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
     table.rows.push_back({basin.text, defects.energy, defects.volume, defects.solves, highest.value()});
     const auto steps = static_cast<double>(defects.steps);
     const double stages = basin.composition == TimeComposition::suzuki ? 5 : 1;
-    check.holds(fmt::format("Energy is conserved to round-off ({}).", basin.text), {defects.energy},
-                Roundoff{4 * stages * steps, std::max(1.0, kinetic.value() / energy),
-                         "kinetic and potential energy, and the work of the multipliers on two volumes, "
-                         "rounded per step, or per stage of a composition; collapsing water turns more than it began "
-                         "with into motion"});
+    check.holds(
+        fmt::format("Energy is conserved to round-off ({}).", basin.text), {defects.energy},
+        Roundoff{4 * stages * steps, std::max(1.0, kinetic.value() / energy),
+                 "kinetic and potential energy, and the work of the multipliers on two volumes, rounded per step, or "
+                 "per stage of a composition; collapsing water turns more than it began with into motion"});
     check.holds(fmt::format("Volumes are conserved to round-off ({}).", basin.text), {defects.volume},
                 Roundoff{steps, 40, "one place in 40 depths rounded per step"});
   }

@@ -19,8 +19,7 @@ struct Point {
 
 /// Level bottom, a slope of 1 to 3, and a wave before it.
 struct Shore {
-  std::vector<double> knots{-9, -3, 6};
-  std::vector<double> levels{-1, -1, 2};
+  std::vector<double> knots{-9, -3, 6}, levels{-1, -1, 2};
   Channel channel{
       .bottom = std::make_shared<PiecewiseLinearBottom>(knots, levels), .left = End::wall, .right = End::tip};
   Markers markers;
@@ -85,12 +84,11 @@ Shape shape_of(const std::vector<Point>& outline) {
 }
 
 void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
-  auto& figure = check.figure(
-      "model", "The discrete shallow-water model on a slope",
-      "Markers on the surface; elementary volumes, bounded by verticals at the middle abscissas between markers; the "
-      "particle of each volume, of its mass, drawn at its centre of area. The last marker, the tip, is where the "
-      "surface meets the bottom.",
-      {"frank-fig-4"});
+  auto& figure = check.figure("model", "The discrete shallow-water model on a slope",
+                              "Markers on the surface; elementary volumes, bounded by verticals at the middle "
+                              "abscissas between markers; the particle of each volume, of its mass, drawn at its "
+                              "centre of area. The last marker, the tip, is where the surface meets the bottom.",
+                              {"frank-fig-4"});
   auto& panel = figure.panel(
       {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});
   panel.fill("water", shore.markers.x, shore.markers.y, Role::water);
@@ -101,8 +99,7 @@ void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
   }
   panel.line("surface", shore.markers.x, shore.markers.y, Role::exact);
   panel.points("markers", shore.markers.x, shore.markers.y, Role::computed);
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   for (const Shape& volume : volumes) {
     x.push_back(volume.centre.x);
     y.push_back(volume.centre.y);
@@ -111,18 +108,16 @@ void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
 }
 
 TEST_CASE("particles of the dispersive model have the mass of their elementary volumes", "[conservation]") {
-  Check check(
-      "conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
-      "The water between the surface through the markers and the bottom is cut by verticals at the middles between "
-      "markers. A particle has the mass of its piece, constant in time. Here the pieces are measured as polygons, over "
-      "a bottom with a corner inside a cell.",
-      source);
+  Check check("conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
+              "The water between the surface through the markers and the bottom is cut by verticals at the middles "
+              "between markers. A particle has the mass of its piece, constant in time. Here the pieces are measured "
+              "as polygons, over a bottom with a corner inside a cell.",
+              source);
   const Shore shore;
   const Model model(shore.channel, shore.markers);
   const std::vector<double> ends = shore.boundaries();
   std::vector<Shape> volumes;
-  Worst worst_mass;
-  Worst worst_cell;
+  Worst worst_mass, worst_cell;
   for (std::size_t i = 0; i < model.size(); ++i) {
     volumes.push_back(shape_of(shore.outline(ends[i], ends[i + 1])));
     worst_mass.add(model.masses()[i] - volumes.back().area);

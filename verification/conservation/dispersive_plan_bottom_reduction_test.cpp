@@ -80,8 +80,7 @@ plan::Flow plan_flow(const Slope& slope, std::size_t rows, Stepping stepping, bo
 
 /// Largest difference of a coordinate or velocity, and of what is across the channel from nothing.
 struct Difference {
-  double along = 0;
-  double across = 0;
+  double along = 0, across = 0;
 };
 
 Difference difference(const Slope& slope, std::size_t rows, Stepping stepping, bool along_y) {
@@ -94,8 +93,7 @@ Difference difference(const Slope& slope, std::size_t rows, Stepping stepping, b
   const auto u = reference.u();
   const auto v = reference.v();
   const plan::Lattice& first = flow.model().lattice();
-  Worst along;
-  Worst across;
+  Worst along, across;
   for (std::size_t j = 0; j <= flow.shape().rows; ++j) {
     for (std::size_t i = 0; i <= flow.shape().columns; ++i) {
       const std::size_t k = flow.shape().node(i, j);
@@ -113,13 +111,12 @@ Difference difference(const Slope& slope, std::size_t rows, Stepping stepping, b
 
 TEST_CASE("waves of the plan model over a bottom uneven along one axis are those of the one-dimensional model",
           "[conservation]") {
-  Check check(
-      "dispersive_plan_bottom_reduction", "Two-dimensional horizontal model over slopes: waves along one axis",
-      "Water of equal depth 1 over a slope of 1:50, and over one that is bent, runs down with a jet of 0.2 in it, in a "
-      "channel of 30 depths with walls all around, 60 columns, 100 steps of 0.2. One and three rows of the plan model, "
-      "along x and along y, and the one-dimensional model give the same places, elevations and velocities; nothing "
-      "moves across the channel. On the bent slope columns turn with the bottom's normal; there the "
-      "conservative steps of the two are not ended alike.");
+  Check check("dispersive_plan_bottom_reduction", "Two-dimensional horizontal model over slopes: waves along one axis",
+              "Water of equal depth 1 over a slope of 1:50, and over one that is bent, runs down with a jet of 0.2 in "
+              "it, in a channel of 30 depths with walls all around, 60 columns, 100 steps of 0.2. One and three rows "
+              "of the plan model, along x and along y, and the one-dimensional model give the same places, elevations "
+              "and velocities; nothing moves across the channel. On the bent slope columns turn with the bottom's "
+              "normal; there the conservative steps of the two are not ended alike.");
   struct Bottom {
     std::string id, text;
     Slope slope;
@@ -144,23 +141,22 @@ TEST_CASE("waves of the plan model over a bottom uneven along one axis are those
             .source = source};
         const evidence::Measurement measured{.value = found.along, .resolution = "h = 0.5, tau = 0.2, 100 steps"};
         if (bottom.slope.bend != 0 && stepping == Stepping::conservative) {
-          check.that(same, measured,
-                     Bound{1e-10,
-                           "the one-dimensional model holds its frames from the fourth sweep of a "
-                           "step on: sweeps contract by (omega tau)^2/4 = 0.03, so three leave "
-                           "3e-5 of the first change of an angle, b'' a tau^2/2 = 1e-6 with "
-                           "accelerations a of 0.03; times velocities of 0.3 and the step 2e-12, "
-                           "and 100 steps"});
+          check.that(
+              same, measured,
+              Bound{1e-10,
+                    "the one-dimensional model holds its frames from the fourth sweep of a step on: sweeps contract by "
+                    "(omega tau)^2/4 = 0.03, so three leave 3e-5 of the first change of an angle, b'' a tau^2/2 = 1e-6 "
+                    "with accelerations a of 0.03; times velocities of 0.3 and the step 2e-12, and 100 steps"});
         } else {
           check.that(same, measured,
                      Roundoff{4 * steps, length,
-                              "both models round places up to the channel's length once in a step, and the "
-                              "integral of the bottom under a cell, as long, likewise; sweeps begin anew"});
+                              "both models round places up to the channel's length once in a step, and the integral of "
+                              "the bottom under a cell, as long, likewise; sweeps begin anew"});
         }
         check.holds(id + "-across: Nothing moves across.", {found.across},
                     Roundoff{2 * steps, variant.along_y ? length : 0.7 * static_cast<double>(variant.rows),
-                             "places and velocities up to the width are rounded twice in a step; along y the "
-                             "bottom's integral is taken between places along it"});
+                             "places and velocities up to the width are rounded twice in a step; along y the bottom's "
+                             "integral is taken between places along it"});
       }
     }
   }

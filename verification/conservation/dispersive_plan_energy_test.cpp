@@ -23,8 +23,7 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 
 /// Largest so far, relative to the energy at the beginning and to a cell's mean volume, and the history of the former.
 struct Defects {
-  double energy = 0;
-  double volume = 0;
+  double energy = 0, volume = 0;
   double first_half = 0;  ///< largest energy defect in the first half of the run
   std::vector<double> times, energies;
 };
@@ -72,9 +71,9 @@ std::vector<Basin> basins() {
 TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bottom", "[conservation]") {
   Check check("dispersive_plan_energy", "Two-dimensional horizontal model: energy and volumes to round-off",
               "A hump is released in a box and sloshes until t = 5, over a level bottom, over a polynomial of degree "
-              "four and over a bump. Volumes and potential energy are polynomials along a step, so that Simpson's "
-              "mean of their gradients is exact; what the bottom adds to volumes is made exact along the step. Over "
-              "uneven bottoms velocities turn with the bottom's tangent plane, which changes no energy. The energy of "
+              "four and over a bump. Volumes and potential energy are polynomials along a step, so that Simpson's mean "
+              "of their gradients is exact; what the bottom adds to volumes is made exact along the step. Over uneven "
+              "bottoms velocities turn with the bottom's tangent plane, which changes no energy. The energy of "
               "improved dispersion, which is no polynomial, has a discrete gradient in closed form.");
   const Scheme conservative{.stepping = Stepping::conservative};
   for (const Basin& basin : basins()) {
@@ -82,11 +81,12 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
       const Defects d = defects(conservative, basin.lattice, basin.settings, tau, 5);
       const std::string id = fmt::format("{}-{}", basin.id, tau == 0.1 ? "short" : "long");
       const double steps = 5 / tau;
-      check.holds(id + "-energy: Energy to round-off over " + basin.text + ".", {d.energy},
-                  Roundoff{2 + 100 * steps / basin.spread, 1,
-                           "some 100 roundings in a step of the energy's part at a node; squares add up, so "
-                           "that it counts over how many nodes the energy is spread, never fewer than at the "
-                           "beginning; and of the energies themselves"});
+      check.holds(
+          id + "-energy: Energy to round-off over " + basin.text + ".", {d.energy},
+          Roundoff{
+              2 + 100 * steps / basin.spread, 1,
+              "some 100 roundings in a step of the energy's part at a node; squares add up, so that it counts over how "
+              "many nodes the energy is spread, never fewer than at the beginning; and of the energies themselves"});
       check.holds(id + "-volume: Every cell's volume to round-off over " + basin.text + ".", {d.volume},
                   Roundoff{12 * steps, basin.lattice.x.back() / 0.5,
                            "12 rounded places, up to the box's length, per step and over a cell's side, 0.5"});
@@ -116,11 +116,11 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
                   Bound{0.5, "a drift would double it", 1});
     }
     const auto order = [&](const std::string& what, const std::vector<double>& errors) {
-      check.that(id + "-order-" + what, "The largest defect of " + what + " is of second order.", "observed order",
-                 observed_order(taus, errors),
-                 Order{2, 0.3,
-                       "a symmetric scheme of second order; the "
-                       "maximum over time is not a smooth function of the step"});
+      check.that(
+          id + "-order-" + what, "The largest defect of " + what + " is of second order.", "observed order",
+          observed_order(taus, errors),
+          Order{2, 0.3,
+                "a symmetric scheme of second order; the maximum over time is not a smooth function of the step"});
     };
     order("energy", energies);
     order("volumes", volumes);

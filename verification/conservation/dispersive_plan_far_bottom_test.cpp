@@ -42,12 +42,11 @@ Flow basin() {
 }
 
 TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {
-  Check check(
-      "dispersive_plan_far_bottom", "Conservative steps far along a surveyed bottom",
-      "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the integral of "
-      "the bottom, which volumes are sums of, has counted to 300 there, while far from the hump markers move by less "
-      "than a millionth. The discrete gradient divides by such ways; what it divides must not have the round-off of "
-      "the integral, or sweeps never settle.");
+  Check check("dispersive_plan_far_bottom", "Conservative steps far along a surveyed bottom",
+              "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the "
+              "integral of the bottom, which volumes are sums of, has counted to 300 there, while far from the hump "
+              "markers move by less than a millionth. The discrete gradient divides by such ways; what it divides must "
+              "not have the round-off of the integral, or sweeps never settle.");
   const std::string source = "Frank (1994), chapter 1 and section 4.2; discrete gradients: McLachlan et al. (1999)";
   check.source(source);
   Flow flow = basin();
@@ -64,11 +63,11 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
   }
   check.that("settles", "The sweeps of every step settle.", "steps that did not", {static_cast<double>(steps - done)},
              Bound{0, "sweeps contract by (omega tau)^2/4 = 0.02"});
-  check.that("energy", "Energy is conserved to round-off where the bathymetry reaches far.",
-             "largest change over the first value", {drift.value()},
-             Roundoff{steps, begin / 0.5,
-                      "the width of a cell, half a depth, is a difference of places of 400, rounded anew "
-                      "in each step"});
+  check.that(
+      "energy", "Energy is conserved to round-off where the bathymetry reaches far.",
+      "largest change over the first value", {drift.value()},
+      Roundoff{steps, begin / 0.5,
+               "the width of a cell, half a depth, is a difference of places of 400, rounded anew in each step"});
   std::vector<double> changes(flow.model().constraints());
   flow.model().constraint_values(flow.state().q, changes);
   Worst volume;
@@ -76,8 +75,8 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
   check.that("volume", "The volume of every cell is conserved to round-off.", "largest change of a volume [depth^3]",
              {volume.value()},
              Roundoff{24.0 + steps, 0.75 * begin * 0.5,
-                      "the volume itself is a sum of four edges half a depth long, each with the integral, "
-                      "300, at three places; steps add what they round"});
+                      "the volume itself is a sum of four edges half a depth long, each with the integral, 300, at "
+                      "three places; steps add what they round"});
 }
 
 }  // namespace seiche::verification::dispersive_plan_far_bottom_test

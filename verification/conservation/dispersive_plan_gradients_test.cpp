@@ -119,12 +119,12 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
 }
 
 TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[conservation]") {
-  Check check("dispersive_plan_gradients", "Two-dimensional horizontal model: gradients",
-              "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all "
-              "volumes, over a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, "
-              "against central differences with steps of 1e-4. Volumes over a level bottom and the energy are "
-              "polynomials of degree one and two in each coordinate: their differences have no error but rounding, "
-              "1e-16 of the volume over twice the step.");
+  Check check(
+      "dispersive_plan_gradients", "Two-dimensional horizontal model: gradients",
+      "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all volumes, over "
+      "a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, against central "
+      "differences with steps of 1e-4. Volumes over a level bottom and the energy are polynomials of degree one and "
+      "two in each coordinate: their differences have no error but rounding, 1e-16 of the volume over twice the step.");
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
     check.holds(id + ": " + text, {value},
                 Bound{1e-9,
@@ -161,9 +161,7 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
               "which is exact for these integrands.");
   std::minstd_rand random(7);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
-  Worst mean;
-  Worst volume_error;
-  Worst moment_error;
+  Worst mean, volume_error, moment_error;
   for (int n = 0; n < 1000; ++n) {
     const auto near = [&](double a, double b, double c, double d) {
       return bilinear_patch::Corners{a + uniform(random), b + uniform(random), c + uniform(random),

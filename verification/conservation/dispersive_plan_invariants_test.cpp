@@ -37,22 +37,21 @@ double largest_momentum_of_a_node(const PlanProblem& problem) {
 
 /// Rounding of the momenta of all nodes, each of which changes by the forces of four cells in a step.
 Roundoff rounding(const PlanProblem& problem, double arm) {
-  return {.operations = 32.0 * steps * static_cast<double>(problem.model.nodes()),
-          .scale = largest_momentum_of_a_node(problem) * arm,
-          .reason =
-              "a node's momentum (times its largest distance from the axis) is rounded some 32 times in each of "
-              "100 steps"};
+  return {
+      .operations = 32.0 * steps * static_cast<double>(problem.model.nodes()),
+      .scale = largest_momentum_of_a_node(problem) * arm,
+      .reason =
+          "a node's momentum (times its largest distance from the axis) is rounded some 32 times in each of 100 steps"};
 }
 
 TEST_CASE("water in plan that no side holds keeps its horizontal momenta to round-off", "[conservation]") {
-  Check check(
-      "dispersive_plan_free_blob", "Water in plan without walls: invariants",
-      "24 x 24 cells of half a depth, off a square at random, sheared and stirred at random, without walls, 100 steps "
-      "of 0.03. Momentum along x and y and angular momentum about the vertical are kept for any multipliers: the "
-      "solver's tolerance is 1e-6 in one run and 1e-13 in the other. The blob stands on its bottom with nothing "
-      "around it, or lies in still water: elevations count from its level, and a side without a wall feels that "
-      "water's pressure. Energy of the one-step scheme errs by $O(\\tau^2)$ and is shown; the fully conservative "
-      "scheme keeps it to round-off.");
+  Check check("dispersive_plan_free_blob", "Water in plan without walls: invariants",
+              "24 x 24 cells of half a depth, off a square at random, sheared and stirred at random, without walls, "
+              "100 steps of 0.03. Momentum along x and y and angular momentum about the vertical are kept for any "
+              "multipliers: the solver's tolerance is 1e-6 in one run and 1e-13 in the other. The blob stands on its "
+              "bottom with nothing around it, or lies in still water: elevations count from its level, and a side "
+              "without a wall feels that water's pressure. Energy of the one-step scheme errs by $O(\\tau^2)$ and is "
+              "shown; the fully conservative scheme keeps it to round-off.");
   for (const bool stands : {true, false}) {
     const std::string where = stands ? "standing" : "in-still-water";
     for (const double tolerance : {1e-6, 1e-13}) {
@@ -87,8 +86,7 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
               problem.model.mass(),
           {.operations = 100 * 12,
            .scale = 6 / 0.5,
-           .reason = "12 rounded places, up to 6 depths, per step and over a "
-                     "cell's side, 0.5"});
+           .reason = "12 rounded places, up to 6 depths, per step and over a cell's side, 0.5"});
   }
 }
 
@@ -111,8 +109,8 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
              "largest relative defect of the kinetic energy",
              {.value = relative, .resolution = "tolerance 1e-13, tau = 0.03"},
              Roundoff{2 + 100 * 100.0 / 441, 1,
-                      "some 100 roundings in each of 100 steps of the energy's part at each of 441 nodes, a "
-                      "441st of it; squares add up; and of the energies themselves"});
+                      "some 100 roundings in each of 100 steps of the energy's part at each of 441 nodes, a 441st of "
+                      "it; squares add up; and of the energies themselves"});
 }
 
 TEST_CASE("the plan model returns when its velocities are reversed", "[conservation]") {
@@ -140,8 +138,8 @@ TEST_CASE("the plan model returns when its velocities are reversed", "[conservat
     run_and_turn();
     check.holds("Every node returns to its start (" + way.id + ").", {largest_difference(state, problem.start)},
                 Roundoff{100, way.lattice.x.back(),
-                         "places up to the box's length are rounded once in each of 100 steps, and what is "
-                         "added to them is small; sweeps begin anew from the step's beginning"});
+                         "places up to the box's length are rounded once in each of 100 steps, and what is added to "
+                         "them is small; sweeps begin anew from the step's beginning"});
   }
 }
 

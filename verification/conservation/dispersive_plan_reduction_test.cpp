@@ -107,8 +107,8 @@ TEST_CASE("waves of the plan model along one axis are those of the one-dimension
                                          variant.rows, variant.along_y ? "-turned" : "", gamma > 0 ? "-improved" : "");
       check.holds(id + ": " + fmt::format("{} rows move as the one-dimensional model.", variant.rows), {worst.value()},
                   Roundoff{2 * steps, length,
-                           "both models round places up to the channel's length once in a step; what is "
-                           "added to them is small, and sweeps begin anew"});
+                           "both models round places up to the channel's length once in a step; what is added to them "
+                           "is small, and sweeps begin anew"});
       check.holds(id + "-across: Nothing moves across.", {across.value()},
                   Roundoff{2 * steps, 0.7 * static_cast<double>(variant.rows),
                            "places and velocities up to the width are rounded twice in a step"});

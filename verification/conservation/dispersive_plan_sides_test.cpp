@@ -58,8 +58,7 @@ InflowErrors inflow_errors(double spacing) {
   Flow flow(rectangular_lattice(
       {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
   flow.advance_to((15 - start) / wave.speed(), 0.1 * spacing);
-  Worst wave_error;
-  Worst side_error;
+  Worst wave_error, side_error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {
     const double distance = flow.x()[k] - 15;
     (std::abs(distance) < 6 ? wave_error : side_error).add(flow.z()[k] - wave.elevation(distance));
@@ -68,12 +67,11 @@ InflowErrors inflow_errors(double spacing) {
 }
 
 TEST_CASE("a moving window of the plan model holds the same wave as a long tank", "[conservation]") {
-  Check check(
-      "dispersive_plan_window", "A moving window around a solitary wave",
-      "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that holds its "
-      "whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. What the cut sends "
-      "out is left behind, for nothing is faster than the wave.",
-      source);
+  Check check("dispersive_plan_window", "A moving window around a solitary wave",
+              "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that "
+              "holds its whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. "
+              "What the cut sends out is left behind, for nothing is faster than the wave.",
+              source);
   const validation::PlanSolitonRun run{.spacing = 0.5, .tau = 0.2, .time = 60, .rows = 2, .tolerance = 1e-12};
   Flow tank = validation::plan_soliton_flow(run);
   Flow window = window_flow(run);
@@ -110,12 +108,12 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
 }
 
 TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservation]") {
-  Check check("dispersive_plan_inflow", "A solitary wave through a driven side",
-              "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest "
-              "was 18 depths before it. When the crest is 15 depths within, the surface within 6 depths "
-              "of it is that of the exact wave, to second order; steps of a tenth of a cell. What is "
-              "left elsewhere, most of it beside the side, is shown.",
-              source);
+  Check check(
+      "dispersive_plan_inflow", "A solitary wave through a driven side",
+      "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest was 18 depths before "
+      "it. When the crest is 15 depths within, the surface within 6 depths of it is that of the exact wave, to second "
+      "order; steps of a tenth of a cell. What is left elsewhere, most of it beside the side, is shown.",
+      source);
   const std::vector<double> spacings{0.75, 0.5, 0.375, 0.25, 0.1875};
   std::vector<double> wave, side;
   for (const double spacing : spacings) {

@@ -41,9 +41,9 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
           "[conservation]") {
   Check check(
       "dispersive_free_ends", "A free patch of water keeps what nothing acts on",
-      "Ten depths of water on a level bottom, ends that stand free like dams just broken, moving and heaped to "
-      "one side. It collapses to both sides. Forces between cells are opposite, so that momentum is kept by "
-      "any scheme; the centre of mass moves uniformly; the conservative stepping keeps energy and volumes too.");
+      "Ten depths of water on a level bottom, ends that stand free like dams just broken, moving and heaped to one "
+      "side. It collapses to both sides. Forces between cells are opposite, so that momentum is kept by any scheme; "
+      "the centre of mass moves uniformly; the conservative stepping keeps energy and volumes too.");
   auto& panel = check.figure("patch", "The patch collapses", "Surface by the conservative stepping, t = 0 to 5.")
                     .panel({.x = "x", .y = "elevation"});
   for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {

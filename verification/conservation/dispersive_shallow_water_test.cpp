@@ -78,8 +78,8 @@ constexpr Scheme conservative_feedback{.stepping = Stepping::conservative, .drif
 void known_energy(Check& check, const std::string& id, const std::string& text, double value, double printed) {
   check.holds(id + "-energy: " + text + ": energy.", {value},
               Bound{0.1,
-                    "two digits are printed (5 %), and 240 cells of about 0.25 instead of 246 would change the "
-                    "energy defects by 5 to 10 %",
+                    "two digits are printed (5 %), and 240 cells of about 0.25 instead of 246 would change the energy "
+                    "defects by 5 to 10 %",
                     printed, true});
 }
 
@@ -91,13 +91,12 @@ void known_volume(Check& check, const std::string& id, const std::string& text, 
 TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserves", "[conservation]") {
   Check check(
       "dispersive_solitary_conservation", "Dispersive shallow water: conservation by each scheme",
-      "Solitary wave of amplitude 0.3 in a periodic channel of depth 1 and length 60, cells of 0.25, "
-      "$t \\le 100$, almost two rounds. Energies are relative to the wave's, momenta too. Momentum is exact "
-      "with every scheme. The one-step scheme errs in energy and volumes by $O(\\tau^2)$, with bounds. Feedback "
-      "of the volumes makes their error $O(\\tau^3)$. The fully conservative scheme keeps everything to "
-      "round-off. The one-step energy is $c\\tau^2 - d\\tau^4$ with $c = 2.3\\times10^{-4}$, $d = 0.011$: at "
-      "$\\tau = 0.1$ the second term is a half of the first, so that the ratio 4 under halving of the step is "
-      "seen below $\\tau = 0.05$ only.",
+      "Solitary wave of amplitude 0.3 in a periodic channel of depth 1 and length 60, cells of 0.25, $t \\le 100$, "
+      "almost two rounds. Energies are relative to the wave's, momenta too. Momentum is exact with every scheme. The "
+      "one-step scheme errs in energy and volumes by $O(\\tau^2)$, with bounds. Feedback of the volumes makes their "
+      "error $O(\\tau^3)$. The fully conservative scheme keeps everything to round-off. The one-step energy is "
+      "$c\\tau^2 - d\\tau^4$ with $c = 2.3\\times10^{-4}$, $d = 0.011$: at $\\tau = 0.1$ the second term is a half of "
+      "the first, so that the ratio 4 under halving of the step is seen below $\\tau = 0.05$ only.",
       source);
   evidence::Table table{
       .id = "conservation",
@@ -166,9 +165,8 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   check.that("conservative-feedback-energy", "Energy is conserved to round-off (conservative scheme with feedback).",
              "largest relative energy defect", {.value = held.energy, .resolution = "tau = 0.05"},
              Bound{1e-13,
-                   "the feedback does the work of lambda, about 0.2 under the wave, on volumes rounded by "
-                   "3e-15 in some 20 cells: 1e-14 of the wave's 0.3, which the next rounding returns; ten "
-                   "times that"});
+                   "the feedback does the work of lambda, about 0.2 under the wave, on volumes rounded by 3e-15 in "
+                   "some 20 cells: 1e-14 of the wave's 0.3, which the next rounding returns; ten times that"});
   check.from(digits).that("conservative-feedback-volume",
                           "Volumes do not accumulate rounding (conservative scheme with feedback).",
                           "largest volume defect [depth^2]", {.value = held.volume, .resolution = "tau = 0.05"},
@@ -176,8 +174,8 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   check.that("momentum", "Momentum is conserved to round-off with every scheme.", "largest relative momentum defect",
              {momentum.value()},
              Bound{1e-14,
-                   "rates up to 0.26 of some 40 markers of mass 0.25 under the wave, each rounded by 3e-17 "
-                   "rms in up to 8000 steps, walk 4e-15, beside the wave's momentum of 1.6"});
+                   "rates up to 0.26 of some 40 markers of mass 0.25 under the wave, each rounded by 3e-17 rms in up "
+                   "to 8000 steps, walk 4e-15, beside the wave's momentum of 1.6"});
 }
 
 TEST_CASE("each sweep of the conservative step gains digits of energy and volume", "[conservation]") {
@@ -185,9 +183,7 @@ TEST_CASE("each sweep of the conservative step gains digits of energy and volume
               "Solitary wave as before, step 0.1: defects of energy and volumes after 1 to 4 sweeps per step.");
   const std::array<double, 4> energies{7.6e-4, 1.3e-6, 1.6e-8, 6.2e-11};
   const std::array<double, 3> volumes{1.0e-5, 2.2e-8, 9.3e-11};
-  std::vector<double> count;
-  std::vector<double> energy;
-  std::vector<double> volume;
+  std::vector<double> count, energy, volume;
   for (int sweeps = 1; sweeps <= 4; ++sweeps) {
     const auto k = static_cast<std::size_t>(sweeps - 1);
     const Defects d = solitary_defects({.stepping = Stepping::conservative, .fixed_sweeps = sweeps}, 0.1);
@@ -202,8 +198,8 @@ TEST_CASE("each sweep of the conservative step gains digits of energy and volume
     } else {
       check.holds(id + "-volume: " + text + ": the volume of the worst cell is at round-off.", {d.volume},
                   Bound{1e-12,
-                        "places up to 60 are rounded by 2e-15 rms; two of them in 1000 steps walk 1e-13, the "
-                        "largest of 246 cells at all times goes to five of it; the sweeps leave as much"});
+                        "places up to 60 are rounded by 2e-15 rms; two of them in 1000 steps walk 1e-13, the largest "
+                        "of 246 cells at all times goes to five of it; the sweeps leave as much"});
     }
   }
   auto& panel = check.figure("sweeps", "Defects against sweeps", "Largest defects until t = 100.")
@@ -213,11 +209,10 @@ TEST_CASE("each sweep of the conservative step gains digits of energy and volume
 }
 
 TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]") {
-  Check check(
-      "dispersive_solitary_histories", "Dispersive shallow water: histories of energy and volumes",
-      "Solitary wave as before, step 0.05. The one-step scheme errs while the wave settles and then no more; with "
-      "feedback its energy does drift, slowly. The fully conservative scheme stays at round-off.",
-      source);
+  Check check("dispersive_solitary_histories", "Dispersive shallow water: histories of energy and volumes",
+              "Solitary wave as before, step 0.05. The one-step scheme errs while the wave settles and then no more; "
+              "with feedback its energy does drift, slowly. The fully conservative scheme stays at round-off.",
+              source);
   auto& figure = check.figure("histories", "Energy and volumes in time",
                               "Relative defect of the energy, of one-step schemes and of the fully conservative one, "
                               "and of the volume of the worst cell.");
@@ -233,9 +228,7 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
                              Entry{"fully conservative", conservative, Role::exact}}) {
     Flow flow = solitary_flow(entry.scheme);
     const double first = flow.energy();
-    std::vector<double> time;
-    std::vector<double> energy;
-    std::vector<double> volume;
+    std::vector<double> time, energy, volume;
     defects_until(flow, end, 0.05, 0.3, [&] {
       if (flow.steps() % 8 != 0) return;
       time.push_back(flow.time());

@@ -206,8 +206,7 @@ class FlatChannel {
     }
   }
 
-  std::size_t n_;
-  std::size_t cells_;
+  std::size_t n_, cells_;
   double length_;
   std::vector<double> weight_;  // 1/m
   std::vector<double> across_;  // 1/m for the horizontal rate: 0 at walls

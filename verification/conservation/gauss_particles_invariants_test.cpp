@@ -108,13 +108,12 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
 }
 
 TEST_CASE("free particles keep energy and momenta in a space that changes at every step", "[conservation]") {
-  Check check(
-      "gauss_particles_invariants", "Free particles in changing spaces: energy and momenta",
-      "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The lattice of the stream "
-      "functions is another one at every step: shifted at random in both directions, with another degree "
-      "(2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to round-off; "
-      "falling under gravity, they change by its work, impulse and torque. Frank's projection scheme keeps both "
-      "momenta and loses energy.");
+  Check check("gauss_particles_invariants", "Free particles in changing spaces: energy and momenta",
+              "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The lattice of the "
+              "stream functions is another one at every step: shifted at random in both directions, with another "
+              "degree (2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to "
+              "round-off; falling under gravity, they change by its work, impulse and torque. Frank's projection "
+              "scheme keeps both momenta and loses energy.");
   keeps(check, "any", "Another degree and other cells at every step", run<OneStep>(anything(), 0));
   const double fallen = 0.5 * std::pow(tau * steps, 2);
   keeps(check, "falling", "Falling, shifted at random", run<OneStep>(shifted(), 1), 3.2 * fallen);
@@ -134,8 +133,7 @@ TEST_CASE("the conservative scheme of free particles is its own inverse", "[cons
   OneStep<Model> step(model);
   for (int k = 0; k < 400; ++k) step.substep(state, 2e-3);
   for (int k = 0; k < 400; ++k) step.substep(state, -2e-3);
-  Worst places;
-  Worst rates;
+  Worst places, rates;
   for (std::size_t i = 0; i < state.q.size(); ++i) {
     places.add(state.q[i] - start.q[i]);
     rates.add(state.u[i] - start.u[i]);
@@ -145,19 +143,18 @@ TEST_CASE("the conservative scheme of free particles is its own inverse", "[cons
   const auto returns = [&](const std::string& id, const std::string& what, double value) {
     check.holds(id + ": Backwards, the " + what + " return to their start when the run is reversed.", {value},
                 Roundoff{800, 30,
-                         "one rounding of numbers of order 1 per step, stretched by velocity gradients up to 1.5 "
-                         "over a time of 1.6: e^2.4 = 11, and numbers up to 2.5"});
+                         "one rounding of numbers of order 1 per step, stretched by velocity gradients up to 1.5 over "
+                         "a time of 1.6: e^2.4 = 11, and numbers up to 2.5"});
   };
   returns("places", "places", places.value());
   returns("velocities", "velocities", rates.value());
 }
 
 TEST_CASE("water between two separate walls keeps its momentum along them", "[conservation]") {
-  Check check(
-      "gauss_particles_circulation", "Free particles between two walls",
-      "A periodic channel filled from its bottom to its lid, and a free block between two upright walls. The stream "
-      "function is zero on one wall and an unknown constant on the other, or there would be no flux between them: "
-      "the uniform flow is in the space, and its momentum is kept while eddies turn in it.");
+  Check check("gauss_particles_circulation", "Free particles between two walls",
+              "A periodic channel filled from its bottom to its lid, and a free block between two upright walls. The "
+              "stream function is zero on one wall and an unknown constant on the other, or there would be no flux "
+              "between them: the uniform flow is in the space, and its momentum is kept while eddies turn in it.");
   struct Channel {
     std::string id, text;
     LatticePlan plan;
@@ -195,9 +192,7 @@ TEST_CASE("water between two separate walls keeps its momentum along them", "[co
     const std::string entry = channel.along == 0 ? "momentum_x" : "momentum_y";
     check.holds(channel.text + ": the momentum along the walls.",
                 {watch.ledger().entry(entry).largest_defect / watch.ledger().entry(entry).initial},
-                Roundoff{count, 2,
-                         "one rounded velocity, of at most twice the mean, per "
-                         "step"});
+                Roundoff{count, 2, "one rounded velocity, of at most twice the mean, per step"});
     check.holds(channel.text + ": the energy.",
                 {watch.ledger().largest_defect("energy") / watch.ledger().entry("energy").initial},
                 Roundoff{count, 1, "one rounded energy per step"});

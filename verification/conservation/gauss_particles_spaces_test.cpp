@@ -59,16 +59,15 @@ Point mixed(Point r) {
 TEST_CASE("a momentum of free particles is kept if and only if the space holds its field", "[conservation]") {
   Check check(
       "gauss_particles_spaces", "Free particles: what conservation asks of the space",
-      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. "
-      "Without the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, "
-      "and its angular momentum changes sign at every step; likewise the momentum without a translation. Energy "
-      "asks nothing of the space: it is kept with the single field of the stream function x^3 y^2.");
+      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. Without "
+      "the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, and its "
+      "angular momentum changes sign at every step; likewise the momentum without a translation. Energy asks nothing "
+      "of the space: it is kept with the single field of the stream function x^3 y^2.");
   const double mass = std::acos(-1.0);
   const auto kept = [&](const std::string& id, const std::string& text, double defect, double scale) {
-    check.holds(id + ": " + text, {defect},
-                Roundoff{steps, scale,
-                         "one rounded velocity per step; scale: sums of "
-                         "magnitudes, at most 3 times the mass"});
+    check.holds(
+        id + ": " + text, {defect},
+        Roundoff{steps, scale, "one rounded velocity per step; scale: sums of magnitudes, at most 3 times the mass"});
   };
   {
     Problem all(linear_fields(), mixed);
@@ -116,11 +115,10 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
 }
 
 TEST_CASE("the projection scheme loses energy at the rate of its accelerations", "[conservation]") {
-  Check check(
-      "gauss_particles_dissipation", "Free particles: the loss of Frank's projection scheme",
-      "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
-      "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over that "
-      "prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
+  Check check("gauss_particles_dissipation", "Free particles: the loss of Frank's projection scheme",
+              "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
+              "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over "
+              "that prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
   const exact::StretchingDrop drop(1, 1, 1);
   constexpr int intervals = 400;
   double integral = 0;
@@ -148,11 +146,10 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
 }
 
 TEST_CASE("spray of free particles flies freely", "[conservation]") {
-  Check check(
-      "gauss_particles_spray", "Free particles: spray",
-      "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could continue the "
-      "fields: these move on their parabolas, to round-off, and the drop does not know of them.",
-      source);
+  Check check("gauss_particles_spray", "Free particles: spray",
+              "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could "
+              "continue the fields: these move on their parabolas, to round-off, and the drop does not know of them.",
+              source);
   Particles particles = disc(1, 12);
   const std::size_t drop = particles.size();
   for (const double place : {4.0, 4.05, 4.1}) particles.add(place, 4, 0.001);
@@ -161,8 +158,7 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
   OneStep<Model> step(model);
   constexpr int count = 64;
   for (int k = 0; k < count; ++k) step.step(state, 1.0 / count);
-  Worst spray;
-  Worst fallen;
+  Worst spray, fallen;
   for (std::size_t k = 0; k < model.size(); ++k) {
     const bool flies = k >= drop;
     Worst& worst = flies ? spray : fallen;

@@ -32,8 +32,7 @@ Defects defects(Scheme scheme, double tau) {
   const auto bottom = uneven_bottom();
   const std::size_t n = problem.model.nodes().size();
   const Shape plan = problem.model.mesh().plan;
-  Worst off;
-  Worst wall;
+  Worst off, wall;
   for (long step = std::lround(duration / tau); step > 0; --step) {
     stepper.step(state, tau);
     watch.record(state);
@@ -51,13 +50,12 @@ Defects defects(Scheme scheme, double tau) {
 }
 
 TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_3d_bottom", "A hump over an uneven bottom: energy, volumes, the bottom",
-      "A hump of a tenth of the depth spreads over a bottom bent along both axes, 1 to 0.5 deep, between three walls "
-      "along the axes and an oblique one, 12 x 8 x 3 cells, until t = 6. A node on the bottom is one more constraint: "
-      "the conservative scheme takes mean gradients of it too, the one-step scheme keeps it within the square of the "
-      "step.",
-      source);
+  Check check("lagrangian_mesh_3d_bottom", "A hump over an uneven bottom: energy, volumes, the bottom",
+              "A hump of a tenth of the depth spreads over a bottom bent along both axes, 1 to 0.5 deep, between three "
+              "walls along the axes and an oblique one, 12 x 8 x 3 cells, until t = 6. A node on the bottom is one "
+              "more constraint: the conservative scheme takes mean gradients of it too, the one-step scheme keeps it "
+              "within the square of the step.",
+              source);
   const Defects kept = defects({.stepping = Stepping::conservative}, 0.1);
   const auto roundoff = [&](const std::string& id, const std::string& text, double value, double operations,
                             double scale, const std::string& reason) {
@@ -74,9 +72,7 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
   roundoff("oblique", "Nodes on the bottom that slide along the oblique wall stay at it.", kept.oblique, 60 * 2, 6,
            "two rounded places, up to 6 depths, per step");
   const std::vector<double> taus{0.2, 0.1, 0.05, 0.025};
-  std::vector<double> energies;
-  std::vector<double> volumes;
-  std::vector<double> bottoms;
+  std::vector<double> energies, volumes, bottoms;
   for (const double tau : taus) {
     const Defects d = defects({}, tau);
     energies.push_back(d.energy);
@@ -86,8 +82,7 @@ TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one"
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
     check.that("order-" + id, text, "observed order", observed_order(taus, errors),
                Order{2, 0.3,
-                     "a symmetric scheme of second order; the maximum over time is not a "
-                     "smooth function of the step"});
+                     "a symmetric scheme of second order; the maximum over time is not a smooth function of the step"});
   };
   order("energy", "The largest energy error is second-order in the step (one-step scheme).", energies);
   order("volume", "The largest error of a volume is second-order in the step (one-step scheme).", volumes);

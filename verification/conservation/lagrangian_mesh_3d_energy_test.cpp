@@ -34,11 +34,10 @@ Defects defects(Scheme scheme, Settings settings, double tau, double time) {
 }
 
 TEST_CASE("a hump in a box of hexahedra keeps energy and volumes with the conservative scheme", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_3d_energy", "Sloshing in three dimensions: energy and volumes",
-      "A hump of 0.3 depths is released in a box of 10 x 10 depths, 20 x 20 x 2 cells, and sloshes until t = 10. "
-      "Volumes are cubic and the potential energy quartic along a step, so that their mean gradients are known "
-      "exactly: the fully conservative scheme keeps energy and volumes to round-off.");
+  Check check("lagrangian_mesh_3d_energy", "Sloshing in three dimensions: energy and volumes",
+              "A hump of 0.3 depths is released in a box of 10 x 10 depths, 20 x 20 x 2 cells, and sloshes until t = "
+              "10. Volumes are cubic and the potential energy quartic along a step, so that their mean gradients are "
+              "known exactly: the fully conservative scheme keeps energy and volumes to round-off.");
   const double tau = 0.1;
   const double time = 10;
   const auto keeps = [&](const std::string& id, const Defects& d, const evidence::Criterion& energy) {
@@ -51,19 +50,16 @@ TEST_CASE("a hump in a box of hexahedra keeps energy and volumes with the conser
   const Scheme conservative{.stepping = Stepping::conservative};
   keeps("iterative", defects(conservative, {.tolerance = 1e-13}, tau, time),
         Bound{1e-12,
-              "pressures do work on the 1e-13 of the volumes' rates that the solver leaves in each of 100 "
-              "steps; of either sign, it adds up as squares"});
+              "pressures do work on the 1e-13 of the volumes' rates that the solver leaves in each of 100 steps; of "
+              "either sign, it adds up as squares"});
 }
 
 TEST_CASE("energy and volumes of the one-step scheme on hexahedra err by the square of the step", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_3d_energy_order", "Sloshing in three dimensions: order of the one-step scheme",
-      "The hump in the box, one-step scheme, t = 20: largest defects so far of the energy and of a volume. Both "
-      "are bounded and shrink with $\\tau^2$.",
-      source);
-  std::vector<double> taus{0.4, 0.2, 0.1, 0.05};
-  std::vector<double> energies;
-  std::vector<double> volumes;
+  Check check("lagrangian_mesh_3d_energy_order", "Sloshing in three dimensions: order of the one-step scheme",
+              "The hump in the box, one-step scheme, t = 20: largest defects so far of the energy and of a volume. "
+              "Both are bounded and shrink with $\\tau^2$.",
+              source);
+  std::vector<double> taus{0.4, 0.2, 0.1, 0.05}, energies, volumes;
   for (const double tau : taus) {
     const Defects d = defects({}, {.tolerance = 1e-10}, tau, 20);
     energies.push_back(d.energy);
@@ -72,19 +68,17 @@ TEST_CASE("energy and volumes of the one-step scheme on hexahedra err by the squ
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
     check.that(id, text, "observed order", observed_order(taus, errors),
                Order{2, 0.3,
-                     "a symmetric scheme of second order; the "
-                     "maximum over time is not a smooth function of the step"});
+                     "a symmetric scheme of second order; the maximum over time is not a smooth function of the step"});
   };
   order("energy", "The largest energy defect is of second order.", energies);
   order("volume", "The largest defect of a volume is of second order.", volumes);
 }
 
 TEST_CASE("a hexahedral mesh returns when its velocities are reversed", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_3d_reversible", "Hexahedral mesh: time reversal",
-      "The hump in the box, 100 steps of 0.1: velocities reversed, the same steps, velocities reversed. Pressures "
-      "to round-off, so that nothing depends on tolerances.",
-      source);
+  Check check("lagrangian_mesh_3d_reversible", "Hexahedral mesh: time reversal",
+              "The hump in the box, 100 steps of 0.1: velocities reversed, the same steps, velocities reversed. "
+              "Pressures to round-off, so that nothing depends on tolerances.",
+              source);
   HexahedralProblem problem(hump_in_box(), {}, {.tolerance = 1e-15});
   State state = problem.start;
   for (int turn = 0; turn < 2; ++turn) {

@@ -33,17 +33,16 @@ Roundoff rounding(const HexahedralProblem& problem, double largest_arm) {
   return {.operations = 2.0 * steps,
           .scale = std::sqrt(squares) * largest_arm,
           .reason =
-              "each velocity is rounded twice in each of 100 steps, at their middle and at their end; the "
-              "roundings of all nodes' momenta (times their largest distance from the axis) add up as squares"};
+              "each velocity is rounded twice in each of 100 steps, at their middle and at their end; the roundings of "
+              "all nodes' momenta (times their largest distance from the axis) add up as squares"};
 }
 
 TEST_CASE("a free body of fluid in space keeps momenta and energy to round-off", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_3d_free_body", "Free body of fluid in space: invariants",
-      "6 x 5 x 4 cells of constant volume, off a cube at random, without gravity and without walls, 100 steps of 0.01. "
-      "Linear and angular momentum are kept for any multipliers: the solver's tolerance is 1e-6 in one run and 1e-13 "
-      "in the other. Kinetic energy changes by the multipliers times what the solver leaves of the rates of "
-      "volumes: it is judged with the tight tolerance.");
+  Check check("lagrangian_mesh_3d_free_body", "Free body of fluid in space: invariants",
+              "6 x 5 x 4 cells of constant volume, off a cube at random, without gravity and without walls, 100 steps "
+              "of 0.01. Linear and angular momentum are kept for any multipliers: the solver's tolerance is 1e-6 in "
+              "one run and 1e-13 in the other. Kinetic energy changes by the multipliers times what the solver leaves "
+              "of the rates of volumes: it is judged with the tight tolerance.");
   for (const double tolerance : {1e-6, 1e-13}) {
     HexahedralProblem problem = moving_body({.tolerance = tolerance});
     const InvariantsLedger ledger = run(problem, {});

@@ -55,20 +55,18 @@ Defects defects(const Basin& basin, Scheme scheme, double tau, double time) {
 }
 
 TEST_CASE("water between walls keeps energy and areas with the conservative scheme", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_energy", "Sloshing on a Lagrangian mesh: energy and areas",
-      "Water is released with a surface of $0.1\\cos(\\pi x/6)$ and sloshes until t = 8: in a box, against an inclined "
-      "wall, with a toe that stays and one that is rounded over 0.25 to either side, over a bump along which the "
-      "bottom's nodes slide. The fully conservative scheme takes the mean of the "
-      "cubic potential's gradient over a step, the Jacobian at its middle and, on curves, chords: energy and areas are "
-      "exact. Its compositions to fourth order inherit both.");
+  Check check("lagrangian_mesh_energy", "Sloshing on a Lagrangian mesh: energy and areas",
+              "Water is released with a surface of $0.1\\cos(\\pi x/6)$ and sloshes until t = 8: in a box, against an "
+              "inclined wall, with a toe that stays and one that is rounded over 0.25 to either side, over a bump "
+              "along which the bottom's nodes slide. The fully conservative scheme takes the mean of the cubic "
+              "potential's gradient over a step, the Jacobian at its middle and, on curves, chords: energy and areas "
+              "are exact. Its compositions to fourth order inherit both.");
   const auto keeps = [&](const std::string& id, const std::string& text, const Defects& d, double stages) {
     check.holds(id + "-energy: " + text + ": energy to round-off.", {d.energy},
                 Roundoff{stages, 1, "one rounded energy per step or stage"});
     check.holds(id + "-area: " + text + ": every cell's area to round-off.", {d.area},
                 Roundoff{stages, 6 / 0.25,
-                         "a rounded place, up to 6 depths, per step or stage and over a cell's side, at "
-                         "least 0.25"});
+                         "a rounded place, up to 6 depths, per step or stage and over a cell's side, at least 0.25"});
   };
   std::vector<Basin> all = basins();
   // Nodes that may slide around the toe need the hourglass potential, or the last cells fold.
@@ -87,19 +85,17 @@ TEST_CASE("water between walls keeps energy and areas with the conservative sche
 }
 
 TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme under gravity", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_bounded_energy", "Sloshing on a Lagrangian mesh: the one-step scheme's bounded errors",
-      "The same basins with the one-step scheme. The potential is cubic: the energy errs by O(tau^2), as do the "
-      "areas. Neither drifts: with the hourglass potential, which keeps the mesh from folding, the errors up to "
-      "t = 400 are those of the first few periods.",
-      source);
+  Check check("lagrangian_mesh_bounded_energy", "Sloshing on a Lagrangian mesh: the one-step scheme's bounded errors",
+              "The same basins with the one-step scheme. The potential is cubic: the energy errs by O(tau^2), as do "
+              "the areas. Neither drifts: with the hourglass potential, which keeps the mesh from folding, the errors "
+              "up to t = 400 are those of the first few periods.",
+              source);
   auto& figure = check.figure("bounded", "Errors of energy and areas", "Largest up to t = 8 against the step.");
   auto& energy_panel = figure.panel({.x = "tau", .y = "energy defect / wave energy", .log_x = true, .log_y = true});
   auto& area_panel = figure.panel({.x = "tau", .y = "area defect / mean area", .log_x = true, .log_y = true});
   for (const Basin& basin : basins()) {
     const std::vector<double> tau{0.1, 0.05, 0.025, 0.0125};
-    std::vector<double> energy;
-    std::vector<double> area;
+    std::vector<double> energy, area;
     for (const double step : tau) {
       const Defects d = defects(basin, {}, step, 8);
       energy.push_back(d.energy);

@@ -47,18 +47,16 @@ Drift drift(Integrator integrator, double tau, int steps) {
 }
 
 TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_invariants", "Free patch of fluid: invariants",
-      "Square of 8 x 8 cells of constant area, no potential, sheared and bent by its initial velocity, to t = 1. "
-      "Areas are bilinear: $V_s(r) - (\\tau^2/4)V_s(u)$ is exactly constant with the one-step scheme, and $V_s$ "
-      "itself with the fully conservative one.");
+  Check check("lagrangian_mesh_invariants", "Free patch of fluid: invariants",
+              "Square of 8 x 8 cells of constant area, no potential, sheared and bent by its initial velocity, to t = "
+              "1. Areas are bilinear: $V_s(r) - (\\tau^2/4)V_s(u)$ is exactly constant with the one-step scheme, and "
+              "$V_s$ itself with the fully conservative one.");
   const auto [patch, start] = moving_patch();
   constexpr double coordinates = 162;
-  const Roundoff initial{.operations = coordinates + 64 / coordinates,
-                         .scale = 1,
-                         .reason =
-                             "sums over 162 coordinates, each rounded 64 times by the projection, that is 1/162 "
-                             "of the sum"};
+  const Roundoff initial{
+      .operations = coordinates + 64 / coordinates,
+      .scale = 1,
+      .reason = "sums over 162 coordinates, each rounded 64 times by the projection, that is 1/162 of the sum"};
   Roundoff energy = initial;
   energy.expected = 0.884486280096849;
   check.from(digits + " to 15 digits")
@@ -72,14 +70,14 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
   const auto keeps = [&](const std::string& id, const std::string& text, double value, int steps) {
     check.holds(id + ": " + text, {value},
                 Roundoff{2 * coordinates + 10 * steps / coordinates, 1,
-                         "two sums over 162 coordinates, of order 1; a step rounds a rate some ten times, that "
-                         "is 1/162 of the sum"});
+                         "two sums over 162 coordinates, of order 1; a step rounds a rate some ten times, that is "
+                         "1/162 of the sum"});
   };
   const auto keeps_areas = [&](const std::string& id, const std::string& text, double value, int steps) {
     check.holds(id + ": " + text, {value},
                 Roundoff{8.0 * (steps + 2), 0.125,
-                         "each step rounds the eight coordinates of a cell, of order 1, which move its area by "
-                         "half a side; as do the two areas"});
+                         "each step rounds the eight coordinates of a cell, of order 1, which move its area by half a "
+                         "side; as do the two areas"});
   };
   struct Case {
     std::string id, resolution;

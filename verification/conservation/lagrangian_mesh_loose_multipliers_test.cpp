@@ -72,13 +72,12 @@ Defects defects(Some& model, State state) {
 }
 
 TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy changed by their work", "[conservation]") {
-  Check check(
-      "lagrangian_mesh_loose_multipliers", "Loosely solved pressures on a Lagrangian mesh",
-      "The pressure of a cell pushes its corners with forces that cancel in sum and moment, whatever it is: "
-      "momenta of a free patch are exact for any error of the solver. The energy of a step changes by "
-      "$\\tau\\lambda\\cdot(J\\tilde u)$, the pressures' work on what is left of the areas' rates. A patch with "
-      "multipliers wrong by random fractions, and a layer without gravity whose multipliers conjugate "
-      "gradients find to a tolerance.");
+  Check check("lagrangian_mesh_loose_multipliers", "Loosely solved pressures on a Lagrangian mesh",
+              "The pressure of a cell pushes its corners with forces that cancel in sum and moment, whatever it is: "
+              "momenta of a free patch are exact for any error of the solver. The energy of a step changes by "
+              "$\\tau\\lambda\\cdot(J\\tilde u)$, the pressures' work on what is left of the areas' rates. A patch "
+              "with multipliers wrong by random fractions, and a layer without gravity whose multipliers conjugate "
+              "gradients find to a tolerance.");
   evidence::Table table{
       .id = "loose",
       .title = "1000 steps of 1e-3",

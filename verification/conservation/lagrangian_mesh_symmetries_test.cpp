@@ -36,8 +36,8 @@ TEST_CASE("a Lagrangian mesh returns when its velocities are reversed", "[conser
       check.holds(std::string(title(integrator)) + ", " + id + ").",
                   {there_and_back(std::move(problem), integrator, run)},
                   Roundoff{2.0 * run.steps * (1 + 64 * std::pow(1 / scale, 2)), scale,
-                           "each place, up to the largest, rounded once in a step, and distances within a cell "
-                           "and velocities, up to 1, some 64 times"});
+                           "each place, up to the largest, rounded once in a step, and distances within a cell and "
+                           "velocities, up to 1, some 64 times"});
     };
     returns("patch", moving_patch(), {0.01, 100}, 1);
     returns("sloshing", sloshing(), {0.05, 200}, 6);

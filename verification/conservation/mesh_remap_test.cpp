@@ -76,8 +76,8 @@ const Roundoff rounded{.operations = 100 * cells * cells,
 
 TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conservation]") {
   Check check("mesh_remap", "Remap of the two-dimensional mesh: what it keeps",
-              "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a "
-              "third of a cell, those of the sides along them.",
+              "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a third of a "
+              "cell, those of the sides along them.",
               source);
   const std::string resolution = "16 x 16 cells";
   const Model model(free_patch(cells, cells, {0, 0}, {size, size}));
@@ -88,8 +88,7 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
   });
   const Remapped now = remap(model, state.q, u, x, y);
   const Model next(now.mesh);
-  CompensatedSum along;
-  CompensatedSum up;
+  CompensatedSum along, up;
   for (std::size_t k = 0; k < model.mesh().nodes(); ++k) {
     along.add(next.nodes().mass()[k] * now.velocity[k].x - model.nodes().mass()[k] * u[k]);
     up.add(next.nodes().mass()[k] * now.velocity[k].y - model.nodes().mass()[k] * u[model.mesh().nodes() + k]);
@@ -99,8 +98,7 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
              {std::hypot(along.value(), up.value())}, rounded);
   const Remapped same = remap(model, state.q, u, model.mesh().x, model.mesh().y);
   const Remapped stream = remap(model, state.q, velocities(model.mesh(), [](Point) { return Point{1, -0.5}; }), x, y);
-  Worst changed;
-  Worst off;
+  Worst changed, off;
   for (std::size_t k = 0; k < model.mesh().nodes(); ++k) {
     changed.add(same.velocity[k].x - u[k]);
     changed.add(same.velocity[k].y - u[model.mesh().nodes() + k]);
@@ -115,14 +113,13 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
 
 TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]") {
   Check check("mesh_rezone", "A high wave at a wall on a rezoned mesh: what it keeps",
-              "A hump of water, half as high as it is deep, runs against a wall; 40 x 8 cells, "
-              "conservative steps. And still water.",
+              "A hump of water, half as high as it is deep, runs against a wall; 40 x 8 cells, conservative steps. And "
+              "still water.",
               source);
   Flow flow = hump(mechanics::Stepping::conservative);
   const double water = sum(flow.model().first_volumes());
   const double begin = flow.energy();
-  Worst spilt;
-  Worst drift;
+  Worst spilt, drift;
   flow.advance_to(end, tau, [&] {
     const Mesh& mesh = flow.model().mesh();
     CompensatedSum area;
@@ -148,8 +145,8 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
       .that("taken", "The energy that rezoning takes is positive and small.", "what it took over the first value",
             {flow.rezoning().lost / begin},
             Bound{0.005,
-                  "0 to 1 %: what it takes is of the square of the differences between neighbouring "
-                  "nodes, in the sheet at the wall alone",
+                  "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, in the "
+                  "sheet at the wall alone",
                   0.005});
 
   const Mesh lake = layer_mesh({.begin = -10, .end = 0, .depth = 1, .columns = 40, .rows = 8});
@@ -168,8 +165,8 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
 
 TEST_CASE("columns that are put upright again keep their water and their slope", "[conservation]") {
   Check check("mesh_upright_columns", "Columns put upright again",
-              "Water 1 m deep between a vertical wall and a slope of 45 degrees, under waves of 0.2 m, "
-              "in columns that lean as a surface current of a quarter of a cell leaves them.",
+              "Water 1 m deep between a vertical wall and a slope of 45 degrees, under waves of 0.2 m, in columns that "
+              "lean as a surface current of a quarter of a cell leaves them.",
               source);
   constexpr std::size_t columns = 40;
   constexpr std::size_t rows = 8;
@@ -197,8 +194,7 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
   const Model model(mesh);
   const mechanics::State state = model.state();
   const auto places = upright.places(state.q);
-  Worst changed;
-  Worst bent;
+  Worst changed, bent;
   CompensatedSum whole;
   for (std::size_t i = 0; i < columns; ++i) {
     const double was = area_of(mesh.x, mesh.y, i);
@@ -223,8 +219,8 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
              "largest change of an area over it",
              {.value = changed.value(), .where = fmt::format("x = {:.2f} m", changed.where())},
              Bound{0.25 * 0.25 / 8,
-                   "the polygon of an edge is off by its curvature times its width squared over eight: up to "
-                   "0.8/m where the water is 0.8 m deep, and a quarter of a metre"});
+                   "the polygon of an edge is off by its curvature times its width squared over eight: up to 0.8/m "
+                   "where the water is 0.8 m deep, and a quarter of a metre"});
   check.that("slope", "Every column has its first direction again.", "largest distance of a node from the line [m]",
              {bent.value()}, Roundoff{100, 10, "places of 10 m"});
 }

@@ -76,8 +76,7 @@ Markers markers_of(const Twin& twin, bool tip) {
 
 Seen run(const Twin& twin, Channel base, bool beach, Stepping stepping) {
   // A beach 1:4 whose foot is under the wave's front.
-  std::vector<double> x{-16, -4.125, 8.25};
-  std::vector<double> z{-1, -1, 2};
+  std::vector<double> x{-16, -4.125, 8.25}, z{-1, -1, 2};
   if (twin.mirrored) {
     std::reverse(x.begin(), x.end());
     std::reverse(z.begin(), z.end());
@@ -788,12 +787,12 @@ TEST_CASE("flows do not know mirrors, directions, units, places, frames and the 
     Check check(
         "metamorphic_" + id, fmt::format("The flow of {} and its twin", subject.name),
         "A small flow with each main option of the model, some 24 steps, and its twin: in a mirror; turned by 90 "
-        "degrees; in other units; at another place; from a moving frame; with its particles in another order. What "
-        "the twin gives, brought back, is what the flow gives: with powers of two as units bit by bit, but where a "
-        "power or a root takes one apart (friction after Manning, viscosity of breaking fronts, the side of a cube); "
-        "else to round-off. Left out: mirrors of MacCormack's scheme, which takes its differences to one side first; "
-        "turns and moving frames of Gauss-principle particles, whose cells stand still and are continued along "
-        "columns before rows. Differences are those of a place over the extent or of a velocity over the largest.");
+        "degrees; in other units; at another place; from a moving frame; with its particles in another order. What the "
+        "twin gives, brought back, is what the flow gives: with powers of two as units bit by bit, but where a power "
+        "or a root takes one apart (friction after Manning, viscosity of breaking fronts, the side of a cube); else to "
+        "round-off. Left out: mirrors of MacCormack's scheme, which takes its differences to one side first; turns and "
+        "moving frames of Gauss-principle particles, whose cells stand still and are continued along columns before "
+        "rows. Differences are those of a place over the extent or of a velocity over the largest.");
     for (const Transformation& t : transformations) {
       const double far = 1 + std::hypot(t.twin.origin.x, t.twin.origin.y);
       const evidence::Criterion rounded =

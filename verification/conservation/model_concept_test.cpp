@@ -215,13 +215,12 @@ double distance_after(Model& model, State state, int steps, double tau) {
 }
 
 TEST_CASE("one step for turned axes, for a basis, and for constraints that change", "[conservation]") {
-  Check check(
-      "mechanics_one_interface", "One step for all models",
-      "The pinned chain in Cartesian rates with multipliers, against the same chain with rates along axes that turn "
-      "with the position, and against projection on a basis without multipliers: the same motion. Free masses, "
-      "other pairs of which are kept apart in each step: energy and momenta are exact although the constraints "
-      "are never the same.",
-      source);
+  Check check("mechanics_one_interface", "One step for all models",
+              "The pinned chain in Cartesian rates with multipliers, against the same chain with rates along axes that "
+              "turn with the position, and against projection on a basis without multipliers: the same motion. Free "
+              "masses, other pairs of which are kept apart in each step: energy and momenta are exact although the "
+              "constraints are never the same.",
+              source);
   auto chain = heavy_chain();
   const State start = spiral_start(chain);
   const Roundoff same{

@@ -38,9 +38,7 @@ struct Defects {
   double energy = 0;      ///< of the whole run
   Worst unexplained;      ///< of a step, after the multipliers' work on the residual is booked
   Worst unexplained_sum;  ///< of the whole run, likewise
-  Worst momentum;
-  Worst angular_momentum;
-  Worst vertical;
+  Worst momentum, angular_momentum, vertical;
   Scales scales;
 };
 
@@ -147,8 +145,7 @@ TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their wo
 
   // How much energy a solver's tolerance costs: errors of one sign add up, random ones walk.
   constexpr int seeds = 64;
-  double mean = 0;
-  double square = 0;
+  double mean = 0, square = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const double defect = defects_of({double_pendulum(), Error::random, 1e-6, seed}).energy;
     mean += defect / seeds;
@@ -156,11 +153,11 @@ TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their wo
   }
   const double deviation = std::sqrt(square - mean * mean);
   check.from("regression: computed once by an earlier program for the same equations, one sequence: 3.4e-9")
-      .that("random-walk", "The energy that random errors cost elsewhere is a typical outcome of their walk.",
-            "energy defect of the pendulum at e = 1e-6, distance from the mean over 64 sequences in "
-            "standard deviations",
-            {.value = (3.4e-9 - mean) / deviation, .resolution = "tau = 0.01, 1000 steps"},
-            Bound{2, "one outcome of a random walk, at 95 %"});
+      .that(
+          "random-walk", "The energy that random errors cost elsewhere is a typical outcome of their walk.",
+          "energy defect of the pendulum at e = 1e-6, distance from the mean over 64 sequences in standard deviations",
+          {.value = (3.4e-9 - mean) / deviation, .resolution = "tau = 0.01, 1000 steps"},
+          Bound{2, "one outcome of a random walk, at 95 %"});
 }
 
 }  // namespace seiche::verification::one_step_loose_multipliers_test

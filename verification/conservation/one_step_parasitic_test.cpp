@@ -91,8 +91,7 @@ struct LongRun {
   Count beyond;                  ///< steps whose largest jump exceeds that of the earlier program
   State before_jump;             ///< 50 to 100 steps before the largest
   Worst excess;                  ///< of the jump over the change of the motion's own multipliers
-  double energy = 0;
-  double momentum = 0;
+  double energy = 0, momentum = 0;
   Scales scales;
 };
 
@@ -133,8 +132,7 @@ LongRun free_chain_run(long every, long steps, double tau) {
   Start<RigidChain> start(chain);
   Instant instant(chain);
   InvariantsWatch watch(chain, state);
-  std::vector<double> before;
-  std::vector<double> now;
+  std::vector<double> before, now;
   LongRun run;
   State copy = state;
   State older = state;
@@ -176,8 +174,7 @@ LongRun free_chain_run(long every, long steps, double tau) {
 /// Mean logarithm of `b` less that of `a` in standard errors, for samples that are far apart in time.
 double growth(Input a, Input b) {
   struct Logarithms {
-    double mean = 0;
-    double variance_of_mean = 0;
+    double mean = 0, variance_of_mean = 0;
   };
   const auto logarithms = [](Input values) {
     const auto count = static_cast<double>(values.size());
@@ -197,18 +194,16 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
   Check check(
       "one_step_start", "Start of the one-step scheme",
       "For quadratic constraints $w^n = J(q^n)u^n$ obeys $w^{n+1} + w^n = \\tfrac{\\tau}{2}(b^{n+1} - b^n)$, $b = "
-      "B(u,u)$, exactly. Its solution without alternation is $w = \\tfrac{\\tau}{2}\\tanh(\\tfrac{\\tau}{2}\\partial_t)"
-      "\\,b = \\tfrac{\\tau^2}{4}\\dot b + O(\\tau^4) = \\tfrac{\\tau^2}{2}B(u,\\dot u) + O(\\tau^4)$; whatever else "
-      "$w^0$ holds alternates for ever, in the multipliers by $(2/\\tau)A^{-1}$ times it. Hence: $w^0 = 0$ leaves an "
-      "alternation of $\\tau A^{-1}B(u,\\dot u)$, and $w^0 = \\tfrac{\\tau^2}{2}B(u,\\dot u)$ one of $O(\\tau^3)$. "
-      "Free chain; the alternation is a sixteenth of the multipliers' fourth difference over the first steps. Second "
-      "differences do not show it after a corrected start: they contain $\\tfrac{\\tau^2}{4}\\ddot\\lambda$ of the "
-      "motion itself.",
+      "B(u,u)$, exactly. Its solution without alternation is $w = "
+      "\\tfrac{\\tau}{2}\\tanh(\\tfrac{\\tau}{2}\\partial_t)\\,b = \\tfrac{\\tau^2}{4}\\dot b + O(\\tau^4) = "
+      "\\tfrac{\\tau^2}{2}B(u,\\dot u) + O(\\tau^4)$; whatever else $w^0$ holds alternates for ever, in the "
+      "multipliers by $(2/\\tau)A^{-1}$ times it. Hence: $w^0 = 0$ leaves an alternation of $\\tau A^{-1}B(u,\\dot "
+      "u)$, and $w^0 = \\tfrac{\\tau^2}{2}B(u,\\dot u)$ one of $O(\\tau^3)$. Free chain; the alternation is a "
+      "sixteenth of the multipliers' fourth difference over the first steps. Second differences do not show it after a "
+      "corrected start: they contain $\\tfrac{\\tau^2}{4}\\ddot\\lambda$ of the motion itself.",
       expansion);
   const std::vector<double> steps = {0.016, 0.008, 0.004, 0.002, 0.001};
-  std::vector<double> projected;
-  std::vector<double> smooth;
-  std::vector<double> second;
+  std::vector<double> projected, smooth, second;
   for (const double tau : steps) {
     projected.push_back(alternation(Begin::projected, tau).fourth.value());
     const Alternation corrected = alternation(Begin::smooth, tau);
@@ -249,11 +244,9 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       "magnitude while energy and momenta stay exact; restoring $J u = w_s$ every 1000 steps stops it. What a state "
       "carries of it is $(2/\\tau)\\,|A^{-1}(Ju - w_s)|$, measured before each reprojection. The multipliers still "
       "change from step to step, by 0.013 in the median and by up to 0.27 when the chain whips, by more than 0.05 in "
-      "one "
-      "step of 23: that is the motion, $\\tau\\dot\\lambda$. With a sixteenth of the step the largest is a sixteenth. "
-      "The jump is therefore judged by its excess over the change of the "
-      "multipliers $\\Lambda(q,u)$ of the index-reduced equations, $|\\lambda^{n+1/2} - \\lambda^{n-1/2} - "
-      "(\\Lambda^{n+1} - \\Lambda^{n-1})/2|$.",
+      "one step of 23: that is the motion, $\\tau\\dot\\lambda$. With a sixteenth of the step the largest is a "
+      "sixteenth. The jump is therefore judged by its excess over the change of the multipliers $\\Lambda(q,u)$ of the "
+      "index-reduced equations, $|\\lambda^{n+1/2} - \\lambda^{n-1/2} - (\\Lambda^{n+1} - \\Lambda^{n-1})/2|$.",
       source);
   const double tau = 0.01;
   const long steps = 1000000;
@@ -278,13 +271,10 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
   const std::vector<double> fractions{tau, tau / 2, tau / 4, tau / 8, tau / 16};
   std::vector<double> jumps;
   for (const double step : fractions) jumps.push_back(largest_jump_from(cured.before_jump, step));
-  check
-      .from(
-          "a smooth multiplier changes by tau times its rate; an alternation would jump by as much in any "
-          "step")
+  check.from("a smooth multiplier changes by tau times its rate; an alternation would jump by as much in any step")
       .that("jump",
-            "The largest jump of the cured run is the motion's: repeated from shortly before it with shorter "
-            "steps, it falls with the step.",
+            "The largest jump of the cured run is the motion's: repeated from shortly before it with shorter steps, it "
+            "falls with the step.",
             "order of the largest jump", observed_order(fractions, jumps),
             Order{1, 0.05, "tau times the rate of the multiplier"});
   const Input parasite = cured.parasite;

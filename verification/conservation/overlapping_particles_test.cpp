@@ -48,12 +48,11 @@ void claim_kept(Check& check, const std::string& what, const Flow& flow,
 }
 
 TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
-  Check check(
-      "overlapping_particles_fall", "Free fall of overlapping particles",
-      "A jittered disc is thrown upwards under gravity 9.81, for 100 steps of 0.02: a potential that is linear, "
-      "so that the parabola of the scheme is the exact one. Particles stay where they are to each other, and no "
-      "multiplier acts.",
-      source);
+  Check check("overlapping_particles_fall", "Free fall of overlapping particles",
+              "A jittered disc is thrown upwards under gravity 9.81, for 100 steps of 0.02: a potential that is "
+              "linear, so that the parabola of the scheme is the exact one. Particles stay where they are to each "
+              "other, and no multiplier acts.",
+              source);
   const Particles first = jittered(staggered_disc(1, spacing), 0.1, 2);
   Flow flow(first, [](Point) { return Point{1.5, 4}; }, {.gravity = 9.81});
   Worst multiplier;
@@ -71,8 +70,8 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
   check.that("multipliers", "All multipliers of the falling drop are zero to round-off.", "largest",
              {multiplier.value()},
              Roundoff{20, 2e4,
-                      "a speed of 16, rounded, taken out within half a step of "
-                      "1/100, over gradients m/h^3 = 7 and pivots of 1/100"});
+                      "a speed of 16, rounded, taken out within half a step of 1/100, over gradients m/h^3 = 7 and "
+                      "pivots of 1/100"});
   check.that("energy", "Energy of the falling drop is conserved to round-off.", "largest defect",
              {flow.ledger().largest_defect("energy")}, Roundoff{2000, 400, "kinetic energy at the end: pi 16^2/2"});
 }
@@ -137,12 +136,11 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
 }
 
 TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservation]") {
-  Check check(
-      "overlapping_particles_floor", "Overlapping particles on a floor, under gravity",
-      "A drop that slides along a floor under gravity 1 for 40 steps of 0.01: the energy and the momentum along "
-      "the floor, also of an oblique one without gravity. A stack of particles above each other has "
-      "one multiplier for each equation of balance, and rests.",
-      source);
+  Check check("overlapping_particles_floor", "Overlapping particles on a floor, under gravity",
+              "A drop that slides along a floor under gravity 1 for 40 steps of 0.01: the energy and the momentum "
+              "along the floor, also of an oblique one without gravity. A stack of particles above each other has one "
+              "multiplier for each equation of balance, and rests.",
+              source);
   const Particles rows = jittered(
       staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}), 0.1, 5);
   Flow drop(rows, [](Point r) { return Point{0.5 + 0.2 * r.y, 0}; }, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
@@ -167,8 +165,8 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
   });
   check.that("stack", "A stack on the floor rests.", "largest velocity", {moved.value()},
              Roundoff{100 * 20, 0.1,
-                      "100 kicks g tau = 1/100 and reactions that balance it, sums of some twenty terms that "
-                      "are up to ten times as large"});
+                      "100 kicks g tau = 1/100 and reactions that balance it, sums of some twenty terms that are up to "
+                      "ten times as large"});
 }
 
 }  // namespace seiche::verification::overlapping_particles_test

@@ -16,8 +16,8 @@ const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow
 TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conservation]") {
   Check check("particles_closed_basin", "Closed basin: mass, length and momentum",
               "A dam break 2 | 1 sloshes in a basin of 100 m for 1e5 steps and meets the walls many times. Masses are "
-              "never written after the start and the end edges never move, so mass and length keep every bit; "
-              "momentum minus the booked impulses of the walls changes by roundings.",
+              "never written after the start and the end edges never move, so mass and length keep every bit; momentum "
+              "minus the booked impulses of the walls changes by roundings.",
               source);
   ParticleFlow flow(dam_break(0, 50, 100, {2, 0}, {1, 0}, 500));
   long adjacent = 0;  // neighbours that both keep a jump of the same facing
@@ -38,9 +38,9 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
   check.that("momentum", "Momentum minus the walls' impulses stays constant.", "momentum defect [m^3/s]",
              {flow.momentum_defect()},
              Roundoff{6 + 1e5 / 500 * std::pow(420 / impulse, 2), impulse,
-                      "the books of the two walls, their sum, and what is left of three numbers are rounded "
-                      "once, as large as the impulse of a wall, for sums are compensated; and every step "
-                      "rounds the momentum of each particle, 420/500 at most"});
+                      "the books of the two walls, their sum, and what is left of three numbers are rounded once, as "
+                      "large as the impulse of a wall, for sums are compensated; and every step rounds the momentum of "
+                      "each particle, 420/500 at most"});
   // One bore crosses the basin for ever. Where the water beside it is not uniform, the mean of the next particle
   // differs from the state that the jump is between, and the jump is found in both.
   check.that("adjacent", "No two neighbouring particles keep a jump of the same facing.",
@@ -49,8 +49,8 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
              "What is dropped is the same jump, seen from a particle that it has just left or not yet entered.",
              "largest part of such a particle beyond the jump", {flow.events().discarded_inside.value()},
              Bound{0.5,
-                   "a jump counts if it is twice as large as what the particles beside it differ by: "
-                   "a neighbour's mean lies by less than half of it from the state there"});
+                   "a jump counts if it is twice as large as what the particles beside it differ by: a neighbour's "
+                   "mean lies by less than half of it from the state there"});
 }
 
 TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {

@@ -53,9 +53,7 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
   const int steps = 100;
   Worst deviation;
   Largest outside;
-  std::vector<double> times;
-  std::vector<double> lost;
-  std::vector<double> expected;
+  std::vector<double> times, lost, expected;
   for (int k = 0; k < steps; ++k) {
     flow.advance(0.08);
     const double work = flow.ledger().left_impulse.value() * u;
@@ -84,12 +82,13 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
              Bound{1, "one particle holds the jump; none at the instant of a hand-over"});
   check.that("bounds", "No depth outside the two exact depths in any step.", "largest excess [m]",
              {std::max(outside.value(), 0.0)}, rounding(steps, 2));
-  check.that("momentum", "Momentum changes by the impulses of the ends only.", "momentum defect [m^3/s]",
-             {flow.momentum_defect()},
-             Roundoff{10, flow.ledger().left_impulse.value(),
-                      "books, their sum, and what is left of three numbers are rounded once, as large as the impulse "
-                      "of the piston, for sums are compensated; 100 steps round the momenta of 120 particles, a "
-                      "hundredth of that each"});
+  check.that(
+      "momentum", "Momentum changes by the impulses of the ends only.", "momentum defect [m^3/s]",
+      {flow.momentum_defect()},
+      Roundoff{
+          10, flow.ledger().left_impulse.value(),
+          "books, their sum, and what is left of three numbers are rounded once, as large as the impulse of the "
+          "piston, for sums are compensated; 100 steps round the momenta of 120 particles, a hundredth of that each"});
   check.from("Stoker, Water Waves (1957), ch. 10")
       .that("entropy", "Energy falls at the rate of the jump relations at every instant.",
             "largest deviation of the energy lost [m^4/s^2]", {deviation.value()},

@@ -41,21 +41,21 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     errors.add(25.0 / static_cast<double>(count), error.depth.l1);
     check.holds(fmt::format("mass_{}", count) + ": Mass equals what has passed the sections.", {flow.mass_defect()},
                 Roundoff{6, flow.ledger().left_mass.value(),
-                         "the books of the two sections, their sum, and what is left of three numbers are "
-                         "rounded once, as large as the mass that has entered; sums are compensated, and one "
-                         "particle at a section, of 1/80 of that mass at most, is rounded per step"});
+                         "the books of the two sections, their sum, and what is left of three numbers are rounded "
+                         "once, as large as the mass that has entered; sums are compensated, and one particle at a "
+                         "section, of 1/80 of that mass at most, is rounded per step"});
     check.holds(fmt::format("momentum_{}", count) + ": Momentum equals the booked impulses.", {flow.momentum_defect()},
                 Roundoff{6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
                                  std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
                          flow.ledger().left_impulse.value(),
-                         "the books of the sections and of the bed, their sum, and what is left of three "
-                         "numbers are rounded once, as large as the impulse at a section, for sums are "
-                         "compensated; and every step rounds the momentum of each particle"});
+                         "the books of the sections and of the bed, their sum, and what is left of three numbers are "
+                         "rounded once, as large as the impulse at a section, for sums are compensated; and every step "
+                         "rounds the momentum of each particle"});
   }
   check.that("order", "The depth over the bump converges at second order.", "order of L1(h)", errors.order(),
              Order{2, 0.5,
-                   "the ends of the bump have a kink in z', where the limited slopes are of first order over a "
-                   "region that shrinks with the width"});
+                   "the ends of the bump have a kink in z', where the limited slopes are of first order over a region "
+                   "that shrinks with the width"});
   auto& panel = check.figure("convergence", "Error of the steady depth", "L1 error against particle width.")
                     .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
   panel.points("particles", errors.sizes, errors.errors);

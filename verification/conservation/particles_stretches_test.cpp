@@ -55,12 +55,11 @@ double differing(Level level) {
 }
 
 TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[conservation]") {
-  Check check(
-      "particles_stretches", "Shallow-water particles: stretch by stretch",
-      "A row of 5000 particles, which a step goes through in three stretches, and a piece of it across a seam: where "
-      "the ends of the piece have not been felt, edges and velocities are equal but for the round-off of edges whose "
-      "waves are solved for to the end in one row and to 1e-13 in the other. Every particle has a part in the limit "
-      "of the next step.");
+  Check check("particles_stretches", "Shallow-water particles: stretch by stretch",
+              "A row of 5000 particles, which a step goes through in three stretches, and a piece of it across a seam: "
+              "where the ends of the piece have not been felt, edges and velocities are equal but for the round-off of "
+              "edges whose waves are solved for to the end in one row and to 1e-13 in the other. Every particle has a "
+              "part in the limit of the next step.");
   for (const auto& [level, name] :
        {std::pair{Level::godunov, "G1"}, std::pair{Level::muscl, "M2"}, std::pair{Level::hand_over, "H2"}}) {
     check.holds(std::string(name) + ": A piece of the row moves like the whole.", {differing(level)},

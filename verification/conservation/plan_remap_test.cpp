@@ -63,8 +63,7 @@ double sum(std::span<const double> values) {
 }
 
 Point momentum(std::span<const double> masses, std::span<const double> u, std::span<const double> v) {
-  CompensatedSum x;
-  CompensatedSum y;
+  CompensatedSum x, y;
   for (std::size_t k = 0; k < masses.size(); ++k) {
     x.add(masses[k] * u[k]);
     y.add(masses[k] * v[k]);
@@ -78,8 +77,8 @@ const Roundoff rounded{.operations = 100 * cells * cells,
 
 TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]") {
   Check check("plan_remap", "Remap of the two-dimensional horizontal model: what it keeps",
-              "16 x 16 cells over a level bottom 1 m deep, waves of 0.2 m and velocities of 1 m/s; "
-              "nodes move by up to a third of a cell, those of the sides along them.",
+              "16 x 16 cells over a level bottom 1 m deep, waves of 0.2 m and velocities of 1 m/s; nodes move by up to "
+              "a third of a cell, those of the sides along them.",
               source);
   const std::string resolution = "16 x 16 cells";
   {
@@ -124,8 +123,8 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
 
 TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]") {
   Check check("plan_remap_thin", "Remap of the two-dimensional horizontal model: rough and thin water",
-              "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities "
-              "of 1 m/s at random; nodes move by up to a third of a cell.",
+              "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities of 1 m/s at "
+              "random; nodes move by up to a third of a cell.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   Lattice rough = box(0);
   std::mt19937 random(3);
@@ -161,8 +160,8 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
 
 TEST_CASE("a lattice that follows the shore draws films back and keeps its widths", "[conservation]") {
   Check check("plan_rezone_film", "Places of the nodes next to a shoreline",
-              "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the "
-              "island, or its second row towards the shoreline.",
+              "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the island, or "
+              "its second row towards the shoreline.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   const validation::ConicalIsland island({.spacing = 0.5});
   Lattice lake = island.lattice();
@@ -176,8 +175,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   // Of the cells beside a column, from the shoreline to a row.
   const auto mean_depth = [&](const Lattice& lattice, std::span<const double> volumes, std::size_t i,
                               std::size_t rows) {
-    double water = 0;
-    double area = 0;
+    double water = 0, area = 0;
     for (std::size_t row = 0; row < rows; ++row) {
       for (const std::size_t beside : cells_beside(i)) {
         const std::size_t cell = row * lattice.shape.columns + beside;
@@ -243,8 +241,8 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   check.that("drawn", "A film is drawn back until a wedge of its water has the slope asked for.",
              "width of the cells at the shoreline over the square root of what the slope lacks, less 1", {off.value()},
              Bound{0.01,
-                   "what the pattern + - takes from a row that is no circle: the bottom's "
-                   "spline moves its markers by some mm in half a metre"});
+                   "what the pattern + - takes from a row that is no circle: the bottom's spline moves its markers by "
+                   "some mm in half a metre"});
   const Remapped after = remap(thin, state.q, state.u, drawn.x, drawn.y);
   const Model next(after.lattice, {.gravity = validation::ConicalIsland::gravity});
   check.from(source).that("water", "The film's water goes with it.", "change of the volume over it",
@@ -330,14 +328,13 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
 
 TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
   Check check("plan_rezone_fronts", "Breaking fronts on a lattice that is rezoned",
-              "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the "
-              "middle of the island; the lattice is rezoned before every step.",
+              "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the middle of the "
+              "island; the lattice is rezoned before every step.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 1});
   RezonedFlow flow(island.lattice(), [&](double x, double y) { return island.velocity(x, y); }, {},
                    island.model_settings(), {.drift = 1e-6});
-  long remembered = 0;
-  long rezoned = 0;
+  long remembered = 0, rezoned = 0;
   flow.advance_to(island.passage() + 2, island.step(), [&] {
     const bool anew = flow.rezoned() > std::exchange(rezoned, flow.rezoned());
     if (anew && flow.flow().model().breaking().going_on() > 0) ++remembered;
@@ -352,8 +349,8 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
 
 TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
   Check check("plan_rezone", "A flow around an island on a rezoned lattice: what it keeps",
-              "Case A of the conical island, columns 1 m apart, until the crest would be at the middle "
-              "of the island; and still water.",
+              "Case A of the conical island, columns 1 m apart, until the crest would be at the middle of the island; "
+              "and still water.",
               source);
   const validation::ConicalIsland island({.height = 0.045, .spacing = 1});
   RezonedFlow flow = island.rezoned_flow();
@@ -399,8 +396,8 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
 
 TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]") {
   Check check("plan_rezone_energy", "A flow around an island on a rezoned lattice: its energy",
-              "Case A of the conical island without friction, columns 1 m apart, conservative steps, "
-              "until the crest would be at the middle of the island.",
+              "Case A of the conical island without friction, columns 1 m apart, conservative steps, until the crest "
+              "would be at the middle of the island.",
               "Frank (1994), chapter 1");
   const validation::ConicalIsland island(
       {.height = 0.045, .spacing = 1, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
@@ -414,13 +411,13 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
   check.that("booked", "With what rezoning took, energy is conserved to round-off.",
              "largest change over the first value", {.value = drift.value(), .resolution = resolution},
              Roundoff{static_cast<double>(flow.steps() + flow.rezoned()), 100,
-                      "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning "
-                      "rounds their differences anew"});
+                      "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning rounds their "
+                      "differences anew"});
   check.that("taken", "The energy that rezoning takes is positive and small.", "what it took over the first value",
              {.value = flow.lost() / begin, .resolution = resolution},
              Bound{0.005,
-                   "0 to 1 %: what it takes is of the square of the differences between neighbouring "
-                   "nodes, next to the shore alone",
+                   "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, next to "
+                   "the shore alone",
                    0.005});
 }
 

@@ -91,11 +91,10 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
 }
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
-  Check check(
-      "plan_shoreline_conservation", "Conservation with moving shorelines, seen from above",
-      "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
-      "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up a "
-      "side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
+  Check check("plan_shoreline_conservation", "Conservation with moving shorelines, seen from above",
+              "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
+              "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up "
+              "a side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
   struct Problem {
     std::string id, text;
     Lattice lattice;

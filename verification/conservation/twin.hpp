@@ -115,8 +115,7 @@ class Seen {
  private:
   [[nodiscard]] static double relative(const std::vector<double>& one, const std::vector<double>& other) {
     if (one.size() != other.size()) return std::numeric_limits<double>::infinity();
-    Worst difference;
-    Worst scale;
+    Worst difference, scale;
     for (std::size_t k = 0; k < one.size(); ++k) {
       difference.add(one[k] - other[k]);
       scale.add(one[k]);

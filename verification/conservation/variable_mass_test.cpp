@@ -41,16 +41,14 @@ std::vector<double> copied(std::span<const double> values) {
 }
 
 TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinetic energy alone", "[conservation]") {
-  Check check(
-      "variable_mass_exchanges", "Finite exchanges of mass are neutral",
-      "64 bodies of masses between 1 and 3 and random velocities hand one another masses, up to a tenth of their "
-      "own, in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.",
-      source);
+  Check check("variable_mass_exchanges", "Finite exchanges of mass are neutral",
+              "64 bodies of masses between 1 and 3 and random velocities hand one another masses, up to a tenth of "
+              "their own, in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.",
+              source);
   Noise noise(7);
   constexpr std::size_t n = 64;
   constexpr int rounds = 1000;
-  std::vector<double> mass;
-  std::vector<double> u;
+  std::vector<double> mass, u;
   for (std::size_t k = 0; k < n; ++k) mass.push_back(2 + noise());
   for (std::size_t k = 0; k < 2 * n; ++k) u.push_back(noise());
   const std::vector<double> zeros(n, 0.0);
@@ -91,8 +89,8 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
   const auto keeps = [&](const std::string& id, const std::string& text, double defect, double scale) {
     check.holds(id + ": " + text, {defect},
                 Roundoff{rounds * 264.0, scale,
-                         "each round rounds 64 bodies and 200 sides of exchanges, of this size at most: "
-                         "masses to 10, momenta to 10, energies to 5"});
+                         "each round rounds 64 bodies and 200 sides of exchanges, of this size at most: masses to 10, "
+                         "momenta to 10, energies to 5"});
   };
   keeps("mass", "Mass is conserved by the exchanges to round-off.", last[0] - first[0], 10);
   keeps("momentum-x", "Momentum along x is conserved by the exchanges to round-off.", last[1] - first[1], 10);
@@ -104,12 +102,11 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
 }
 
 TEST_CASE("water at rest stays at rest while its nodes move", "[conservation]") {
-  Check check(
-      "variable_mass_rest", "Still water on meshes of variable mass",
-      "Jittered meshes over a flat bottom, 3 long, and over a step, whose nodes inside are drawn to the centroids "
-      "of their cells; and regular ones under mapped and fixed_x. 200 steps of 0.05, stabilisation 0.1. With the "
-      "surface at y = 0 the gradient of the potential energy of the polygon of water is zero; at y = 1 gravity "
-      "and pressure balance to rounding, whatever mass is handed on.");
+  Check check("variable_mass_rest", "Still water on meshes of variable mass",
+              "Jittered meshes over a flat bottom, 3 long, and over a step, whose nodes inside are drawn to the "
+              "centroids of their cells; and regular ones under mapped and fixed_x. 200 steps of 0.05, stabilisation "
+              "0.1. With the surface at y = 0 the gradient of the potential energy of the polygon of water is zero; at "
+              "y = 1 gravity and pressure balance to rounding, whatever mass is handed on.");
   struct Still {
     std::string id;
     Mesh mesh;
@@ -149,25 +146,22 @@ TEST_CASE("water at rest stays at rest while its nodes move", "[conservation]") 
     } else {
       check.that(claim, {.value = speed.value()},
                  Roundoff{200 * 20, 0.4,
-                          "200 kicks of tau times the acceleration g/h = 8, that of the pressure and of "
-                          "gravity, sums of some twenty terms"});
+                          "200 kicks of tau times the acceleration g/h = 8, that of the pressure and of gravity, sums "
+                          "of some twenty terms"});
     }
   }
 }
 
 TEST_CASE("energy under gravity and the drift of areas are of second order in the step", "[conservation]") {
-  Check check(
-      "variable_mass_drift", "What variable masses keep to second order only",
-      "Water in a box that sloshes under gravity until t = 1, 12 x 4 cells, stabilisation 0.01: kinetic and "
-      "potential energy with what the stabilisation took, and the largest A_i - m_i/rho without it. Steps halved "
-      "four times, for nodes mapped with the surface and for nodes at fixed x.",
-      source);
+  Check check("variable_mass_drift", "What variable masses keep to second order only",
+              "Water in a box that sloshes under gravity until t = 1, 12 x 4 cells, stabilisation 0.01: kinetic and "
+              "potential energy with what the stabilisation took, and the largest A_i - m_i/rho without it. Steps "
+              "halved four times, for nodes mapped with the surface and for nodes at fixed x.",
+              source);
   const Order second{2, 0.2, "the geometry of a step is that of its middle: second order"};
   for (const auto& [id, control] : {std::pair{std::string("mapped"), Control{ControlKind::mapped, 1, 1}},
                                     {std::string("fixed-x"), Control{ControlKind::fixed_x, 1, 1}}}) {
-    std::vector<double> steps;
-    std::vector<double> energies;
-    std::vector<double> drifts;
+    std::vector<double> steps, energies, drifts;
     for (const int n : {10, 20, 40, 80, 160}) {
       steps.push_back(1.0 / n);
       Flow flow = sloshing(control, 0.01);

@@ -19,9 +19,7 @@ const std::string source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703: antisymme
 /// Blob with random velocities and no net momentum.
 Particles resting_blob(double spacing) {
   Particles blob = random_blob(spacing, 1000, 1);
-  double mass = 0;
-  double px = 0;
-  double pz = 0;
+  double mass = 0, px = 0, pz = 0;
   for (std::size_t a = 0; a < blob.size(); ++a) {
     mass += blob.mass[a];
     px += blob.mass[a] * blob.u[a];
@@ -62,8 +60,8 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
     check.holds(fmt::format("Momentum is conserved to round-off ({}).", name),
                 {std::hypot(end.momentum[0], end.momentum[1]) / start.absolute_momentum},
                 Roundoff{300.0 * 4 / 1250, 1,
-                         "each of 1250 particles rounds its velocity 4 times per step, independently: the mean "
-                         "of their random walks over 300 steps"});
+                         "each of 1250 particles rounds its velocity 4 times per step, independently: the mean of "
+                         "their random walks over 300 steps"});
     CHECK(end.mass == start.mass);
   }
 }
@@ -71,17 +69,14 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
 TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conservation]") {
   Check check("wcsph_smoothed_motion", "Smoothed motion",
               "The displacement (6) pulls particles towards the mean velocity of their neighbours: it moves no mass, "
-              "$\\sum m\\,\\dot r = \\sum m\\,u$, and by its sign it brings particles together in velocity, "
-              "$\\sum m\\,\\dot r\\cdot u < \\sum m\\,u\\cdot u$.",
+              "$\\sum m\\,\\dot r = \\sum m\\,u$, and by its sign it brings particles together in velocity, $\\sum "
+              "m\\,\\dot r\\cdot u < \\sum m\\,u\\cdot u$.",
               source);
   const Particles blob = random_blob(0.05, 1000, 1);
   Flow flow(blob, 0.05, {.gravity = 0, .sound_speed = 20, .viscosity = Inviscid{}, .xsph = 0.5});
   const Rates rates = flow.rates();
   const Particles& p = flow.particles();
-  double drift = 0;
-  double scale = 0;
-  double smoothed = 0;
-  double square = 0;
+  double drift = 0, scale = 0, smoothed = 0, square = 0;
   for (std::size_t a = 0; a < p.size(); ++a) {
     drift += p.mass[a] * (rates.dx[a] - p.u[a]);
     scale += p.mass[a] * std::abs(rates.dx[a] - p.u[a]);
@@ -99,17 +94,14 @@ TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conserv
 }
 
 TEST_CASE("energy and angular momentum are conserved to the order of the steps", "[conservation]") {
-  Check check(
-      "wcsph_energy", "Energy and angular momentum of a free patch",
-      "A jittered stretching and turning disc without viscosity to t = 0.2. The equations conserve energy, kinetic and "
-      "elastic, and angular momentum in continuous time, with smoothed motion too: the work of the pressures in "
-      "(3) is the elastic power of (2). What is left is of the steps: of their "
-      "order, second, for angular momentum, and of third for the energy of sound.");
+  Check check("wcsph_energy", "Energy and angular momentum of a free patch",
+              "A jittered stretching and turning disc without viscosity to t = 0.2. The equations conserve energy, "
+              "kinetic and elastic, and angular momentum in continuous time, with smoothed motion too: the work of the "
+              "pressures in (3) is the elastic power of (2). What is left is of the steps: of their order, second, for "
+              "angular momentum, and of third for the energy of sound.");
   constexpr double spacing = 0.08;
   const Particles patch = jittered_patch(spacing, 1);
-  std::vector<double> steps;
-  std::vector<double> energy;
-  std::vector<double> turning;
+  std::vector<double> steps, energy, turning;
   for (const int count : {100, 141, 200, 283}) {
     Flow flow(patch, spacing, {.gravity = 0, .density = 1, .sound_speed = 14, .viscosity = Inviscid{}, .xsph = 0.5});
     const Totals start = flow.totals();
@@ -125,12 +117,11 @@ TEST_CASE("energy and angular momentum are conserved to the order of the steps",
   panel.points("angular momentum", steps, turning, Role::peer);
   const std::string order_source = "explicit midpoint rule: a quadratic invariant drifts by dt^4 per step";
   check.from(order_source)
-      .that(
-          "energy-order", "Energy drifts with the third order of the step.", "order of the energy drift",
-          observed_order(steps, energy),
-          Order{3, 0.3,
-                "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the energy "
-                "is not quadratic, so that a second-order part shows below a quarter of it"});
+      .that("energy-order", "Energy drifts with the third order of the step.", "order of the energy drift",
+            observed_order(steps, energy),
+            Order{3, 0.3,
+                  "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the "
+                  "energy is not quadratic, so that a second-order part shows below a quarter of it"});
   check.from(order_source)
       .that("angular-momentum-order", "Angular momentum drifts with the second order of the step.",
             "order of the drift", observed_order(steps, turning),

@@ -50,13 +50,12 @@ struct Model {
 };
 
 TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and boundary", "[conservation]") {
-  Check check(
-      "wcsph_rates", "Rates against sums over all pairs",
-      "The right-hand sides of (2)-(6) on disordered particles with random velocities, densities and masses: "
-      "the tiled, clustered evaluation against sums over all N^2 pairs written straight from the formulas. A "
-      "free blob, a box that repeats itself in both directions and a layer over a floor of dynamic particles; "
-      "both kernels; inviscid, artificial viscosity, laminar viscosity with and without sub-particle-scale stress. "
-      "Largest difference over the largest rate.");
+  Check check("wcsph_rates", "Rates against sums over all pairs",
+              "The right-hand sides of (2)-(6) on disordered particles with random velocities, densities and masses: "
+              "the tiled, clustered evaluation against sums over all N^2 pairs written straight from the formulas. A "
+              "free blob, a box that repeats itself in both directions and a layer over a floor of dynamic particles; "
+              "both kernels; inviscid, artificial viscosity, laminar viscosity with and without sub-particle-scale "
+              "stress. Largest difference over the largest rate.");
   const double side = 16 * spacing;
   const std::vector<Setup> setups{{"blob", "free blob", random_blob(spacing, 1000, 1), {}, 0.01},
                                   {"box", "periodic box", noisy_square(16, spacing), {side, side}, 0.02},
@@ -86,14 +85,14 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
         const RateDifference found = compare(flow, spacing);
         table.rows.push_back(
             {setup.name, std::string(name_of(kernel)), model.name, found.motion, found.acceleration, found.density});
-        check.holds(fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name,
-                                name_of(kernel), model.name),
-                    {worst(std::array{found.motion, found.acceleration, found.density})},
-                    Roundoff{4, 1 / setup.deviation,
-                             "pressures are differences (rho/rho_0)^7 - 1 of densities within 1 % (blob) or "
-                             "2 %: the rounding of rho/rho_0, of both particles and in both ways of summing, "
-                             "counts 100 or 50 times; of the 40 others of a pair each counts once, "
-                             "all together less than one of these"});
+        check.holds(
+            fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name, name_of(kernel),
+                        model.name),
+            {worst(std::array{found.motion, found.acceleration, found.density})},
+            Roundoff{4, 1 / setup.deviation,
+                     "pressures are differences (rho/rho_0)^7 - 1 of densities within 1 % (blob) or 2 %: the rounding "
+                     "of rho/rho_0, of both particles and in both ways of summing, counts 100 or 50 times; of the 40 "
+                     "others of a pair each counts once, all together less than one of these"});
       }
     }
   }
@@ -129,16 +128,16 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
       check.holds(id + ": " + fmt::format("{}, {}: all rates agree with the sums over all pairs.", setup.name, name),
                   {worst(std::array{found.motion, found.acceleration, found.density})},
                   Roundoff{6, 1 / setup.deviation,
-                           "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of "
-                           "a wall becomes a density and a pressure again"});
+                           "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of a wall "
+                           "becomes a density and a pressure again"});
     }
   }
 }
 
 TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") {
   Check check("wcsph_step_rule", "Length of the step",
-              "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest "
-              "$|h_{ab}\\,u_{ab}\\cdot r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.",
+              "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest $|h_{ab}\\,u_{ab}\\cdot "
+              "r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.",
               "Monaghan, J. Comput. Phys. 110 (1994) 399");
   const double side = 16 * spacing;
   Flow flow(noisy_square(16, spacing), spacing,
@@ -146,8 +145,8 @@ TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") 
   const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
   check.that("step", "The first step has the length of the rule.", "dt [s]", {flow.advance()},
              Roundoff{40, expected,
-                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, "
-                      "and that of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
+                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, and that "
+                      "of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
                       expected});
 }
 

@@ -29,8 +29,8 @@ const Roundoff steps_of_two_runs{
     .operations = 100,
     .scale = 1,
     .reason =
-        "each of 50 steps rounds a density of about rho_0, in both runs; its pressure, rho_0 c_0^2 eps, changes "
-        "a velocity by c_0 dt/dx = 0.26 of c_0 eps per step, the velocity's own rounding is less"};
+        "each of 50 steps rounds a density of about rho_0, in both runs; its pressure, rho_0 c_0^2 eps, changes a "
+        "velocity by c_0 dt/dx = 0.26 of c_0 eps per step, the velocity's own rounding is less"};
 const Settings periodic{
     .gravity = 0, .sound_speed = 20, .viscosity = ArtificialViscosity{0.3}, .period = {length, length}};
 
@@ -100,12 +100,11 @@ bool same_bytes(const std::vector<double>& one, const std::vector<double>& other
 }
 
 TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[conservation]") {
-  Check check(
-      "wcsph_carried_tank", "Tank carried at a uniform velocity",
-      "Water settling in a tank, 50 steps: with all walls carried by a paddle at 2 m/s and the water at the same "
-      "velocity, against walls that stand. Wall particles must be where their motion has them at every stage of a "
-      "step.",
-      "Galilean invariance");
+  Check check("wcsph_carried_tank", "Tank carried at a uniform velocity",
+              "Water settling in a tank, 50 steps: with all walls carried by a paddle at 2 m/s and the water at the "
+              "same velocity, against walls that stand. Wall particles must be where their motion has them at every "
+              "stage of a step.",
+              "Galilean invariance");
   const Settings settings{.sound_speed = 20, .viscosity = ArtificialViscosity{0.1}};
   const Scene still =
       tank({.width = 12 * spacing, .depth = 6 * spacing, .spacing = spacing, .hydrostatic = false}, settings);

@@ -17,13 +17,12 @@ using namespace validation;
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
 
 TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and speed", "[dispersion]") {
-  Check check(
-      "dispersive_plan_soliton", "Solitary wave on coarse cells in plan",
-      "The solitary wave of the Green-Naghdi equations, amplitude 0.3, starts on columns of equal volume up to a depth "
-      "wide, and runs to t = 100, over a hundred depths, steps of 0.4 of a cell. It becomes the lattice's own "
-      "solitary wave, little lower, and goes on unchanged. Height, its band and speed from $t = 20$ on; the speed is "
-      "compared with that of the equations for the mean height, $\\sqrt{1 + a}$.",
-      frank);
+  Check check("dispersive_plan_soliton", "Solitary wave on coarse cells in plan",
+              "The solitary wave of the Green-Naghdi equations, amplitude 0.3, starts on columns of equal volume up to "
+              "a depth wide, and runs to t = 100, over a hundred depths, steps of 0.4 of a cell. It becomes the "
+              "lattice's own solitary wave, little lower, and goes on unchanged. Height, its band and speed from $t = "
+              "20$ on; the speed is compared with that of the equations for the mean height, $\\sqrt{1 + a}$.",
+              frank);
   auto& figure = check.figure("crest", "Crest of a solitary wave on coarse cells", "Elevation of the crest in time.");
   auto& panel = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H"});
   std::vector<double> spacings, losses;
@@ -38,13 +37,12 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
     losses.push_back(run.amplitude - found.mean_height());
     check.holds(id + "-band: The height stays.", {(found.highest() - found.lowest()) / found.mean_height()},
                 Bound{0.004,
-                      "what the choice of the curve through the crest makes of nodes that pass under it, one "
-                      "part in 250 with cells of a depth"});
-    check.holds(
-        id + "-energy: No energy is lost.", {found.energy_defect},
-        Bound{1e-3,
-              "a part in a thousand of the wave's own energy: less than the height it loses at first, a part in "
-              "a hundred"});
+                      "what the choice of the curve through the crest makes of nodes that pass under it, one part in "
+                      "250 with cells of a depth"});
+    check.holds(id + "-energy: No energy is lost.", {found.energy_defect},
+                Bound{1e-3,
+                      "a part in a thousand of the wave's own energy: less than the height it loses at first, a part "
+                      "in a hundred"});
     const auto& spacings_known = known.column("spacing");
     const auto found_row = std::find(spacings_known.begin(), spacings_known.end(), spacing);
     if (found_row == spacings_known.end()) continue;  // the finest serves the order alone

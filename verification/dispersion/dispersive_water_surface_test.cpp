@@ -35,9 +35,9 @@ double harmonic(const std::vector<double>& samples, int periods) {
 
 TEST_CASE("the water's surface of a wave between equal markers has its closed form", "[dispersion]") {
   Check check("water_surface_factor", "The water's surface: factor of waves over a level bottom",
-              "Markers at equal distances over one depth: a wave of theirs is a wave of the water's surface, "
-              "(1 + 3 S gamma/4)/(1 + S gamma/4) times as high, S = (2 sin(kh/2)/h)^2 over the depth 1, for every wave "
-              "that the markers resolve, in a ring and between walls.");
+              "Markers at equal distances over one depth: a wave of theirs is a wave of the water's surface, (1 + 3 S "
+              "gamma/4)/(1 + S gamma/4) times as high, S = (2 sin(kh/2)/h)^2 over the depth 1, for every wave that the "
+              "markers resolve, in a ring and between walls.");
   Largest ring, walls;
   constexpr int n = 24;
   constexpr double h = 0.3;
@@ -70,11 +70,10 @@ TEST_CASE("the water's surface of a wave between equal markers has its closed fo
 }
 
 TEST_CASE("the water's surface is of second order over an uneven bottom", "[dispersion]") {
-  Check check(
-      "water_surface_order", "The water's surface: order over an uneven bottom",
-      "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, markers at uneven places carry w - gamma L w/4; "
-      "the water's surface there is w - 3 gamma L w/4.",
-      derived);
+  Check check("water_surface_order", "The water's surface: order over an uneven bottom",
+              "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, markers at uneven places carry w - gamma L "
+              "w/4; the water's surface there is w - 3 gamma L w/4.",
+              derived);
   std::vector<double> widths, errors;
   for (const int n : {50, 100, 200, 400}) {
     std::vector<double> x, y, zeta, volume;
@@ -149,20 +148,19 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
     flow.advance_to(k, 0.02);
     deviation.add(std::abs(harmonic(flow.elevation_at(places), 2) / (amplitude * second) - 1));
   }
-  check.from(derived).that(
-      "kept", "A wave with the markers' own second harmonic keeps it for six periods.", "largest change over it",
-      {.value = deviation.value(), .resolution = "128 markers, steps of 0.02"},
-      Bound{0.02,
-            "terms of the third order in the slope, and straight lines between markers, are parts of a "
-            "thousand of it; a free one beside it would beat with twice what is wrong"});
+  check.from(derived).that("kept", "A wave with the markers' own second harmonic keeps it for six periods.",
+                           "largest change over it",
+                           {.value = deviation.value(), .resolution = "128 markers, steps of 0.02"},
+                           Bound{0.02,
+                                 "terms of the third order in the slope, and straight lines between markers, are parts "
+                                 "of a thousand of it; a free one beside it would beat with twice what is wrong"});
 }
 
 TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
   Check check(
       "water_surface_shoaling", "The water's surface over a slope",
-      "Small waves with kh = 1.5 climb a gentle slope from the depth 1 to 0.3. What the surface's amplitude has "
-      "become there is compared with the flux of energy: Airy's, a^2 c_g, and the model's own, "
-      "y^2 (1 + gamma (kh)^2) c_g.",
+      "Small waves with kh = 1.5 climb a gentle slope from the depth 1 to 0.3. What the surface's amplitude has become "
+      "there is compared with the flux of energy: Airy's, a^2 c_g, and the model's own, y^2 (1 + gamma (kh)^2) c_g.",
       derived);
   constexpr double shallow = 0.3;
   const double omega = std::sqrt(1.5 * std::tanh(1.5));

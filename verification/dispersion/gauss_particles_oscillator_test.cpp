@@ -75,17 +75,15 @@ class Slosh {
 
  private:
   Model model_;
-  double inertia_ = 0;
-  double frequency_ = 0;
+  double inertia_ = 0, frequency_ = 0;
 };
 
 TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]") {
-  Check check(
-      "gauss_particles_oscillator", "Free particles: phase and stability of one mode",
-      "Water that can only slosh by the stream function (x^2 - 1) y has one frequency omega_0, which follows from "
-      "sums over its particles. With steps of length tau it oscillates with $\\sin(\\omega\\tau/2) = "
-      "\\omega_0\\tau/2$; beyond omega_0 tau = 2 it grows, by leapfrog's rate.",
-      source);
+  Check check("gauss_particles_oscillator", "Free particles: phase and stability of one mode",
+              "Water that can only slosh by the stream function (x^2 - 1) y has one frequency omega_0, which follows "
+              "from sums over its particles. With steps of length tau it oscillates with $\\sin(\\omega\\tau/2) = "
+              "\\omega_0\\tau/2$; beyond omega_0 tau = 2 it grows, by leapfrog's rate.",
+              source);
   Slosh water;
   for (const double phase : {0.2, 1.0, 1.9}) {
     const double omega_tau = 2 * std::asin(phase / 2);
@@ -113,8 +111,8 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
   check.that("unstable", "At omega_0 tau = 2.01 it grows as leapfrog does.", "amplitude after 30 steps",
              {.value = found.back(), .resolution = "128 particles, amplitude 1e-6"},
              Bound{1e-6,
-                   "the square of the largest amplitude, 2e-4, over the 25 steps or so in which it is as "
-                   "large; roundings of 1e-10 over 30 steps are less",
+                   "the square of the largest amplitude, 2e-4, over the 25 steps or so in which it is as large; "
+                   "roundings of 1e-10 over 30 steps are less",
                    std::cosh(30 * rate), true});
 }
 

@@ -103,13 +103,12 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
 }
 
 TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]") {
-  Check check(
-      "gauss_particles_surface_gravity", "Free particles: gravity on the surface",
-      "A Stokes wave of height 0.4 (wavelength 2 pi, depth pi) runs for five periods without the penalty. With "
-      "gravity on every particle it is lost by then: sums over particles do work on small eddies. With the "
-      "potential energy of the line of markers there is nothing that they could take. With the force of the middle "
-      "of a step the energy is not exact.",
-      source);
+  Check check("gauss_particles_surface_gravity", "Free particles: gravity on the surface",
+              "A Stokes wave of height 0.4 (wavelength 2 pi, depth pi) runs for five periods without the penalty. With "
+              "gravity on every particle it is lost by then: sums over particles do work on small eddies. With the "
+              "potential energy of the line of markers there is nothing that they could take. With the force of the "
+              "middle of a step the energy is not exact.",
+              source);
   Wave wave(false, 0.6);
   wave.run(steps, periods);
   check_surface_and_momentum(check, wave);

@@ -54,9 +54,8 @@ void claim_limits(Check& check) {
                               tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h3^2/6"),
                   {(64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
                   Bound{1.4e-7,
-                        "extrapolation leaves the product of the three k^2, 1e-6, times the "
-                        "coefficient of k^8, at most the 1/16 of 1/(1 + k^2/2); the plan lattice "
-                        "h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
+                        "extrapolation leaves the product of the three k^2, 1e-6, times the coefficient of k^8, at "
+                        "most the 1/16 of 1/(1 + k^2/2); the plan lattice h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
                         1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
     }
   }
@@ -65,9 +64,7 @@ void claim_limits(Check& check) {
   for (const double k : {0.3, 1.0, 3.0}) airy.add(fine.frequency_error(k, 0.3));
   check.that("airy", "With 20000 layers of cubes the law is k tanh kH.",
              "largest relative error of the frequency, k H = 0.6, 2, 6", {airy.value()},
-             Bound{9e-8,
-                   "(k h)^2 of the shortest wave; the leading coefficient is "
-                   "below 1"});
+             Bound{9e-8, "(k h)^2 of the shortest wave; the leading coefficient is below 1"});
 }
 
 void draw(Check& check) {
@@ -121,9 +118,9 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
   Check check(
       "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
       "The errors against Airy's law known to two digits, beside those of the plan model: Frank's remark that waves "
-      "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three "
-      "per cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer "
-      "against the plan model, the coefficient of long waves for both surface inertias, and the order in the size.",
+      "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three per "
+      "cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer against "
+      "the plan model, the coefficient of long waves for both surface inertias, and the order in the size.",
       source);
   check_table(check, "wavelength-10", "errors, per cent, wavelength 10 H, h1 = H/2: 1, 2, 3 layers, 2DH model",
               {{layers_error(10, 0.5, 1), "-3.1"},

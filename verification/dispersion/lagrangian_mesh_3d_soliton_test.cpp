@@ -120,8 +120,8 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
     panel.line(id, all_times, all_tops, Role::data);
     check.holds(id + ": mean amplitude.", {mean},
                 Bound{0.0005,
-                      "four digits, and the choice of the curve through the crest, which lies up to "
-                      "h^2/8 of its curvature from the nodes",
+                      "four digits, and the choice of the curve through the crest, which lies up to h^2/8 of its "
+                      "curvature from the nodes",
                       expected.amplitude});
     check.holds(id + ": speed.", {speed},
                 Bound{0.0005, "four digits, and the place of the crest, up to a tenth of a cell over 50 depths of way",

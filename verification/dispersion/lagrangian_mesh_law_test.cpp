@@ -34,13 +34,11 @@ double error_against_airy(double wavelength, double column_width, std::size_t ro
 }
 
 TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[dispersion]") {
-  Check check(
-      "exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
-      "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's law "
-      "that "
-      "Frank's remark on long waves rests on, the coefficient of long waves for both surface inertias, and second "
-      "order in the cells' size.",
-      source);
+  Check check("exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
+              "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's "
+              "law that Frank's remark on long waves rests on, the coefficient of long waves for both surface "
+              "inertias, and second order in the cells' size.",
+              source);
   check_table(check, "digits", "k = 1.3, h1 = 0.7, h2 = 0.25",
               {{LagrangianMeshDispersion(1, 1, 0.7, 4).frequency(1.3), "1.02635447534987"}}, source);
   const double mode = LagrangianMeshDispersion(1, 1, 6.0 / 16, 4).frequency(pi / 6);
@@ -72,14 +70,11 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
                       fmt::format("Long waves on {} rows, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", rows,
                                   tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h2^2/6"),
                   {dispersion_coefficient(law)},
-                  Bound{1e-6,
-                        "extrapolation leaves the product of the three k^2, 1e-6, times a "
-                        "coefficient below 1",
+                  Bound{1e-6, "extrapolation leaves the product of the three k^2, 1e-6, times a coefficient below 1",
                         1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
     }
   }
-  std::vector<double> sizes;
-  std::vector<double> errors;
+  std::vector<double> sizes, errors;
   for (std::size_t rows = 32; rows <= 512; rows *= 2) {
     const double h = 1.0 / static_cast<double>(rows);
     sizes.push_back(h);

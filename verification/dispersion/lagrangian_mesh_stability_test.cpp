@@ -71,12 +71,11 @@ std::vector<Tank> other_tanks() {
 }
 
 TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of the fastest mode", "[dispersion]") {
-  Check check(
-      "lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
-      "The fastest mode of the linearised mesh is released with an amplitude of 1e-8. The scheme gives a mode of "
-      "frequency $\\Omega$ the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$: bounded 2 % "
-      "below $\\tau = 2/\\Omega$, exploding 2 % above. The limit that a flow reports is the closed law's: the "
-      "true one, or below it where the fastest wave does not fit the tank or potentials add.");
+  Check check("lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
+              "The fastest mode of the linearised mesh is released with an amplitude of 1e-8. The scheme gives a mode "
+              "of frequency $\\Omega$ the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$: bounded 2 "
+              "% below $\\tau = 2/\\Omega$, exploding 2 % above. The limit that a flow reports is the closed law's: "
+              "the true one, or below it where the fastest wave does not fit the tank or potentials add.");
   for (const Tank& tank : tanks()) {
     const LinearModes found = modes_of(tank);
     check.holds(tank.text + ": bounded at 0.98 of the limit.", {growth(tank, found, 0.98, 10000)},

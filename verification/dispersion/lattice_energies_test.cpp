@@ -23,8 +23,7 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 
 /// Deviation of the largest squared frequency, and the largest of the others, over the zone of wavenumbers.
 struct Deviation {
-  Worst wave;
-  Worst vortex;
+  Worst wave, vortex;
 };
 
 template <class Law>
@@ -50,8 +49,8 @@ void claim(Check& check, const std::string& name, const std::string& lattice, co
                   lattice + ".",
               {found.wave.value()},
               Bound{1e-12,
-                    "second differences over a quarter of a depth leave 1e-15 of a cell's energy; "
-                    "the longest wave has 1e-3 of the largest omega^2"});
+                    "second differences over a quarter of a depth leave 1e-15 of a cell's energy; the longest wave has "
+                    "1e-3 of the largest omega^2"});
   check.holds("vortices-" + name + ": All other motions that the volumes allow are motionless, on " + lattice + ".",
               {found.vortex.value()}, Bound{1e-13, "the same differences, 1e-14 of a cell's energy"});
 }
@@ -113,13 +112,13 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
     }
   }
   check.that("multipliers",
-             "The tridiagonal problem of the layers' multipliers has the frequencies of the closed form, for "
-             "T = K h3/2 below and above 1.",
+             "The tridiagonal problem of the layers' multipliers has the frequencies of the closed form, for T = K "
+             "h3/2 below and above 1.",
              "largest relative deviation of omega",
              {.value = multipliers.value(), .resolution = "1, 2, 3, 5 layers, 100 wavenumbers over the zone"},
              Bound{1e-12,
-                   "the problem is a difference from 1 of which the longest wave leaves 0.01, "
-                   "solved to some ten roundings times the matrix's condition, below 1e2"});
+                   "the problem is a difference from 1 of which the longest wave leaves 0.01, solved to some ten "
+                   "roundings times the matrix's condition, below 1e2"});
 }
 
 }  // namespace seiche::verification::lattice_energies_test

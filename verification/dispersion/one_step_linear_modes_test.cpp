@@ -71,8 +71,7 @@ double phase_of_a_step(Integrator integrator, const Modes& all, std::size_t mode
   std::vector<double> before = state.q;
   step(state, tau);
   std::vector<double> now = state.q;
-  double product = 0;
-  double square = 0;
+  double product = 0, square = 0;
   for (int n = 0; n < 40; ++n) {
     step(state, tau);
     for (std::size_t i = 0; i < now.size(); i += 3) {
@@ -126,13 +125,12 @@ double growth(double share_of_limit, int steps) {
 }
 
 TEST_CASE("frequencies of small oscillations and the largest stable step", "[dispersion]") {
-  Check check(
-      "one_step_linear_modes", "Small oscillations: phase error and stability",
-      "Four masses hang from a pin; a mode of frequency $\\Omega$ has amplitude 1e-7. The one-step scheme gives "
-      "it the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$, too high, and is stable for "
-      "$\\Omega\\tau < 2$; the fully conservative one $\\tan(\\omega\\tau/2) = \\Omega\\tau/2$, too low by twice "
-      "as much. The modes are those of the linearised chain, by an eigenvalue solver.",
-      source);
+  Check check("one_step_linear_modes", "Small oscillations: phase error and stability",
+              "Four masses hang from a pin; a mode of frequency $\\Omega$ has amplitude 1e-7. The one-step scheme "
+              "gives it the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$, too high, and is stable "
+              "for $\\Omega\\tau < 2$; the fully conservative one $\\tan(\\omega\\tau/2) = \\Omega\\tau/2$, too low by "
+              "twice as much. The modes are those of the linearised chain, by an eigenvalue solver.",
+              source);
   const Modes all = modes();
   // Beyond 1.2 the sweeps of the implicit scheme, which gain (Omega tau)^2/4 each, take too many.
   const Deviation one_step = deviation(Integrator::one_step, all, {0.1, 0.3, 0.6, 0.9, 1.2, 1.5, 1.8});

@@ -40,26 +40,22 @@ void claim_misprints(Check& check) {
                             {"axis-1", 0.5, 0, 1, -5.1e-3, 0.05e-3, -5.05e-3},
                             {"diagonal-0-25", 1, diagonal, 0.25, -2.7e-3, 0.05e-3, -2.65e-3}}) {
     check.from(printed_once)
-        .known_failure(
-            "digits-" + m.id,
-            fmt::format("The error {} for h = {:g} H, k H = {:g} is {:g}.",
-                        m.direction == 0 ? "along an axis" : "at 45 degrees", m.spacing, m.k, m.printed),
-            "relative error of the frequency", {square(m.spacing).frequency_error(m.k, m.direction)},
-            Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
-            {.value = m.three_digits,
-             .width = 0.1 * m.half_unit,
-             .reason =
-                 "printed after rounding twice, to three digits and to two; the law agrees with the eigenvalues of "
-                 "the cells"});
+        .known_failure("digits-" + m.id,
+                       fmt::format("The error {} for h = {:g} H, k H = {:g} is {:g}.",
+                                   m.direction == 0 ? "along an axis" : "at 45 degrees", m.spacing, m.k, m.printed),
+                       "relative error of the frequency", {square(m.spacing).frequency_error(m.k, m.direction)},
+                       Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
+                       {.value = m.three_digits,
+                        .width = 0.1 * m.half_unit,
+                        .reason = "printed after rounding twice, to three digits and to two; the law agrees with the "
+                                  "eigenvalues of the cells"});
   }
 }
 
 void claim_orders(Check& check) {
   constexpr double k = 1.2;
   constexpr double direction = 0.5;
-  std::vector<double> spacings;
-  std::vector<double> errors;
-  std::vector<double> rests;
+  std::vector<double> spacings, errors, rests;
   for (double h = 0.4; h > 0.02; h /= 2) {
     spacings.push_back(h);
     const PlanDispersion law(1, 1, h, 0.7 * h);
@@ -104,10 +100,7 @@ void draw(Check& check) {
   auto& polar = rose.panel({.x = "error along x [%]", .y = "error along y [%]", .equal_aspect = true});
   auto& angles = rose.panel({.x = "direction [degrees]", .y = "omega/omega_GN - 1 [%]"});
   for (const double length : {4.0, 6.0, 10.0}) {
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> degrees;
-    std::vector<double> errors;
+    std::vector<double> x, y, degrees, errors;
     for (int i = 0; i <= 180; ++i) {
       const double direction = 2 * pi * i / 180;
       const double percent = 100 * square(0.5).frequency_error(2 * pi / length, direction);
@@ -125,9 +118,8 @@ void draw(Check& check) {
 
 TEST_CASE("the law of the plan model has the known digits and limits", "[dispersion]") {
   Check check("exact_plan_dispersion", "Dispersion law of dispersive shallow water in plan",
-              "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, "
-              "the leading error with its anisotropy, and "
-              "the order in the spacing.");
+              "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, the leading "
+              "error with its anisotropy, and the order in the spacing.");
   check_table(check, "digits-axis", "errors along an axis, h = 0.5 H, k H = 0.25, 1.5; h = H, 0.25, 0.5, 1, 1.5",
               {error(0.5, 0, 0.25, 5, "-2.5"), error(0.5, 0, 1.5, 2, "-2.0"), error(1, 0, 0.25, 5, "-8.8"),
                error(1, 0, 0.5, 3, "-1.35"), error(1, 0, 1, 2, "-1.8"), error(1, 0, 1.5, 2, "-7.1")},

@@ -24,8 +24,7 @@ const std::string derived = "derived in dispersive_shallow_water_2d/water_surfac
 /// Markers and the water of cells.
 struct Sheet {
   Shape shape;
-  std::vector<double> q;
-  std::vector<double> volumes;
+  std::vector<double> q, volumes;
 
   explicit Sheet(Shape of) : shape(of), q(3 * of.nodes()), volumes(of.cells()) {}
 
@@ -87,8 +86,8 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
   check.that("factor", "Every wave is higher by its factor.", "largest deviation over the amplitude",
              {.value = deviation.value(), .resolution = "12 x 9 rectangles, all waves"},
              Bound{2 * std::sqrt(13.0 * 10.0) * accuracy,
-                   "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three "
-                   "times as high as the markers"});
+                   "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three times as "
+                   "high as the markers"});
 }
 
 TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion]") {
@@ -148,8 +147,7 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
   WaterSurface surface(sheet.shape, improved);
   const auto read = surface.read(sheet.volumes, sheet.q);
   const std::vector<double> found(read.begin(), read.end());
-  double water = 0;
-  double moved = 0;
+  double water = 0, moved = 0;
   for (std::size_t cell = 0; cell < sheet.shape.cells(); ++cell) {
     for (const std::size_t node : sheet.shape.corners(cell)) {
       water += 0.25 * sheet.area(cell) * (found[node] - sheet.z(node));
@@ -159,8 +157,8 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
   check.that("water", "Markers and surface hold the same water.", "water between them over what was moved",
              {.value = water / moved, .resolution = "14 x 11 cells"},
              Bound{20 * accuracy,
-                   "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the "
-                   "surface over what the solution moves"});
+                   "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the surface over "
+                   "what the solution moves"});
   Sheet other = sheet;
   for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) {
     const double angle = 40 * pi / 180;

@@ -81,8 +81,7 @@ Outcome run(const Wave& wave, double step, long steps) {
              .period = {1, rows_of_lattice * dx}});
   // Velocity and scaled density of the mode turn about each other: y' = omega a, a' = -omega y.
   const auto angle = [&] {
-    double velocity = 0;
-    double density = 0;
+    double velocity = 0, density = 0;
     const Particles& p = flow.particles();
     for (std::size_t a = 0; a < p.size(); ++a) {
       const double x = place[static_cast<std::size_t>(p.identity[a])];
@@ -115,12 +114,11 @@ double amplification(double angle) {
 TEST_CASE("sound has the dispersion of the lattice and grows by the law of the midpoint rule", "[dispersion]") {
   Check check(
       "wcsph_acoustics", "Standing sound waves: exact numerical dispersion",
-      "$u = 10^{-4}\\sin kx$ on a square lattice in a periodic box, no viscosity, no smoothed motion. In "
-      "continuous time the frequency is exactly $\\omega = c_0|S(k)|$, $S = \\sum V \\sin(k x)\\,\\partial "
-      "W/\\partial x$ over the lattice. The midpoint rule turns the mode by "
-      "$\\mathrm{atan2}(\\omega\\Delta t, 1 - (\\omega\\Delta t)^2/2)$ per step, $\\omega\\Delta t$ and a third-order "
-      "term $(\\omega\\Delta t)^3/6$, and multiplies its energy by $1 + (\\omega\\Delta t)^4/4$: without dissipation "
-      "sound grows at any step.");
+      "$u = 10^{-4}\\sin kx$ on a square lattice in a periodic box, no viscosity, no smoothed motion. In continuous "
+      "time the frequency is exactly $\\omega = c_0|S(k)|$, $S = \\sum V \\sin(k x)\\,\\partial W/\\partial x$ over "
+      "the lattice. The midpoint rule turns the mode by $\\mathrm{atan2}(\\omega\\Delta t, 1 - (\\omega\\Delta "
+      "t)^2/2)$ per step, $\\omega\\Delta t$ and a third-order term $(\\omega\\Delta t)^3/6$, and multiplies its "
+      "energy by $1 + (\\omega\\Delta t)^4/4$: without dissipation sound grows at any step.");
   struct Row {
     Wave wave;
     double printed;  ///< S/k of an earlier program
@@ -160,14 +158,14 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
     check.holds("frequency-" + name + ": The frequency is that of the lattice and the midpoint rule.",
                 {found.frequency},
                 Bound{harmonic.shift,
-                      "(2 M)^2 [1 + mean of c_0 k (1 - cos D t)/D], M = 1e-5: the mode and its second harmonic, "
-                      "(gamma + 1)/4 M k c_0 t of it, out of tune by D = 2 omega(k) - omega(2k)",
+                      "(2 M)^2 [1 + mean of c_0 k (1 - cos D t)/D], M = 1e-5: the mode and its second harmonic, (gamma "
+                      "+ 1)/4 M k c_0 t of it, out of tune by D = 2 omega(k) - omega(2k)",
                       expected, true});
     check.holds("growth-" + name + ": The energy grows by the law of the midpoint rule.", {found.energy_growth},
                 Bound{15 * harmonic.energy + rounding / growth,
-                      "the second harmonic has the part (2 M)^2 2 (1 - cos D t) (c_0 k/D)^2 of the energy, M = "
-                      "1e-5, and grows 16 times as fast; densities of 1 are rounded by steps, 4 eps sqrt(steps), "
-                      "over an amplitude of 1e-5 of each particle",
+                      "the second harmonic has the part (2 M)^2 2 (1 - cos D t) (c_0 k/D)^2 of the energy, M = 1e-5, "
+                      "and grows 16 times as fast; densities of 1 are rounded by steps, 4 eps sqrt(steps), over an "
+                      "amplitude of 1e-5 of each particle",
                       growth, true});
     table.rows.push_back({std::string(name_of(wave.kernel)), static_cast<double>(wave.cells),
                           static_cast<double>(wave.mode), wave.dispersion(), expected, found.frequency, growth,
@@ -211,12 +209,11 @@ TEST_CASE("the midpoint rule is of second order in phase and of third in energy"
   }
   check.that("phase", "The phase is of second order.", "order of the frequency error", observed_order(lengths, phase),
              Order{2, 0.05, "next term (omega dt)^2/8 relative, 0.004 at the longest step"});
-  check.that(
-      "energy", "The energy is of third order.", "order of the logarithm of the energy",
-      observed_order(lengths, growth),
-      Order{3, 0.0005,
-            "the energy grows by the factor 1 + (omega dt)^4/4 per step: next term of its logarithm (omega dt)^4/8 "
-            "relative, 2e-4 at the longest step, 3e-4 per halving"});
+  check.that("energy", "The energy is of third order.", "order of the logarithm of the energy",
+             observed_order(lengths, growth),
+             Order{3, 0.0005,
+                   "the energy grows by the factor 1 + (omega dt)^4/4 per step: next term of its logarithm (omega "
+                   "dt)^4/8 relative, 2e-4 at the longest step, 3e-4 per halving"});
   auto& panel = check.figure("orders", "Orders of the steps", "Relative error of the frequency, and growth of energy.")
                     .panel({.x = "dt [s]", .y = "relative error", .log_x = true, .log_y = true});
   panel.points("frequency", lengths, phase);

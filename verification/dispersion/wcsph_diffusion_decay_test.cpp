@@ -57,12 +57,11 @@ Amplitudes of(const Flow& flow, double k) {
 }
 
 TEST_CASE("density diffusion damps sound at the rate of the linear equations on the lattice", "[dispersion]") {
-  Check check(
-      "wcsph_diffusion_decay", "Standing sound waves: decay by density diffusion",
-      "$u = 10^{-6} c_0 \\sin kx$ on a square lattice in a periodic box, $\\delta = 0.1$, no viscosity. Density "
-      "and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the sums "
-      "of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
-      "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
+  Check check("wcsph_diffusion_decay", "Standing sound waves: decay by density diffusion",
+              "$u = 10^{-6} c_0 \\sin kx$ on a square lattice in a periodic box, $\\delta = 0.1$, no viscosity. "
+              "Density and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the "
+              "sums of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
+              "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
   evidence::Table table{.id = "decay",
                         .title = "Amplitude of a sound wave",
                         .caption = "Over that of the beginning, at the end.",
@@ -118,8 +117,8 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
       check.holds(fmt::format("decay-{}-{}", name_of(kernel), mode) + ": Sound dies away as the linear equations say.",
                   {apart},
                   Bound{std::pow(2 * mach * k * sound_speed * duration, 2) + 1e-8,
-                        "((gamma + 1)/4 M k c_0 t)^2, what comes back from the second harmonic; 1e-8: densities "
-                        "of 1 are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
+                        "((gamma + 1)/4 M k c_0 t)^2, what comes back from the second harmonic; 1e-8: densities of 1 "
+                        "are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
     }
   }
   check.table(std::move(table));

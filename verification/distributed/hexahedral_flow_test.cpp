@@ -52,19 +52,17 @@ void compare_with_one(const std::string& id, const std::string& where, const std
     reference.numbers.insert(reference.numbers.end(), values.begin() + static_cast<std::ptrdiff_t>(below),
                              values.end());
   }
-  Check check(
-      fmt::format("distributed_hexahedral_{}_{}", id, ranks()),
-      fmt::format("Hexahedral model{} shared out among {} process(es)", where, ranks()),
-      "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
-      "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, which "
-      "change velocities by less than the largest velocity $U$ in a step.",
-      "decomposition of the lattice");
+  Check check(fmt::format("distributed_hexahedral_{}_{}", id, ranks()),
+              fmt::format("Hexahedral model{} shared out among {} process(es)", where, ranks()),
+              "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
+              "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, "
+              "which change velocities by less than the largest velocity $U$ in a step.",
+              "decomposition of the lattice");
   const std::string resolution = fmt::format("{} x {} x {} cells, {} steps of {}, relative residual {:.0e}",
                                              mesh.plan.columns, mesh.plan.rows, mesh.layers, steps, step, tolerance);
   check.from("Frank, Discrete models of incompressible fluid (1994), chapter 4")
       .that("same", fmt::format("The flow shared out among processes equals the flow of one process: {}.", what),
-            "largest difference of a coordinate over the depth or a velocity over sqrt(g depth), at the "
-            "surface",
+            "largest difference of a coordinate over the depth or a velocity over sqrt(g depth), at the surface",
             {.value = largest_difference(shared, reference), .resolution = resolution},
             Bound{steps * shared.condition * tolerance * speed(reference),
                   fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", shared.condition, speed(reference))});

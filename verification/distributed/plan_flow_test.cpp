@@ -22,12 +22,11 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 const std::string article =
     "The lattice is shared out among the processes of one program (MPI); each computes on its own block and a ring of "
     "its neighbours' cells, and PETSc solves the system of all cells by conjugate gradients, preconditioned by the "
-    "diagonal. The flow on one process is stepped by the model itself, with a direct solver.\n\n"
-    "The two may differ by what the iterations leave. A relative residual $\\varepsilon$ leaves at most the part "
-    "$\\kappa\\varepsilon$ of the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from "
-    "the Lanczos coefficients of the last solution), and they change velocities by less than the largest velocity $U$ "
-    "in a step: after $N$ steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, "
-    "in proportion.";
+    "diagonal. The flow on one process is stepped by the model itself, with a direct solver.\n\nThe two may differ by "
+    "what the iterations leave. A relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of "
+    "the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from the Lanczos coefficients "
+    "of the last solution), and they change velocities by less than the largest velocity $U$ in a step: after $N$ "
+    "steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, in proportion.";
 
 void compare_with_one(const std::string& id, const std::string& title, const std::vector<Problem>& problems) {
   const std::vector<double> tolerances{1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
@@ -66,8 +65,8 @@ void compare_with_one(const std::string& id, const std::string& title, const std
     check.that("vanishes-" + problem.id, "The difference vanishes with the tolerance, in proportion.",
                "order of the largest difference in the tolerance", observed_order(tolerances, differences),
                Order{1, 0.25,
-                     "the residual at which the iteration stops lies anywhere within the factor of "
-                     "one iteration below the tolerance"});
+                     "the residual at which the iteration stops lies anywhere within the factor of one iteration below "
+                     "the tolerance"});
     check.that("copies-" + problem.id, "The copies that several processes hold of a node are bitwise equal.",
                "largest difference between copies", {.value = rim.value(), .resolution = resolution},
                Bound{0, "copies are copied"});
@@ -76,9 +75,9 @@ void compare_with_one(const std::string& id, const std::string& title, const std
         "energy-" + problem.id,
         "The energy of the water that the processes hold together equals the energy in one process.",
         "difference over the energy", {.value = finest.energy / reference.energy - 1, .resolution = resolution},
-        Bound{2 * part, fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs "
-                                    "by N kappa eps",
-                                    finest.condition)});
+        Bound{2 * part,
+              fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs by N kappa eps",
+                          finest.condition)});
     if (problem.window.reach) {
       check.that("shifts-" + problem.id, "The window moves as on one process.",
                  "columns left behind, less those on one process",
@@ -107,13 +106,12 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
     outcomes.push_back(shared_out(problem, tolerance, mechanics::Stepping::conservative));
   }
   if (rank() > 0) return;
-  Check check(
-      fmt::format("distributed_conservative_{}", ranks()),
-      fmt::format("Conservative scheme shared out among {} process(es)", ranks()),
-      "Flows over level and uneven bottoms, with a wave maker and with shorelines, by the conservative scheme. Sweeps "
-      "of a step end when velocities no longer change at any process; every process does as many. The flow on one "
-      "process has a direct solver and ends its own sweeps.",
-      source);
+  Check check(fmt::format("distributed_conservative_{}", ranks()),
+              fmt::format("Conservative scheme shared out among {} process(es)", ranks()),
+              "Flows over level and uneven bottoms, with a wave maker and with shorelines, by the conservative scheme. "
+              "Sweeps of a step end when velocities no longer change at any process; every process does as many. The "
+              "flow on one process has a direct solver and ends its own sweeps.",
+              source);
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const Problem& problem = problems[p];
     const Outcome& shared = outcomes[p];
@@ -134,8 +132,8 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
                "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
                {.value = largest_difference(shared, reference), .resolution = resolution},
                Bound{static_cast<double>(problem.steps) * (settled + shared.condition * tolerance) * speed(reference),
-                     fmt::format("as for the one-step scheme, N kappa eps U with kappa = {:.3g}; and what sweeps "
-                                 "may still change, 1e-11 of U each time",
+                     fmt::format("as for the one-step scheme, N kappa eps U with kappa = {:.3g}; and what sweeps may "
+                                 "still change, 1e-11 of U each time",
                                  shared.condition)});
     check.that("copies-" + problem.id, "The copies that several processes hold of a node are bitwise equal.",
                "largest difference between copies", {.value = shared.rim_difference, .resolution = resolution},

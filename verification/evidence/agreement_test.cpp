@@ -15,8 +15,7 @@ using evidence::Claim;
 constexpr double pi = std::numbers::pi;
 
 struct Points {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   [[nodiscard]] Curve curve() const { return {x, y}; }
 };
 

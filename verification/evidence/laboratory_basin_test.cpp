@@ -27,8 +27,7 @@ constexpr double amplitude = 1e-5;  // so small that waves are linear
 
 /// Waves of a period in a level channel, and what is known of them.
 struct Channel {
-  double period = 1;
-  double spacing = 0.1;
+  double period = 1, spacing = 0.1;
 
   [[nodiscard]] double layer() const { return 6 * period; }
   [[nodiscard]] long steps() const { return std::lround(4 * period / spacing); }
@@ -44,8 +43,8 @@ struct Channel {
   [[nodiscard]] Bound bound() const {
     return {.limit = std::pow(k() * spacing, 2) / 12 + 2 * left() + rate / (4 * omega() * k() * layer()),
             .reason =
-                "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice "
-                "exp(-int r dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
+                "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice exp(-int r "
+                "dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
   }
 };
 

@@ -44,8 +44,7 @@ Values values_of(const std::string& name, const std::string& wave = {}) {
 
 /// A record of a case scored with what its own reference becomes; claims that are not met, and verdicts of error.
 struct Scored {
-  long missed = 0;
-  long errors = 0;
+  long missed = 0, errors = 0;
   std::map<std::string, double> numbers;
 };
 

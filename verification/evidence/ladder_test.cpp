@@ -113,8 +113,7 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   is("scatter", "Where three sizes scatter, that is said.",
      scattered.line(scattered.quantities.at(1)).find("but 3 sizes hardly tell the order") != std::string::npos,
      scattered.line(scattered.quantities.at(1)));
-  int ranges = 0;
-  int outside = 0;
+  int ranges = 0, outside = 0;
   for (const double scale : {1e-3, 0.05, 0.1, 1.0}) {  // errors of the finest from 0.0075 to 7.5 per cent
     for (const double middle : {0.0255, 0.03, 0.05, 0.09, 0.3}) {
       std::vector<Rung> rungs;

@@ -41,10 +41,9 @@ Claim named(const std::string& id, const std::string& text, const std::string& q
 }
 
 TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {
-  Check check(
-      "misreading", "What a difference looks like",
-      "A gauge is shifted, lifted, turned, slowed, scaled or written in other units; each is recognised. Noise, a "
-      "small difference and the reference itself are not explained.");
+  Check check("misreading", "What a difference looks like",
+              "A gauge is shifted, lifted, turned, slowed, scaled or written in other units; each is recognised. "
+              "Noise, a small difference and the reference itself are not explained.");
   const Points reference = sampled(gauge);
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
@@ -99,10 +98,9 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
 }
 
 TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {
-  Check check(
-      "diagnosis", "What is said of a submission",
-      "Two gauges that were exchanged, a series that ends early, both gauges late by the same time, a number in "
-      "another unit.");
+  Check check("diagnosis", "What is said of a submission",
+              "Two gauges that were exchanged, a series that ends early, both gauges late by the same time, a number "
+              "in another unit.");
   std::vector<double> times;
   for (int k = 0; k <= 200; ++k) times.push_back(0.1 * k);
   const auto reference = [](Place p) { return std::sin(p.abscissa - 2 * p.group) + 0.3 * p.group; };

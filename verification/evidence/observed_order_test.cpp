@@ -88,8 +88,7 @@ TEST_CASE("the half-width of an observed order is Student's of a straight line a
        {Sample{{1, -1, -1, 1}, 4.302653, 4, 5}, Sample{{2, -1, -2, -1, 2}, 3.182446, 14, 10},
         Sample{{5, -1, -4, -4, -1, 5}, 2.776445, 84, 17.5}}) {
     const auto n = static_cast<double>(residuals.size());
-    std::vector<double> h;
-    std::vector<double> errors;
+    std::vector<double> h, errors;
     for (std::size_t k = 0; k < residuals.size(); ++k) {
       h.push_back(std::exp(-static_cast<double>(k)));
       errors.push_back(std::exp(-1.7 * static_cast<double>(k) + 0.3 + 0.01 * residuals[k]));

@@ -59,13 +59,13 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
   }
   check.holds("The shift that fits equals the shift of the points.", {fit.shift},
               Bound{of_lines * slopes / squares + of_halving,
-                    "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
-                    "the last of 20 halved steps is 2^-19 of 0.0035",
+                    "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; the last of "
+                    "20 halved steps is 2^-19 of 0.0035",
                     0.17});
   check.holds("The rms distance after the shift is zero.", {fit.rms},
               Bound{of_lines + of_halving * std::sqrt(squares / 4),
-                    "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
-                    "of halving times the slopes"});
+                    "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left of "
+                    "halving times the slopes"});
   check.holds("Points beyond the tank are left out.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
@@ -110,9 +110,7 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
   constexpr double tau = 1e-4;
   const auto soon = wave.profile(tau);
   const auto later = wave.profile(2 * tau);
-  Worst velocity;
-  Worst acceleration;
-  Worst fastest;
+  Worst velocity, acceleration, fastest;
   constexpr double step = 1e-5;
   for (std::size_t i = 0; i < at_rest.x.size(); ++i) {
     const double x = at_rest.x[i], y = at_rest.y[i];

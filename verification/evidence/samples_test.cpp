@@ -66,9 +66,7 @@ TEST_CASE("measures of numbers are those of their definitions", "[samples]") {
 }
 
 TEST_CASE("extremes of parts are those of the whole, and a part without samples adds nothing", "[samples]") {
-  Worst whole;
-  Worst first;
-  Worst second;
+  Worst whole, first, second;
   first.add(1, 10);
   second.add(-4, 20);
   second.add(2, 30);

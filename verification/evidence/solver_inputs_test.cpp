@@ -46,10 +46,9 @@ std::string refusal(const std::string& text) {
 }
 
 TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
-  Check check(
-      "solver_inputs", "Initial states for other solvers",
-      "Lists of OpenFOAM, grids of GeoClaw, a motion for DualSPHysics and a legacy VTK file, read back number by "
-      "number.");
+  Check check("solver_inputs", "Initial states for other solvers",
+              "Lists of OpenFOAM, grids of GeoClaw, a motion for DualSPHysics and a legacy VTK file, read back number "
+              "by number.");
   const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
                       const std::string& expected) {
     check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},

@@ -17,8 +17,7 @@ using namespace validation;
 
 struct Results {
   std::string what;
-  double depth = 1.05;
-  double overshoot = 3;
+  double depth = 1.05, overshoot = 3;
 };
 
 Claim claim(const std::string& id) {

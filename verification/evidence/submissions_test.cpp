@@ -53,10 +53,9 @@ long passed(const Case& one, const Values& values, const std::vector<WantedTable
 }
 
 TEST_CASE("every case that scores others passes its own reference and fails one that is half too large", "[evidence]") {
-  Check check(
-      "submissions", "The references score perfectly, wrong results do not",
-      "For every case that takes others' results, its own reference is submitted, which must meet every claim, and the "
-      "reference times 1.5, which must fail at least one.");
+  Check check("submissions", "The references score perfectly, wrong results do not",
+              "For every case that takes others' results, its own reference is submitted, which must meet every claim, "
+              "and the reference times 1.5, which must fail at least one.");
   for (const Case& one : all_cases()) {
     if (!one.submission) continue;
     const Values values = one.values(Tier::quick);

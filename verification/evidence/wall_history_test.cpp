@@ -67,18 +67,17 @@ void claim_coverage(Check& check) {
     }
   }
   check.holds(
-      "The limit of every exact stem lies within the stated interval, however short it was watched: "
-      "kappa from 0.3 to 0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, "
-      "t = 1/r).",
+      "The limit of every exact stem lies within the stated interval, however short it was watched: kappa from 0.3 to "
+      "0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, t = 1/r).",
       {outside.value()},
       Bound{0,
-            "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = "
-            "S^3 kappa (1 - kappa)/3 of the theory, and the interval reaches as far"});
+            "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = S^3 kappa (1 - kappa)/3 of the "
+            "theory, and the interval reaches as far"});
   check.holds("The interval is not merely wide: at t = 8/r it has closed.",
               {.value = widest.value(), .where = fmt::format("kappa = {:g}", widest.where())},
               Bound{3 * std::exp(-8.0),
-                    "exp(-8) by the law of the rate, and the fits may differ from each other by "
-                    "twice that: the slowest exponential is all that is left"});
+                    "exp(-8) by the law of the rate, and the fits may differ from each other by twice that: the "
+                    "slowest exponential is all that is left"});
 }
 
 TEST_CASE("the limit of a growing wall amplitude is known within its stated uncertainty", "[evidence]") {
@@ -138,12 +137,10 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
               {exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
               Qualitative{"the best rate is not the slowest of those tried",
                           "the misfit falls towards the straight line", false});
-  check.holds("The growth of the series over its last fifth is found.",
-              {growth_of_last_fifth(line.time, line.amplitude)},
-              Roundoff{10, 1,
-                       "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings "
-                       "of values up to 1",
-                       0.2 * 598 / 600});
+  check.holds(
+      "The growth of the series over its last fifth is found.", {growth_of_last_fifth(line.time, line.amplitude)},
+      Roundoff{10, 1, "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings of values up to 1",
+               0.2 * 598 / 600});
   CHECK_FALSE(none.steady());
 
   CHECK_FALSE(wall_limit(line.time, line.amplitude, 0).amplitude.uncertainty.has_value());
@@ -154,9 +151,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
                               "Exact stems of the Kadomtsev-Petviashvili equation until four settling times: the "
                               "amplitude, the limit found with its uncertainty, and Miles's $(1+\\kappa)^2$.");
   auto& panel = figure.panel({.x = "time times settling rate", .y = "a_w/a_i"});
-  std::vector<double> limits;
-  std::vector<double> uncertainties;
-  std::vector<double> miles;
+  std::vector<double> limits, uncertainties, miles;
   for (const double kappa : {0.6, 0.9, 0.95}) {
     const double rate = ExactReflection(0.3, kappa).settling_rate();
     const History history = stem(kappa, 4);

@@ -30,10 +30,7 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
               "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 1.5. Arc lengths "
               "before, on and after the arc, and intervals over one, two or all three of these.",
               source);
-  Worst chord;
-  Worst length;
-  Worst back;
-  Worst moments;
+  Worst chord, length, back, moments;
   for (const double angle : {-1.2, 0.1, std::numbers::pi / 4, 1.1, 1.5}) {
     const double rounding = 0.4;
     const BentLine line({3, -1}, {1, 0}, {std::cos(angle), std::sin(angle)}, rounding);

@@ -64,8 +64,7 @@ double quadrature_mean(const Profile& profile, double from, double to, const std
 }
 
 struct Interval {
-  double from;
-  double to;
+  double from, to;
 };
 
 /// Lengths from 1e-12 to the longest, a third of them about a corner, half of them from right to left.
@@ -97,8 +96,7 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     const bool broken = profile.id == "broken";
-    Worst mean;
-    Worst square;
+    Worst mean, square;
     Largest additive;
     long one_sided = 0;
     for (const auto [from, to] : intervals(profile, 3000)) {
@@ -114,11 +112,11 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
     }
     const double steepest = broken ? 16 : profile.id == "level" ? 0 : 1;
     const auto claim = [&](const std::string& text, double value, double height, double slope) {
-      check.holds(text + " (" + profile.id + ")", {value},
-                  Roundoff{(broken ? 70.0 : 10.0) + std::pow(10 * slope / 2, 2), height,
-                           "ten roundings per piece of heights up to 2, and one of a place up to 10, times the slope "
-                           "an error of the height; squares add up. Of a broken bottom all means are taken at the "
-                           "same places"});
+      check.holds(
+          text + " (" + profile.id + ")", {value},
+          Roundoff{(broken ? 70.0 : 10.0) + std::pow(10 * slope / 2, 2), height,
+                   "ten roundings per piece of heights up to 2, and one of a place up to 10, times the slope an error "
+                   "of the height; squares add up. Of a broken bottom all means are taken at the same places"});
     };
     INFO(profile.id);
     CHECK(one_sided == 0);  // from right to left is the same to the last bit, except by Gauss's rule

@@ -9,8 +9,7 @@ namespace seiche::verification::curve_test {
 
 TEST_CASE("a point of a graph and its arc length belong together", "[geometry]") {
   Check check("graph_curve", "A graph as a curve by its arc length",
-              "A face between two levels, y = -1 + 0.3 (1 + tanh((x + 2)/0.21)), from -6 to 0, in 1 to 200 "
-              "panels.",
+              "A face between two levels, y = -1 + 0.3 (1 + tanh((x + 2)/0.21)), from -6 to 0, in 1 to 200 panels.",
               "arc length from begin to end");
   const auto elevation = [](double x) { return -1 + 0.3 * (1 + std::tanh((x + 2) / 0.21)); };
   const auto slope = [](double x) { return 0.3 / 0.21 / std::pow(std::cosh((x + 2) / 0.21), 2); };

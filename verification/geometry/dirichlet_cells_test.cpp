@@ -68,8 +68,7 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
   std::vector<double> areas(mesh.nodes());
   dirichlet_areas(triangles, mesh.places(), areas);
   const std::vector<Point> centroids = dirichlet_centroids(triangles, mesh.places());
-  Worst off;
-  Worst moment;
+  Worst off, moment;
   for (std::size_t i = 0; i < mesh.nodes(); ++i) {
     std::vector<Point> cell{{0, 0}, {1.25, 0}, {1.25, 1}, {0, 1}};
     for (std::size_t j = 0; j < mesh.nodes(); ++j) {
@@ -108,8 +107,8 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
       .that("sum", "All cells together are the polygon, whatever flips.", "largest difference of the sum",
             {.value = sum.value(), .resolution = "297 nodes, 300 motions"},
             Roundoff{6 * 560, 0.2,
-                     "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
-                     "a hundred times their area of 1/560"});
+                     "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make a hundred "
+                     "times their area of 1/560"});
 }
 
 TEST_CASE("gradients of cell areas are exact", "[geometry]") {
@@ -154,8 +153,8 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
   check.that("differences", "Analytic gradients of the cells equal central differences.",
              "largest difference of a derivative", {.value = off.value(), .resolution = "step 1e-6"},
              Bound{1e-8,
-                   "the rounding 1e-16 of an area over the step, a hundred times; the third derivative, of the "
-                   "order of 1/h, times the step squared is less"});
+                   "the rounding 1e-16 of an area over the step, a hundred times; the third derivative, of the order "
+                   "of 1/h, times the step squared is less"});
   Worst rigid;
   for (std::size_t i = 0; i < n; ++i) {
     Point shift;

@@ -38,8 +38,8 @@ long breaking_cells(const BreakingFronts& fronts) {
 TEST_CASE("fronts break when they are steep and go on while they are bores", "[geometry]") {
   Check check(
       "dispersive_fronts", "Fronts that break",
-      "Straight fronts over depth 1. They begin at a slope of 30 degrees, end where the Froude number of a bore "
-      "of their depths falls below 1.3, a rise of 0.406, and carry on while they overlap with what broke.");
+      "Straight fronts over depth 1. They begin at a slope of 30 degrees, end where the Froude number of a bore of "
+      "their depths falls below 1.3, a rise of 0.406, and carry on while they overlap with what broke.");
   const Breaking settings;
   BreakingFronts fronts(settings, markers - 1);
   const auto counts = [&](const std::string& id, const std::string& text, long found, long expected) {

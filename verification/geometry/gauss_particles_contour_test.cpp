@@ -24,14 +24,12 @@ double area(const std::vector<Point>& line) {
 }
 
 TEST_CASE("the outline of particles encloses their water", "[geometry]") {
-  Check check(
-      "gauss_particles_contour", "Free particles: their outline",
-      "A disc of radius 1 with a hole of radius 0.4: two lines, the outer one against the clock and the inner one "
-      "with it, whose areas tend to the exact ones with the square of the spacing, for a kernel that is "
-      "symmetrical about a curved edge.",
-      source);
-  std::vector<double> spacing;
-  std::vector<double> outer;
+  Check check("gauss_particles_contour", "Free particles: their outline",
+              "A disc of radius 1 with a hole of radius 0.4: two lines, the outer one against the clock and the inner "
+              "one with it, whose areas tend to the exact ones with the square of the spacing, for a kernel that is "
+              "symmetrical about a curved edge.",
+              source);
+  std::vector<double> spacing, outer;
   bool two = true;
   for (const std::size_t rings : {10, 20, 40, 80}) {
     Particles particles = disc(1, rings);
@@ -59,10 +57,7 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   Check check("gauss_particles_disc", "Free particles: a disc",
               "Rings of particles on a disc of radius 2 and density 3: mass and second moments are those of the disc.");
   const Particles particles = disc(2, 20, 16, 3);
-  double mass = 0;
-  double along = 0;
-  double up = 0;
-  double mixed = 0;
+  double mass = 0, along = 0, up = 0, mixed = 0;
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const double m = particles.mass[k];
     mass += m;

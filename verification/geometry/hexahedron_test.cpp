@@ -80,8 +80,7 @@ TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean 
   Check check("hexahedron_volume", "Volume of a hexahedron",
               "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.", source);
   std::minstd_rand random(1);
-  Worst cuts;
-  Worst quadrature;
+  Worst cuts, quadrature;
   for (int n = 0; n < 1000; ++n) {
     const CellCorners cell = random_cell(random);
     const double volume = hexahedron_volume(cell);
@@ -96,12 +95,11 @@ TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean 
 }
 
 TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[geometry]") {
-  Check check(
-      "hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
-      "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes and "
-      "the power of gravity against central differences of volumes and potential energy. $J$ is the derivative, "
-      "and $A$ is $J W J^T$.",
-      source);
+  Check check("hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
+              "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes "
+              "and the power of gravity against central differences of volumes and potential energy. $J$ is the "
+              "derivative, and $A$ is $J W J^T$.",
+              source);
   using plan_lattice::FreeSide;
   Mesh mesh = layer_mesh({.begin = 0,
                           .end = 6,

@@ -129,11 +129,10 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
 }
 
 TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]") {
-  Check check(
-      "overlapping_neighbours", "Neighbours on the cell grid",
-      "Particles in an oblique corner, moved at random twenty times by up to a tenth of the spacing. For each and "
-      "for its images, the control volumes within reach by the grid and by trying all pairs; once more with a "
-      "particle so far away that the grid's cells are wider. Lists are kept while they hold all pairs.");
+  Check check("overlapping_neighbours", "Neighbours on the cell grid",
+              "Particles in an oblique corner, moved at random twenty times by up to a tenth of the spacing. For each "
+              "and for its images, the control volumes within reach by the grid and by trying all pairs; once more "
+              "with a particle so far away that the grid's cells are wider. Lists are kept while they hold all pairs.");
   const Turned setting(0.4);
   const double reach = 2.6 * spacing;
   const Walls walls(setting.walls, reach);
@@ -144,9 +143,7 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
     p.y[7] += 0.9 * away;
     Neighbourhoods near(reach);
     Noise noise(11);
-    double missing = 0;
-    double beyond = 0;
-    double made = 0;
+    double missing = 0, beyond = 0, made = 0;
     for (int round = 0; round < rounds; ++round) {
       const bool anew = near.update(p.x, p.y, walls);
       made += anew ? 1 : 0;
@@ -258,8 +255,8 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
     model.constraint_rates(noisy(2 * model.size(), 5), random);
     check.holds(id + ": " + text, {worst(rates) / worst(random)},
                 Roundoff{20, 10,
-                         "twenty terms of either sign for speeds up to 1, each of "
-                         "differences of places that are ten times as large"});
+                         "twenty terms of either sign for speeds up to 1, each of differences of places that are ten "
+                         "times as large"});
   };
   for (const Shape shape : {Shape::smoothed, Shape::ball}) {
     const std::string name = shape == Shape::ball ? "ball" : "smoothed";

@@ -40,8 +40,7 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
   std::vector<double> spacings, values, slopes;
   for (const double spacing : {0.25, 0.125, 0.0625, 0.03125}) {
     const SplineBottom bottom = hill_bottom(spacing);
-    Worst value;
-    Worst slope;
+    Worst value, slope;
     for (double x = -1 + spacing / 2; x < 11; x += spacing) {
       for (double y = -1 + spacing / 2; y < 11; y += spacing) {
         value.add(bottom.slope(x, y).elevation - hill(x, y));
@@ -80,8 +79,7 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
              Roundoff{200, 4, "two solves of five slopes, elevations up to 4"});
 
   const SplineBottom bottom = hill_bottom(0.5);
-  Worst rate;
-  Worst across;
+  Worst rate, across;
   constexpr double h = 1e-3;
   over_places([&](double x, double y) {
     // Five-point differences do not see cubics' rounding errors larger than 1e-13/h; kinks of third derivatives are
@@ -104,12 +102,11 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
 
 TEST_CASE("over a spline bottom still water stays still and energy is conserved", "[conservation]") {
   using namespace dispersive_shallow_water_2d;
-  Check check(
-      "spline_bottom_flow", "Waves over a bottom through elevations on a grid",
-      "A hill under water in a box of 10 x 10 depths, elevations every 0.5. Inner edges cancel between cells, so "
-      "that still water feels a force only along the walls across x, from the error of the edges' integral "
-      "there; a bottom that is level at those walls has none.",
-      source);
+  Check check("spline_bottom_flow", "Waves over a bottom through elevations on a grid",
+              "A hill under water in a box of 10 x 10 depths, elevations every 0.5. Inner edges cancel between cells, "
+              "so that still water feels a force only along the walls across x, from the error of the edges' integral "
+              "there; a bottom that is level at those walls has none.",
+              source);
   const auto bottom = std::make_shared<SplineBottom>(SplineBottom::sampled(
       {.begin = -1, .end = 11, .south = -1, .north = 11, .spacing = 0.5},
       [](double x, double y) { return -1 + 0.4 * std::exp(-(x - 5) * (x - 5) - 0.5 * (y - 5) * (y - 5)); }));
@@ -157,9 +154,7 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
               "over short ones it is known far better than that difference.",
               source);
   const SplineBottom bottom = hill_bottom(0.5);
-  Worst far;
-  Worst halves;
-  Worst near;
+  Worst far, halves, near;
   over_places([&](double x, double y) {
     const double to_x = 10 - 0.8 * x;
     const double to_y = 10 - 0.9 * y;
@@ -183,8 +178,8 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
   check.that("near", "Over a way of half a thousand-millionth it grows by gradient times way.",
              "largest difference over the length of the way", {near.value()},
              Bound{1e-9,
-                   "half the way times second derivatives below 4; a difference of two values would have "
-                   "their round-off over the way, 4e-6"});
+                   "half the way times second derivatives below 4; a difference of two values would have their "
+                   "round-off over the way, 4e-6"});
 }
 
 }  // namespace seiche::verification::spline_bottom_test

@@ -50,9 +50,7 @@ TEST_CASE("signs of orientation and in-circle are exact where rounding would dec
               "Shewchuk (1997)");
   Noise noise(1);
   const auto nudged = [&](double value) { return value * (1 + 0x1p-52 * std::round(2 * noise())); };
-  long lines = 0;
-  long circles = 0;
-  long plain = 0;
+  long lines = 0, circles = 0, plain = 0;
   constexpr int tries = 5000;
   for (int k = 0; k < tries; ++k) {
     const double s = noise();
@@ -82,12 +80,11 @@ TEST_CASE("signs of orientation and in-circle are exact where rounding would dec
 }
 
 TEST_CASE("flips give the triangles of a full rebuild over random motions", "[geometry]") {
-  Check check(
-      "triangulation_flips", "Local flips against a full rebuild",
-      "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are compared "
-      "with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. In one run of 37 "
-      "nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have coordinates that are whole "
-      "multiples of $2^{-28}$: both methods see the same numbers.");
+  Check check("triangulation_flips", "Local flips against a full rebuild",
+              "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are "
+              "compared with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. "
+              "In one run of 37 nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have "
+              "coordinates that are whole multiples of $2^{-28}$: both methods see the same numbers.");
   const auto run = [&](const std::string& id, int columns, int rows, int motions, double part) {
     WanderingBox box(columns, rows, 7);
     MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());

@@ -81,14 +81,10 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   constexpr double spacing = 0.01;
   const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
   check.source(source);
-  Largest overhang_error;
-  Largest tip_error;
+  Largest overhang_error, tip_error;
   bool sides = true;
-  Largest missed;
-  Largest false_alarm;
-  std::vector<double> q_drawn;
-  std::vector<double> drawn;
-  std::vector<double> exact;
+  Largest missed, false_alarm;
+  std::vector<double> q_drawn, drawn, exact;
   for (const bool towards_right : {true, false}) {
     for (double q = 0; q < 3.01; q += 0.25) {
       const ShearedWave wave{q, towards_right};
@@ -127,8 +123,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
                               "Left: the contour of the particles at q = 3. Right: overhang against the curve's.");
   const std::vector<Contour> last = contours_of(ShearedWave{3}, spacing);
   auto& shape = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
-  std::vector<double> curve_x;
-  std::vector<double> curve_z;
+  std::vector<double> curve_x, curve_z;
   for (double phase = -4.6; phase <= 4.6; phase += 0.02) {
     const double x = (phase + 3 * std::cos(phase)) / ShearedWave::wavenumber;
     if (std::abs(x) > 0.5) continue;

@@ -98,19 +98,13 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
     }
   }
   check.that("level", "A level layer has its elevation.", "largest error over dx", {level.value()},
-             Bound{0.1,
-                   "particles stand for cells dx high: a tenth of that is what is read "
-                   "off them"});
+             Bound{0.1, "particles stand for cells dx high: a tenth of that is what is read off them"});
   const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
   check.that("walls", "Beside walls too: the weight behind them does not count.", "largest error over dx",
              {elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })}, Bound{0.1, "as in the middle"});
 
   const auto wave = [](double x) { return 0.02 * std::cos(2 * pi * x); };
-  std::vector<double> spacings;
-  std::vector<double> errors;
-  std::vector<double> x_drawn;
-  std::vector<double> drawn;
-  std::vector<double> exact;
+  std::vector<double> spacings, errors, x_drawn, drawn, exact;
   for (const double spacing : {0.05, 0.025, 0.0125, 0.00625}) {
     const Scene layer = periodic_layer(
         {.period = 1, .depth = 0.5, .elevation = wave, .spacing = spacing, .fitting = Fitting::stretched}, water);
@@ -124,10 +118,7 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
       exact.push_back(wave(x));
     }
   }
-  check
-      .from(
-          "mean of z = eta(x) over a kernel of width h: "
-          "eta + O(h^2 eta'')")
+  check.from("mean of z = eta(x) over a kernel of width h: eta + O(h^2 eta'')")
       .that("wave-order", "The error of a wave falls with the square of the spacing.", "order of the largest error",
             observed_order(spacings, errors),
             Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
@@ -174,10 +165,7 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
   check.that("ellipse", "The area inside the level curve of a smooth field has second order.", "order of the area",
              areas.order(), Order{2, 0.2, "linear interpolation, chords of arcs"});
 
-  std::vector<double> spacings;
-  std::vector<double> means;
-  std::vector<double> scatters;
-  std::vector<double> centres;
+  std::vector<double> spacings, means, scatters, centres;
   Largest farthest;
   for (const double spacing : {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}) {
     const DiscErrors errors = disc_errors(spacing);

@@ -37,16 +37,16 @@ double mass_defect(Fitting fitting) {
 }
 
 TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
-  Check check("wcsph_layers_patches", "Layers with an uneven surface and round patches",
-              "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact. "
-              "A disc of 1 m: the count, the second moment that the "
-              "lattice gives it, velocities and pressures at the particles.",
-              lattices);
+  Check check(
+      "wcsph_layers_patches", "Layers with an uneven surface and round patches",
+      "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact. A disc of "
+      "1 m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
+      lattices);
   check.that("columns", "Columns that keep the spacing hold the area below the surface.", "relative defect of the mass",
              {mass_defect(Fitting::columns)},
              Roundoff{20, 1,
-                      "the mean of three depths; the sum is compensated, and the elevation's means "
-                      "over all strips cancel by symmetry"});
+                      "the mean of three depths; the sum is compensated, and the elevation's means over all strips "
+                      "cancel by symmetry"});
   check.that("stretched", "Columns that stretch hold the area below the surface.", "relative defect of the mass",
              {mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
   const Scene overturning = wavy_layer(Fitting::columns);
@@ -90,9 +90,7 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
   check.from("interface of the scene")
       .that("fields", "Velocity and pressure at the particles are the given ones.",
             "largest error, over 1 m/s and 500 Pa", {wrong.value()},
-            Roundoff{10, 28000 / 500.0,
-                     "B = 28000 Pa times the rounding of "
-                     "a power"});
+            Roundoff{10, 28000 / 500.0, "B = 28000 Pa times the rounding of a power"});
 }
 
 }  // namespace seiche::verification::wcsph_layer_test

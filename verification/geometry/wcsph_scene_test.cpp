@@ -73,8 +73,7 @@ double fluid_mass(const Particles& particles) {
 
 /// Smallest distance of fluid to fluid and of fluid to walls, in dx.
 struct Distances {
-  Smallest fluid;
-  Smallest wall;
+  Smallest fluid, wall;
 };
 Distances distances(const Scene& scene) {
   const Particles& p = scene.particles;
@@ -92,11 +91,10 @@ Distances distances(const Scene& scene) {
 }
 
 TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
-  Check check(
-      "wcsph_particle_counts", "Particle counts of the dam breaks",
-      "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two staggered "
-      "rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for each of "
-      "both walls at their common corners; the square lattice has one particle per cell.");
+  Check check("wcsph_particle_counts", "Particle counts of the dam breaks",
+              "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two "
+              "staggered rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for "
+              "each of both walls at their common corners; the square lattice has one particle per cell.");
   counted(check, "tall-published", "Case of the tall column, corners twice: 10000 + 1103.",
           dam_break(tall_column(Lattice::body_centred, true), water(0.114)), 11103);
   counted(check, "tall-once", "The same without duplicates: 10000 + 1101.",
@@ -109,10 +107,7 @@ TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
           dam_break(square_column(Lattice::square, false), water(0.3)), 4381);
 
   const Scene scene = dam_break(tall_column(Lattice::square, false), water(0.114));
-  std::vector<double> fluid_x;
-  std::vector<double> fluid_z;
-  std::vector<double> wall_x;
-  std::vector<double> wall_z;
+  std::vector<double> fluid_x, fluid_z, wall_x, wall_z;
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     const bool fluid = scene.particles.kind[i] == Kind::fluid;
     (fluid ? fluid_x : wall_x).push_back(scene.particles.x[i]);
@@ -125,8 +120,7 @@ TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
     auto& panel = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
     const auto drawn = [&](const std::vector<double>& x, const std::vector<double>& z, const std::string& label,
                            evidence::Role role) {
-      std::vector<double> px;
-      std::vector<double> pz;
+      std::vector<double> px, pz;
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (corner && std::max(x[i], z[i]) > 10 * scene.spacing) continue;
         px.push_back(x[i]);
@@ -188,12 +182,11 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
       .scale = 60,
       .reason =
           "two coordinates of up to 60 dx, each a rounded product; the image in the periodic layer, and its period"};
-  const Roundoff wall_places{
-      .operations = 6,
-      .scale = 100,
-      .reason =
-          "a place on a wall is a product with a quotient, added to where the wall begins: numbers of up to 100 dx "
-          "along the bottom of the flume; otherwise as in the water"};
+  const Roundoff wall_places{.operations = 6,
+                             .scale = 100,
+                             .reason =
+                                 "a place on a wall is a product with a quotient, added to where the wall begins: "
+                                 "numbers of up to 100 dx along the bottom of the flume; otherwise as in the water"};
   const auto about = [](Roundoff limit, double expected) {
     limit.expected = expected;
     return limit;
@@ -205,15 +198,15 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   check.that("wall-square", "Square lattice: the first row of water is dx from the row of the wall.", "distance/dx",
              {square.wall.value()}, about(wall_places, 1));
   check.that("wall-centred",
-             "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a "
-             "spacing in front of the wall, and a quarter beside its particles.",
+             "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a spacing "
+             "in front of the wall, and a quarter beside its particles.",
              "distance/dx", {centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
   check.from("Monaghan, J. Comput. Phys. 110 (1994) 399")
       .that("hydrostatic", "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
             "largest error over rho_0 g H", {pressure_error.value()},
             Roundoff{10, 200 / 7.0,
-                     "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
-                     "power, about 10 operations"});
+                     "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the power, about 10 "
+                     "operations"});
 
   const Scene with_flap = flume(flap_flume(), water(0.013));
   Smallest rearmost;

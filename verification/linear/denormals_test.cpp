@@ -40,9 +40,9 @@ std::vector<double> copy(const linear::LatticeArray& values) {
 
 TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]") {
   Check check("denormals_of_threads", "Denormal numbers in two threads",
-              "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates "
-              "of cells of meshes whose nodes move by as much, shared by two threads that were made "
-              "where denormal numbers count. The calling thread flushes them to zero: so do both.");
+              "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates of cells of "
+              "meshes whose nodes move by as much, shared by two threads that were made where denormal numbers count. "
+              "The calling thread flushes them to zero: so do both.");
   const int usual = omp_get_max_threads();
   omp_set_num_threads(2);
   int made = 0;

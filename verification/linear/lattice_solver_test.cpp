@@ -127,15 +127,14 @@ struct Problem {
 };
 
 TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[linear]") {
-  Check check(
-      "cosine_lattice", "Cosine transforms invert the undeformed lattice",
-      "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for random "
-      "right-hand sides, against Eigen's dense Cholesky in double precision.");
+  Check check("cosine_lattice", "Cosine transforms invert the undeformed lattice",
+              "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for "
+              "random right-hand sides, against Eigen's dense Cholesky in double precision.");
   const auto claim = [&](const std::string& id, const std::string& text, double error) {
     check.holds(id + ": " + text, {error},
                 Bound{1e-5,
-                      "single precision, 6e-8, times some tens of roundings in the transforms and in "
-                      "the elimination over the layers"});
+                      "single precision, 6e-8, times some tens of roundings in the transforms and in the elimination "
+                      "over the layers"});
   };
   Largest mesh;
   for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}, {64, 8}, {101, 17}, {15, 64}}) {
@@ -156,13 +155,11 @@ TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", 
 }
 
 TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
-  Check check(
-      "lattice_conjugate_gradients", "Conjugate gradients on deformed meshes against dense Cholesky",
-      "Pressure matrices of deformed meshes, random right-hand sides, against Eigen's dense Cholesky. The error "
-      "is at most the residual times the norm of the inverse, 1/(smallest eigenvalue).");
+  Check check("lattice_conjugate_gradients", "Conjugate gradients on deformed meshes against dense Cholesky",
+              "Pressure matrices of deformed meshes, random right-hand sides, against Eigen's dense Cholesky. The "
+              "error is at most the residual times the norm of the inverse, 1/(smallest eigenvalue).");
   for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
-    Largest worst;
-    Largest true_residual;
+    Largest worst, true_residual;
     for (const auto& [columns, rows] : {std::pair{40, 20}, {33, 7}, {1, 12}, {50, 1}, {7, 30}}) {
       Problem problem(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), 0.1);
       const auto b = random_array(problem.a.columns, problem.a.rows);
@@ -188,11 +185,10 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
 }
 
 TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
-  Check check(
-      "lattice_iterations", "Iterations of the pressure solver",
-      "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On equal "
-      "deformations the undeformed matrix and the deformed one differ by factors that do not depend on the mesh "
-      "width, so that the number of iterations does not either.");
+  Check check("lattice_iterations", "Iterations of the pressure solver",
+              "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On "
+              "equal deformations the undeformed matrix and the deformed one differ by factors that do not depend on "
+              "the mesh width, so that the number of iterations does not either.");
   const std::vector<double> amplitudes = {0, 0.0125, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2};
   const std::vector<std::size_t> rows = {16, 64, 256};
   std::vector<std::vector<double>> found;

@@ -71,13 +71,11 @@ double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, const 
 }
 
 TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[linear]") {
-  Check check(
-      "nine_point_cholesky", "Direct solvers of nine-point systems",
-      "Pressure matrices of deformed quadrilateral meshes, from one cell to 33 x 40, with a random right-hand side: "
-      "block "
-      "elimination inside the band, from both ends, against Eigen's dense "
-      "LLT. Residuals are relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever "
-      "its condition; solutions differ by up to the condition number times that.");
+  Check check("nine_point_cholesky", "Direct solvers of nine-point systems",
+              "Pressure matrices of deformed quadrilateral meshes, from one cell to 33 x 40, with a random right-hand "
+              "side: block elimination inside the band, from both ends, against Eigen's dense LLT. Residuals are "
+              "relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever its "
+              "condition; solutions differ by up to the condition number times that.");
   struct Errors {
     Worst residual;
     Worst difference;  // from the dense solution, over the condition number
@@ -116,8 +114,8 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[line
   const double round_off = std::numeric_limits<double>::epsilon() / 2;
   const auto claim = [&](const std::string& id, const std::string& text, const Errors& errors) {
     const Bound residual{100 * round_off,
-                         "one rounding per number in a row of the factor and of its transpose, at most "
-                         "41 each, and per coefficient of the matrix, nine",
+                         "one rounding per number in a row of the factor and of its transpose, at most 41 each, and "
+                         "per coefficient of the matrix, nine",
                          0.0};
     check.holds(id + ": " + text + " leaves a residual of round-off.", {errors.residual.value()}, residual);
     check.holds(id + "-solution: " + text + " agrees with dense elimination.", {errors.difference.value()},

@@ -59,10 +59,10 @@ struct Rings {
 };
 
 TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[linear]") {
-  Check check("ring_solver", "Systems whose pattern changes",
-              "Rings of the nodes of a mesh with a positive definite block each. The sum and its products are compared "
-              "with dense matrices, solutions with Eigen's. A second mesh has another pattern: it is "
-              "analysed anew, and only then.");
+  Check check(
+      "ring_solver", "Systems whose pattern changes",
+      "Rings of the nodes of a mesh with a positive definite block each. The sum and its products are compared with "
+      "dense matrices, solutions with Eigen's. A second mesh has another pattern: it is analysed anew, and only then.");
   Rings first(1);
   Rings second(2);
   const std::size_t n = first.unknowns;

@@ -95,9 +95,8 @@ double largest_error(bool periodic) {
 
 TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
   Check check("tridiagonal_solvers", "Tridiagonal solvers against dense Cholesky",
-              "Random symmetric positive definite systems of 1 to 257 rows, from barely to "
-              "strongly diagonally dominant, solved in "
-              "place, against Eigen's dense LLT.");
+              "Random symmetric positive definite systems of 1 to 257 rows, from barely to strongly diagonally "
+              "dominant, solved in place, against Eigen's dense LLT.");
   const auto claim = [&](const std::string& id, const std::string& text, double error) {
     check.holds(id + ": " + text, {error},
                 Bound{1e-12, "condition number up to 1e3 times a few roundings per row, here and in the dense solver"});

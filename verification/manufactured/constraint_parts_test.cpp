@@ -44,11 +44,10 @@ TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[me
     for (std::size_t s = 0; s < curvature.size(); ++s) {
       worst.add(curvature[s] - (both[s] - first[s] - second[s] + none[s]));
     }
-    check.holds(std::string(pinned ? "pinned" : "free") + ": The curvature is the mixed difference of the constraints.",
-                {worst.value()},
-                Roundoff{40, 54,
-                         "four values of ten operations, half a square of "
-                         "differences up to 6 in three coordinates"});
+    check.holds(
+        std::string(pinned ? "pinned" : "free") + ": The curvature is the mixed difference of the constraints.",
+        {worst.value()},
+        Roundoff{40, 54, "four values of ten operations, half a square of differences up to 6 in three coordinates"});
   }
 }
 
@@ -82,15 +81,15 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
   }
   check.that("areas", "Second derivatives of the cell areas equal differences.", "largest difference", {worst.value()},
              Bound{1e-9,
-                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products "
-                   "of places up to 6, 1e-15, over h^2"});
+                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products of places "
+                   "up to 6, 1e-15, over h^2"});
 }
 
 TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
   using namespace lagrangian_mesh_3d;
   Check check("lagrangian_mesh_3d_slides", "What a slanted wall leaves of velocities",
-              "A layer between walls whose south side is turned by 30 degrees. Of any velocity its nodes keep the "
-              "part along the wall, and the vertical one above the bottom.");
+              "A layer between walls whose south side is turned by 30 degrees. Of any velocity its nodes keep the part "
+              "along the wall, and the vertical one above the bottom.");
   const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
   Mesh mesh = layer_mesh(
       {.begin = 0,
@@ -125,9 +124,7 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
     check.holds(id + ": " + text, {value},
-                Roundoff{20, 1,
-                         "a normal from rounded places, a "
-                         "product with it, and its part"});
+                Roundoff{20, 1, "a normal from rounded places, a product with it, and its part"});
   };
   claim("wall", "Along the wall the part along it is left.", slid.value());
   claim("inside", "Velocities of nodes inside the water are not changed by sliding walls.", free.value());

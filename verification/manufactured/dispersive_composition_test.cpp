@@ -62,8 +62,7 @@ Result run(double tau, const std::vector<double>& stages) {
 }
 
 struct Method {
-  std::string id;
-  std::string name;
+  std::string id, name;
   Result (*run)(double tau, const std::vector<double>& stages);
   std::vector<double> stages;
   double theory;
@@ -103,9 +102,7 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
   const auto known = validation::reference_table("regression_dispersive_composition", check.record().reference_data);
   for (const Method& method : methods()) {
     std::vector<double> error;
-    Largest energy;
-    Largest volume;
-    Largest solves;
+    Largest energy, volume, solves;
     for (const double tau : method.tau) {
       const Result result = method.run(tau, method.stages);
       Worst farthest;

@@ -85,13 +85,12 @@ double manufactured_error(Kinetics kinetics, const Friction& friction, std::size
 }
 
 TEST_CASE("friction at the bottom slows a uniform current as its law says", "[manufactured]") {
-  Check check(
-      "dispersive_friction", "Friction at the bottom of a channel",
-      "Dispersive shallow water in one dimension, depth 0.8 m. A current of 1 m/s decays, $u = u_0/(1 + k u_0 t)$ "
-      "with $k = C/H$; from rest down a slope of 1:20 the flow becomes normal, $u = U \\tanh(g S t/U)$, "
-      "$U = \\sqrt{g S/k}$. Friction is implicit, alone exact for a uniform current, and acts half before and "
-      "half after every step, which together is of second order.",
-      "Chow (1959), chapters 5 and 6");
+  Check check("dispersive_friction", "Friction at the bottom of a channel",
+              "Dispersive shallow water in one dimension, depth 0.8 m. A current of 1 m/s decays, $u = u_0/(1 + k u_0 "
+              "t)$ with $k = C/H$; from rest down a slope of 1:20 the flow becomes normal, $u = U \\tanh(g S t/U)$, $U "
+              "= \\sqrt{g S/k}$. Friction is implicit, alone exact for a uniform current, and acts half before and "
+              "half after every step, which together is of second order.",
+              "Chow (1959), chapters 5 and 6");
   const double slope = 0.05;
   for (const Law& law : laws) {
     std::vector<double> start;

@@ -72,13 +72,12 @@ std::array<double, unknowns> errors_at_end(Kinetics kinetics, Stepping stepping,
 }
 
 TEST_CASE("improved dispersion over an uneven bottom is of second order", "[manufactured]") {
-  Check check(
-      "dispersive_improved_manufactured", "Improved dispersion: manufactured motion over an uneven bottom",
-      "The motion of `dispersive_manufactured`, whose depth changes by a fifth of its mean and whose markers by "
-      "a fifth of their distance, with the energy of improved dispersion, gamma = 1/15 and alpha = 2/5, and the "
-      "forces that then sustain it. All unknowns have to converge with second order, for both kinetic energies "
-      "and the two schemes whose gradients of that energy differ.",
-      "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
+  Check check("dispersive_improved_manufactured", "Improved dispersion: manufactured motion over an uneven bottom",
+              "The motion of `dispersive_manufactured`, whose depth changes by a fifth of its mean and whose markers "
+              "by a fifth of their distance, with the energy of improved dispersion, gamma = 1/15 and alpha = 2/5, and "
+              "the forces that then sustain it. All unknowns have to converge with second order, for both kinetic "
+              "energies and the two schemes whose gradients of that energy differ.",
+              "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
   struct Frame {
     std::string id, text;
     Kinetics kinetics;

@@ -155,11 +155,11 @@ void check_table(Check& check, const std::string& id, const Frames& frame, const
 TEST_CASE("all unknowns of dispersive shallow water converge with second order over an uneven bottom",
           "[manufactured]") {
   Check check("dispersive_manufactured", "Dispersive shallow water: manufactured motion over an uneven bottom",
-              "Bottom $b = -1 + 0.2\\cos(2\\pi x/10)$, period 10. Markers are made to follow "
-              "$x = a + 0.3 \\sin(ka)\\cos(0.8t)$ with the dynamic pressure $0.05\\cos(2ka)\\sin(0.8t)$ by forces on "
-              "both rates of every particle. The bottom lies on the markers' path, so that frames, volumes and forces "
-              "all change. The step is $2.5/n$, the end $t = 5$. Positions, rates and the multipliers have to converge "
-              "with second order, for either kinetic energy and each scheme.",
+              "Bottom $b = -1 + 0.2\\cos(2\\pi x/10)$, period 10. Markers are made to follow $x = a + 0.3 "
+              "\\sin(ka)\\cos(0.8t)$ with the dynamic pressure $0.05\\cos(2ka)\\sin(0.8t)$ by forces on both rates of "
+              "every particle. The bottom lies on the markers' path, so that frames, volumes and forces all change. "
+              "The step is $2.5/n$, the end $t = 5$. Positions, rates and the multipliers have to converge with second "
+              "order, for either kinetic energy and each scheme.",
               source);
   for (const Frames& frame : frames) {
     auto& figure = check.figure("convergence_" + frame.id, "Errors under refinement, " + frame.text,
@@ -167,8 +167,7 @@ TEST_CASE("all unknowns of dispersive shallow water converge with second order o
                                 "them. The grey line falls with second order.");
     for (const Named& scheme : schemes) {
       std::array<std::vector<double>, unknowns> errors;
-      std::vector<double> widths;
-      std::vector<double> cells;
+      std::vector<double> widths, cells;
       for (const std::size_t n : refinement) {
         const Errors e = rms_errors(frame.kinetics, scheme.stepping, n);
         for (std::size_t k = 0; k < unknowns; ++k) errors[k].push_back(e[k]);
@@ -192,8 +191,8 @@ TEST_CASE("all unknowns of dispersive shallow water converge with second order o
 
 TEST_CASE("the errors of dispersive shallow water are those of an earlier program", "[manufactured]") {
   Check check("dispersive_manufactured_digits", "Dispersive shallow water: manufactured motion, digit by digit",
-              "An order shows that a scheme converges; digits show that it is the scheme it claims to be. An "
-              "earlier program, with dense matrices, ran the same problem: regression.");
+              "An order shows that a scheme converges; digits show that it is the scheme it claims to be. An earlier "
+              "program, with dense matrices, ran the same problem: regression.");
   check_table(check, "frank", frames[0], schemes[0], 1);
   check_table(check, "green_naghdi", frames[1], schemes[0], 2);
   const Errors conservative = rms_errors(Kinetics::frank, Stepping::conservative, 400);
@@ -235,12 +234,13 @@ TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactu
                     .panel({.x = "step", .y = "error", .log_x = true, .log_y = true});
   for (std::size_t k = 0; k < unknowns; ++k) {
     panel.line(names[k], steps, errors[k]);
-    check.that("order-" + names[k], "The step's error of " + names[k] + " is of second order.",
-               "order of the root-mean-square error", observed_order(steps, errors[k]),
-               Order{2, 0.05,
-                     "dispersive waves reach omega = 1.9 here: errors of fourth order, (omega tau)^2/4 of those of "
-                     "second, are 1 % at the longest step; the shortest step is 16 of the reference's, whose own error "
-                     "is 0.4 % of it"});
+    check.that(
+        "order-" + names[k], "The step's error of " + names[k] + " is of second order.",
+        "order of the root-mean-square error", observed_order(steps, errors[k]),
+        Order{
+            2, 0.05,
+            "dispersive waves reach omega = 1.9 here: errors of fourth order, (omega tau)^2/4 of those of second, are "
+            "1 % at the longest step; the shortest step is 16 of the reference's, whose own error is 0.4 % of it"});
   }
   const std::vector<double> coarse{0.2, 0.1, 0.05};
   const std::vector<double> expected{5.1e-4, 1.27e-4, 3.2e-5};

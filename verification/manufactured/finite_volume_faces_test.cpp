@@ -19,8 +19,7 @@ const std::string source =
 
 /// 40 m of cells 1 m wide, one state left of the middle and another right of it.
 FiniteVolumeFlow two_states(FiniteVolumeFlow::Settings settings, State left, State right) {
-  std::vector<double> depth;
-  std::vector<double> discharge;
+  std::vector<double> depth, discharge;
   for (std::size_t i = 0; i < cells; ++i) {
     const State state = i < cells / 2 ? left : right;
     depth.push_back(state.depth);
@@ -44,12 +43,12 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
       "is, and dissolves the same states in the wrong order, which gain energy.",
       source);
   constexpr double tau = 1e-9;
-  const Bound short_step{.limit = 1e-7,
-                         .reason =
-                             "the states beside the face change by the courant number, 1e-8; ten "
-                             "times that for numbers up to 10 c h",
-                         .expected = 0,
-                         .relative = true};
+  const Bound short_step{
+      .limit = 1e-7,
+      .reason =
+          "the states beside the face change by the courant number, 1e-8; ten times that for numbers up to 10 c h",
+      .expected = 0,
+      .relative = true};
   const auto expected = [&](double value) {
     Bound limit = short_step;
     limit.expected = value;
@@ -82,8 +81,8 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
              "largest change of the depth in ten seconds [m]",
              {.value = moved.value(), .resolution = std::to_string(steps) + " steps"},
              Roundoff{4e6, 1.2,
-                      "at most 100 steps of some 40 roundings of numbers up to 1.2 m, which "
-                      "repeat from step to step: 1e3 steps squared"});
+                      "at most 100 steps of some 40 roundings of numbers up to 1.2 m, which repeat from step to step: "
+                      "1e3 steps squared"});
   auto expansion = stationary_jump(deep, shallow);
   expansion.advance_to(1, 0.8);
   Largest kept;
@@ -92,18 +91,16 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
              "largest difference of neighbouring depths after one second [m]",
              {.value = kept.value(), .resolution = "40 cells of 1 m"},
              Bound{0.35,
-                   "u - c grows from -1.6 to 2.3 m/s: a fan over four cells; half of the whole difference of "
-                   "0.7 m in one cell is no fan"});
+                   "u - c grows from -1.6 to 2.3 m/s: a fan over four cells; half of the whole difference of 0.7 m in "
+                   "one cell is no fan"});
 }
 
 TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
-  Check check(
-      "finite_volume_sources", "Finite volumes: friction and bed",
-      "Uniform flow between free ends under Manning's friction obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$: the "
-      "implicit "
-      "step $u/(1 + \\tau k |u|)$ is exact, $u = u_0/(1 + k u_0 t)$. Water that sloshes over a slope between walls: "
-      "its momentum changes by the impulses of walls and bed alone.",
-      "Manning's law, integrated");
+  Check check("finite_volume_sources", "Finite volumes: friction and bed",
+              "Uniform flow between free ends under Manning's friction obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$: the "
+              "implicit step $u/(1 + \\tau k |u|)$ is exact, $u = u_0/(1 + k u_0 t)$. Water that sloshes over a slope "
+              "between walls: its momentum changes by the impulses of walls and bed alone.",
+              "Manning's law, integrated");
   constexpr double h = 0.3;
   constexpr double n = 0.03;
   auto river = two_states({.scheme = Scheme::muscl_hll, .manning = n, .left = End::free(), .right = End::free()},

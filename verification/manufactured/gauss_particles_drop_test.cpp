@@ -37,8 +37,7 @@ Errors errors(const Particles& particles, std::unique_ptr<FieldSpace> space, dou
   Step<Model> step(model);
   for (long k = 0; k < std::lround(2 / tau); ++k) step.step(state, tau);
   Mean inside;
-  Worst largest;
-  Worst surface;
+  Worst largest, surface;
   for (std::size_t k = 0; k < model.size(); ++k) {
     const double distance = std::hypot(state.q[k] - drop.semi_axis(2) * particles.x[k],
                                        state.q[model.size() + k] - drop.other_axis(2) * particles.y[k]);
@@ -62,24 +61,20 @@ Particles four() {
 }
 
 TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however few", "[manufactured]") {
-  Check check(
-      "gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
-      "With the five linear solenoidal fields and isotropic second moments the particles move on the exact paths "
-      "but for the error in time: of second order with the conservative scheme, for 300 particles and for 4, of "
-      "first order with Frank's projection scheme.",
-      source);
+  Check check("gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
+              "With the five linear solenoidal fields and isotropic second moments the particles move on the exact "
+              "paths but for the error in time: of second order with the conservative scheme, for 300 particles and "
+              "for 4, of first order with Frank's projection scheme.",
+              source);
   const std::vector<double> lengths{0.04, 0.02, 0.01, 0.005};
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& error,
                          double theory) {
-    check.that(
-        id, text, "order of the largest distance at t = 2", observed_order(lengths, error),
-        Order{theory, 0.01,
-              "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
-              "order over this range"});
+    check.that(id, text, "order of the largest distance at t = 2", observed_order(lengths, error),
+               Order{theory, 0.01,
+                     "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of "
+                     "an order over this range"});
   };
-  std::vector<double> many;
-  std::vector<double> few;
-  std::vector<double> first;
+  std::vector<double> many, few, first;
   for (const double tau : lengths) {
     many.push_back(errors<OneStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
     few.push_back(errors<OneStep>(four(), std::make_unique<PolynomialSpace>(), tau).largest);
@@ -129,10 +124,9 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
 }
 
 TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
-  Check check(
-      "gauss_particles_pressure", "Free particles: the pressure of the stretched disc",
-      "The reactions of the step about t = 1 are fitted by (1 - x^2/a^2 - y^2/b^2) times a quadratic polynomial: the "
-      "pressure at the middle against Dirichlet's.");
+  Check check("gauss_particles_pressure", "Free particles: the pressure of the stretched disc",
+              "The reactions of the step about t = 1 are fitted by (1 - x^2/a^2 - y^2/b^2) times a quadratic "
+              "polynomial: the pressure at the middle against Dirichlet's.");
   const StretchingDrop drop(1, 1, 1);
   for (const int degree : {3, 2}) {
     constexpr double tau = 0.005;
@@ -153,11 +147,11 @@ TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
         },
         2);
     const double exact = drop.at(time).central_pressure;
-    check.holds(
-        fmt::format("Splines of degree {}: the pressure at the middle.", degree), {fit.pressure({0, 0}) / exact - 1},
-        Bound{0.1 / std::sqrt(1200.0),
-              "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over 1200 "
-              "particles"});
+    check.holds(fmt::format("Splines of degree {}: the pressure at the middle.", degree),
+                {fit.pressure({0, 0}) / exact - 1},
+                Bound{0.1 / std::sqrt(1200.0),
+                      "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over "
+                      "1200 particles"});
   }
 }
 

@@ -88,12 +88,11 @@ double difference(const Particles& at, const Velocities& a, const Velocities& b)
 }
 
 TEST_CASE("the projection finds a smooth field to the order of its splines", "[manufactured]") {
-  Check check(
-      "gauss_particles_projection", "Free particles: the projection of a smooth field",
-      "Water between a flat bottom and the surface 1 + 0.1 cos x. Velocities of a known stream function are "
-      "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows and "
-      "for particles and masses displaced at random by up to half their spacing and half their size.",
-      source);
+  Check check("gauss_particles_projection", "Free particles: the projection of a smooth field",
+              "Water between a flat bottom and the surface 1 + 0.1 cos x. Velocities of a known stream function are "
+              "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows "
+              "and for particles and masses displaced at random by up to half their spacing and half their size.",
+              source);
   auto& figure = check.figure("orders", "Error of the projection", "Against the cells of a lattice.");
   auto& panel = figure.panel({.x = "h", .y = "relative error", .log_x = true, .log_y = true});
   for (const bool random : {false, true}) {
@@ -115,24 +114,22 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
       const std::string name =
           "p = " + std::to_string(degree) + (random ? ", random particles" : ", particles in rows");
       panel.line(name, errors.sizes, errors.errors, Role::computed);
-      check.that(
-          std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
-          "The projection errs by O(h^p): " + name + ".", "order of the relative error", errors.order(),
-          Order{static_cast<double>(degree), 0.25,
-                "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 at the "
-                "coarsest lattice, 0.08 at the finest, a quarter on average"});
+      check.that(std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
+                 "The projection errs by O(h^p): " + name + ".", "order of the relative error", errors.order(),
+                 Order{static_cast<double>(degree), 0.25,
+                       "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 "
+                       "at the coarsest lattice, 0.08 at the finest, a quarter on average"});
     }
   }
 }
 
 TEST_CASE("a pressure gradient is projected to zero as the particles' sums become integrals", "[manufactured]") {
-  Check check(
-      "gauss_particles_gradients", "Free particles: what the projection leaves of a gradient",
-      "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but for "
-      "the error of sums over particles. What the projection leaves of it falls with the square of the particles' "
-      "spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the seed of "
-      "the instability under gravity.",
-      source);
+  Check check("gauss_particles_gradients", "Free particles: what the projection leaves of a gradient",
+              "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but "
+              "for the error of sums over particles. What the projection leaves of it falls with the square of the "
+              "particles' spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the "
+              "seed of the instability under gravity.",
+              source);
   for (const bool end_corrected : {false, true}) {
     Convergence leaks;
     for (const int per_side : {8, 16, 32, 64}) {
@@ -204,8 +201,8 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       check.holds(flow.text + ", h = 1/" + std::to_string(cells) + ".",
                   {space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
                   Bound{1e-7,
-                        "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions "
-                        "up to 8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
+                        "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions up to "
+                        "8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
                         flow.gradient * flow.gradient});
     }
   }

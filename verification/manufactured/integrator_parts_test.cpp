@@ -44,10 +44,9 @@ double oscillator_error(AdaptiveMethod method, double tolerance) {
 }
 
 TEST_CASE("weights of compositions meet the conditions of order four", "[mechanics]") {
-  Check check(
-      "composition_weights", "Weights of compositions",
-      "A symmetric composition of a symmetric step of order two is of order four when its weights add up to one "
-      "and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
+  Check check("composition_weights", "Weights of compositions",
+              "A symmetric composition of a symmetric step of order two is of order four when its weights add up to "
+              "one and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
   const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
     check.holds(id + ": " + text, {value},
                 Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
@@ -111,8 +110,7 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
   State state = rigid_chain::spiral_start(chain);
   Rattle<RigidChain> rattle(chain);
   std::vector<double> values(chain.constraints());
-  Worst positions;
-  Worst velocities;
+  Worst positions, velocities;
   for (int n = 0; n < 1000; ++n) {
     rattle.step(state, 0.01);
     chain.constraint_values(state.q, values);

@@ -51,12 +51,11 @@ Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
 TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its wave", "[manufactured]") {
   Check check("lagrangian_mesh_3d_impulse", "Impulsive start of the hexahedral mesh",
               "The surface of the exact solitary wave of height 0.3 is struck with the impulsive pressure "
-              "$-\\rho\\phi$ of its potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic "
-              "energy of the mesh against that of the wave.",
+              "$-\\rho\\phi$ of its potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic energy of "
+              "the mesh against that of the wave.",
               source);
   const exact::SolitaryWave wave(0.3);
-  std::vector<double> sizes;
-  std::vector<double> kinetic;
+  std::vector<double> sizes, kinetic;
   Largest rates;
   for (const std::size_t layers : {4U, 6U, 8U, 12U, 16U}) {
     const Errors errors = errors_of(wave, layers);
@@ -69,8 +68,8 @@ TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its w
   check.that("rates", "Rates of all cell volumes after the impulse are zero.",
              "largest rate of a volume over the volume", {rates.value()},
              Bound{1e-9,
-                   "the solver leaves 1e-13 of the norm of the rates before the projection, 256 in each of 1280 "
-                   "cells at the surface of the finest mesh"});
+                   "the solver leaves 1e-13 of the norm of the rates before the projection, 256 in each of 1280 cells "
+                   "at the surface of the finest mesh"});
 }
 
 }  // namespace seiche::verification::lagrangian_mesh_3d_impulse_test

@@ -160,12 +160,12 @@ const std::vector<Quantity> quantities = {
 };
 
 TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
-  Check check("hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
-              "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force "
-              "over the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the "
-              "labels: both by differences of sixth order over steps of 1/50, which know nothing of the formulas for "
-              "derivatives.",
-              source);
+  Check check(
+      "hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
+      "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force over "
+      "the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the labels: both "
+      "by differences of sixth order over steps of 1/50, which know nothing of the formulas for derivatives.",
+      source);
   const auto bottom = Motion::bottom();
   /// At labels X, Y, height and a time.
   using At = std::array<double, 4>;
@@ -225,8 +225,8 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
              {walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
   const Bound bound{.limit = 1e-7,
                     .reason =
-                        "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; "
-                        "a term of the pressure forgotten or a wrong sign makes 1e-2"};
+                        "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; a term of the "
+                        "pressure forgotten or a wrong sign makes 1e-2"};
   check.that("velocity", "Velocities of the exact motion are the rates of its positions.",
              "largest difference from that by differences", {velocity.value()}, bound);
   check.that("force", "The force over the acceleration is the gradient of the pressure.",
@@ -236,12 +236,11 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
 TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured][full]") {
   Check check(
       "lagrangian_mesh_3d_manufactured", "Hexahedra: manufactured motion over an uneven bottom",
-      "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed "
-      "motion under the body force that sustains it: columns are sheared along x and along y, the bottom's "
-      "nodes slide on it by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root "
-      "mean squares. A node of the surface, of the bottom or of a wall feels the pressure gradient half a cell "
-      "inside and slips along it to first order, in a layer of one cell, which the pressure there feels. Everything "
-      "else is of second order.",
+      "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed motion "
+      "under the body force that sustains it: columns are sheared along x and along y, the bottom's nodes slide on it "
+      "by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root mean squares. A "
+      "node of the surface, of the bottom or of a wall feels the pressure gradient half a cell inside and slips along "
+      "it to first order, in a layer of one cell, which the pressure there feels. Everything else is of second order.",
       source);
   std::vector<double> sizes;
   std::vector<std::vector<double>> errors(quantities.size());

@@ -24,8 +24,7 @@ struct Motion {
 
 struct Result {
   State state;
-  double largest_energy_defect = 0;
-  double last_energy_defect = 0;
+  double largest_energy_defect = 0, last_energy_defect = 0;
 };
 
 Result integrated(const Motion& motion, Integrator integrator, int steps) {
@@ -62,8 +61,7 @@ class Judge {
 
   void order_and_digits(Integrator integrator, const std::vector<int>& steps, const std::vector<Expected>& expected,
                         double floor) {
-    std::vector<double> tau;
-    std::vector<double> error;
+    std::vector<double> tau, error;
     for (const int n : steps) {
       tau.push_back(motion_.time / n);
       error.push_back(largest_difference(Input(integrated(motion_, integrator, n).state.q), truth_.q));
@@ -117,9 +115,9 @@ class Judge {
 const std::vector<int> second_order_steps{50, 100, 200, 400};
 
 TEST_CASE("a free patch of fluid: errors of the integrators", "[manufactured]") {
-  Check check("lagrangian_mesh_patch_accuracy", "Free patch of fluid: errors of the integrators",
-              "The sheared and bent patch at t = 1; the error is the largest of a coordinate against RK4 with 8192 "
-              "steps.");
+  Check check(
+      "lagrangian_mesh_patch_accuracy", "Free patch of fluid: errors of the integrators",
+      "The sheared and bent patch at t = 1; the error is the largest of a coordinate against RK4 with 8192 steps.");
   const Motion motion{[] { return moving_patch(); }, 1, 1.2};  // the largest gradient of the velocity
   const State truth = integrated(motion, Integrator::runge_kutta_4, 8192).state;
   Judge judge(check,

@@ -11,11 +11,10 @@ namespace seiche::verification::lagrangian_mesh_barrier_test {
 using namespace lagrangian_mesh_2d;
 
 TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
-  Check check(
-      "lagrangian_mesh_barrier", "Corner barrier: force and energy",
-      "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node against "
-      "differences of the energy, fourth order in their width.",
-      "the energy of corner_barrier.hpp");
+  Check check("lagrangian_mesh_barrier", "Corner barrier: force and energy",
+              "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node "
+              "against differences of the energy, fourth order in their width.",
+              "the energy of corner_barrier.hpp");
   Mesh mesh = free_patch(3, 3, {0, 0}, {3, 3});
   std::vector<double> areas(mesh.cells(), 1.0);
   std::vector<double> x = mesh.x;

@@ -37,9 +37,7 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
   Worst fastest;
   for (std::size_t s = 0; s < rates.size(); ++s) fastest.add(rates[s] / model.first_volumes()[s]);
   errors.rates = fastest.value();
-  Worst speed;
-  Worst lower_half;
-  Worst surface;
+  Worst speed, lower_half, surface;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const Point exact = placed.velocity({mesh.x[k], mesh.y[k]});
     speed.add(std::hypot(exact.x, exact.y));
@@ -56,11 +54,10 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
 TEST_CASE("an impulse on the surface starts the potential flow of an exact wave", "[manufactured]") {
   Check check(
       "lagrangian_mesh_impulse", "A mesh set into potential flow by an impulse on its surface",
-      "An impulsive pressure, minus the potential of a solitary wave of 0.3 depths on its surface, acts on meshes "
-      "of 4 to 32 rows at rest. In the lower half the velocities are the wave's to second order, and so is the "
-      "energy. At the surface they are so to first order only: a surface node feels the pressure half a cell "
-      "below. This is what the mesh takes for potential flow; nodes started with the exact velocities slide over "
-      "the row beneath for ever.",
+      "An impulsive pressure, minus the potential of a solitary wave of 0.3 depths on its surface, acts on meshes of 4 "
+      "to 32 rows at rest. In the lower half the velocities are the wave's to second order, and so is the energy. At "
+      "the surface they are so to first order only: a surface node feels the pressure half a cell below. This is what "
+      "the mesh takes for potential flow; nodes started with the exact velocities slide over the row beneath for ever.",
       source);
   const exact::SolitaryWave wave(0.3);
   std::vector<double> h, lower_half, surface, kinetic;
@@ -87,12 +84,12 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
         {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
   order("surface", "Velocities at the surface are so to first order.", surface,
         {1, 0.2, "a surface node feels the pressure half a cell below"});
-  check.that(
-      "areas", "Rates of all cell areas after the impulse are zero to round-off.",
-      "largest rate of an area over the area [sqrt(g/depth)]", {.value = rates.value(), .resolution = "4 to 32 rows"},
-      Roundoff{10, 1300,
-               "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the cells' "
-               "reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
+  check.that("areas", "Rates of all cell areas after the impulse are zero to round-off.",
+             "largest rate of an area over the area [sqrt(g/depth)]",
+             {.value = rates.value(), .resolution = "4 to 32 rows"},
+             Roundoff{10, 1300,
+                      "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the "
+                      "cells' reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
 }
 
 }  // namespace seiche::verification::lagrangian_mesh_impulse_test

@@ -122,10 +122,8 @@ Errors errors_of(const Piece& piece, double depth, std::size_t columns, std::siz
                 .potential = std::abs(model.potential_energy(flow.state().q) / piece.potential - 1),
                 .change = 0,
                 .interior_change = 0};
-  Worst speed;
-  Worst interior_change;
-  double sum = 0;
-  double all = 0;
+  Worst speed, interior_change;
+  double sum = 0, all = 0;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const Point v = piece.velocity({mesh.x[k], mesh.y[k]});
     const double change = std::hypot(flow.u()[k] - v.x, flow.v()[k] - v.y);
@@ -156,8 +154,8 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
   }
   check.holds(id + "-columns: " + name + ": the columns hold equal areas of water.", {columns.value()},
               Roundoff{10, static_cast<double>(32 * columns_per_row),
-                       "both ends of a column are rounded places, up to the tank's length, that is as many "
-                       "columns' widths as there are"});
+                       "both ends of a column are rounded places, up to the tank's length, that is as many columns' "
+                       "widths as there are"});
   auto& panel = check.figure(id, name, "Relative errors of the first data against the height of the cells.")
                     .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
   const auto order = [&](const std::string& what, const std::string& text, const std::vector<double>& errors,

@@ -56,8 +56,7 @@ const std::vector<Quantity> quantities = {
 };
 
 void check_orders(Check& check, const Variant& variant) {
-  std::vector<double> cells;
-  std::vector<double> widths;
+  std::vector<double> cells, widths;
   std::vector<std::vector<double>> errors(quantities.size());
   for (const std::size_t n : meshes) {
     const DoubleShearErrors all =
@@ -82,13 +81,13 @@ void check_orders(Check& check, const Variant& variant) {
 
 TEST_CASE("the Lagrangian mesh is of second order in the interior, in pressure and in the surface's shape",
           "[manufactured]") {
-  Check check("lagrangian_mesh_manufactured", "Two-dimensional Lagrangian mesh: manufactured motion of a free square",
-              "Two shears, one after the other, move the square $|X|, |Y| \\le 1$ by a body force, with a free surface "
-              "all around; $t = 1$, steps of a fifth of a cell. A surface node feels the pressure gradient half a cell "
-              "below the surface and slips along it to first order; in a layer of one cell that makes order 1.5 in the "
-              "root mean square. Everything else is of second order. The distorted mesh is displaced within the square "
-              "by up to 0.12.",
-              source);
+  Check check(
+      "lagrangian_mesh_manufactured", "Two-dimensional Lagrangian mesh: manufactured motion of a free square",
+      "Two shears, one after the other, move the square $|X|, |Y| \\le 1$ by a body force, with a free surface all "
+      "around; $t = 1$, steps of a fifth of a cell. A surface node feels the pressure gradient half a cell below the "
+      "surface and slips along it to first order; in a layer of one cell that makes order 1.5 in the root mean square. "
+      "Everything else is of second order. The distorted mesh is displaced within the square by up to 0.12.",
+      source);
   check_orders(check, {"one-step", "one-step scheme", Stepping::one_step, 0});
   check_orders(check, {"conservative", "conservative scheme", Stepping::conservative, 0});
   check_orders(check, {"one-step-distorted", "one-step scheme, distorted mesh", Stepping::one_step, 0.12});

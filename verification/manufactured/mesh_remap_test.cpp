@@ -44,9 +44,8 @@ double error(std::size_t n) {
 
 TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manufactured]") {
   Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
-              "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for "
-              "others: nodes move by up to 0.3 of a cell. Root mean square of the errors at the new "
-              "nodes.",
+              "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for others: nodes "
+              "move by up to 0.3 of a cell. Root mean square of the errors at the new nodes.",
               "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
   std::vector<double> sizes, errors;
   for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
@@ -59,8 +58,8 @@ TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manuf
   validation::slope_guide(panel, 3, sizes, errors.back() * 1.5);
   check.that("velocity", "Velocities are carried to third order.", "observed order", observed_order(sizes, errors),
              Order{3, 0.3,
-                   "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
-                   "carries along, by h^2 times the change of the cell's size, h"});
+                   "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation carries "
+                   "along, by h^2 times the change of the cell's size, h"});
 }
 
 }  // namespace seiche::verification::mesh_remap_test

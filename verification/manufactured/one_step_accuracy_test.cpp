@@ -40,8 +40,7 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
   Worst energy;
   for (const Integrator integrator : all_integrators) {
     const bool fourth = order(integrator) == 4;
-    std::vector<double> tau;
-    std::vector<double> error;
+    std::vector<double> tau, error;
     for (const int steps : {50, 100, 200, 400, 800, 1600}) {
       const State state = integrated(integrator, steps, keeps_energy(integrator) ? &energy : nullptr);
       tau.push_back(end_time / steps);

@@ -13,11 +13,10 @@ using namespace shallow_water_particles;
 constexpr double g = 9.81;
 
 TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufactured]") {
-  Check check(
-      "particles_friction", "Uniform stream under friction",
-      "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, hence "
-      "$u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.",
-      "Manning's law, integrated");
+  Check check("particles_friction", "Uniform stream under friction",
+              "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, "
+              "hence $u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.",
+              "Manning's law, integrated");
   constexpr double depth = 0.3;
   constexpr double velocity = 2;
   constexpr double manning = 0.03;
@@ -38,12 +37,11 @@ TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufacture
 }
 
 TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufactured]") {
-  Check check(
-      "particles_piston", "Accelerated piston",
-      "A piston that moves into still water with velocity $v = b t^2$ makes a simple wave: until it breaks, the "
-      "celerity "
-      "at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the thrust $c^4/(2g)$.",
-      "Stoker, Water Waves (1957), section 10.3");
+  Check check("particles_piston", "Accelerated piston",
+              "A piston that moves into still water with velocity $v = b t^2$ makes a simple wave: until it breaks, "
+              "the celerity at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the "
+              "thrust $c^4/(2g)$.",
+              "Stoker, Water Waves (1957), section 10.3");
   constexpr double b = 0.2;
   constexpr double end = 2;
   const double c = std::sqrt(g);

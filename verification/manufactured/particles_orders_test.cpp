@@ -41,8 +41,7 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
                     .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
   std::vector<double> second_order;
   for (const Level level : {Level::godunov, Level::muscl, Level::hand_over}) {
-    std::vector<double> sizes;
-    std::vector<double> errors;
+    std::vector<double> sizes, errors;
     for (const std::size_t count : {std::size_t{200}, std::size_t{400}, std::size_t{800}, std::size_t{1600}}) {
       Scheme scheme;
       scheme.level = level;
@@ -67,8 +66,8 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
           .that("order_" + name, "The depth of scheme " + name + " converges at second order.", "order of L1(h)",
                 observed_order(sizes, errors),
                 Order{2, 0.5,
-                      "the limiter drops to first order over a few particles at the crest, whose share of L1 "
-                      "shrinks faster than second order"});
+                      "the limiter drops to first order over a few particles at the crest, whose share of L1 shrinks "
+                      "faster than second order"});
     }
     if (level == Level::muscl) second_order = errors;
     if (level == Level::hand_over) {
@@ -86,9 +85,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
               "that masses stay exact. Edges and mass-mean velocities have exact references.",
               "method of manufactured solutions");
   const validation::LagrangianManufactured exact(gravity);
-  std::vector<double> sizes;
-  std::vector<double> edge_errors;
-  std::vector<double> velocity_errors;
+  std::vector<double> sizes, edge_errors, velocity_errors;
   for (const std::size_t count : {std::size_t{320}, std::size_t{480}, std::size_t{640}, std::size_t{960}}) {
     Particles start;
     start.edge = equal_width_edges(0, 1, count);
@@ -101,8 +98,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
     forcing.body_force = [&](double x, double t) { return exact.source(x, t); };
     ParticleFlow flow(start, {}, forcing);
     flow.advance_to(1);
-    double edge = 0;
-    double velocity = 0;
+    double edge = 0, velocity = 0;
     const auto n = static_cast<double>(count);
     for (std::size_t k = 0; k <= count; ++k) {
       edge += std::abs(flow.particles().edge[k] - exact.position(labels[k], 1)) / n;
@@ -118,16 +114,16 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
           .that("momentum", "Momentum equals the impulses of walls and source.", "momentum defect [m^3/s]",
                 {.value = flow.momentum_defect(), .resolution = "N = 320"},
                 Roundoff{6, flow.ledger().left_impulse.value(),
-                         "the books of the walls and of the source, their sum, and what is left of three numbers "
-                         "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "
-                         "of single particles are a thousandth of that"});
+                         "the books of the walls and of the source, their sum, and what is left of three numbers are "
+                         "rounded once, as large as the impulse of a wall, for sums are compensated; momenta of single "
+                         "particles are a thousandth of that"});
     }
   }
   check.that("edges", "Positions of the edges converge at second order.", "order of L1(x)",
              observed_order(sizes, edge_errors),
              Order{2, 0.35,
-                   "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited "
-                   "extrema and of the rest cancel on coarse rows"});
+                   "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited extrema and of "
+                   "the rest cancel on coarse rows"});
   check.that("velocities", "Velocities of the particles converge at second order.", "order of L1(u)",
              observed_order(sizes, velocity_errors),
              Order{2, 0.35, "approaches 2 from above: the limited extrema shrink with the width"});

@@ -99,12 +99,11 @@ TEST_CASE("a wall is a mirror", "[manufactured]") {
 }
 
 TEST_CASE("water that leaves through a section takes its mass and momentum along", "[manufactured]") {
-  Check check(
-      "particles_outflow", "A fan through a fixed section",
-      "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows the "
-      "water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
-      "their integrals. To the left the same, bit by bit but for the order of sums.",
-      "Ritter (1892)");
+  Check check("particles_outflow", "A fan through a fixed section",
+              "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows "
+              "the water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
+              "their integrals. To the left the same, bit by bit but for the order of sums.",
+              "Ritter (1892)");
   const double c0 = std::sqrt(g);
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   const auto passed = [&](int power) {
@@ -134,11 +133,12 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
   };
   order("mass", "The mass that has left is of second order.", mass);
   order("momentum", "The momentum that has left is second-order in the particle spacing.", momentum);
-  check.from(source).that("mirrored", "To the left the same passes as to the right.",
-                          "largest difference of mass or momentum", {asymmetry.value()},
-                          Roundoff{100.0 * 6 * 640, passed(2),
-                                   "a hundred rounded operations per step near the section, of numbers up to the "
-                                   "momentum that has passed"});
+  check.from(source).that(
+      "mirrored", "To the left the same passes as to the right.", "largest difference of mass or momentum",
+      {asymmetry.value()},
+      Roundoff{
+          100.0 * 6 * 640, passed(2),
+          "a hundred rounded operations per step near the section, of numbers up to the momentum that has passed"});
 }
 
 TEST_CASE("a particle that a jump has left is in the state behind it", "[manufactured]") {
@@ -190,10 +190,9 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
                 2 * std::sqrt(g) * std::pow(tip.edge_depth, 1.5) / (1.5 * e + 1) - mean.depth * mean.velocity);
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
-                Roundoff{100, 2,
-                         "the exponent is found to a rounding by halving; momenta up to 2, in some thirty "
-                         "operations"});
+    check.holds(
+        id + ": " + text, {value},
+        Roundoff{100, 2, "the exponent is found to a rounding by halving; momenta up to 2, in some thirty operations"});
   };
   claim("mass", "The mass under the tip's profile equals the particle's mass.", masses.value());
   claim("momentum", "The momentum that has left is second-order in the particle spacing.", momenta.value());

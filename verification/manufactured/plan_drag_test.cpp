@@ -67,8 +67,7 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
       "Manning's law");
   const std::vector<double> steps{0.1, 0.05, 0.025, 0.0125};
   std::vector<double> off;
-  double lost = 0;
-  double volumes = 0;
+  double lost = 0, volumes = 0;
   for (const double tau : steps) {
     Flow flow(sloshing(), {}, {.stepping = Stepping::conservative}, {.gravity = 1, .drag = {.manning = manning}});
     const double before = flow.energy();
@@ -210,9 +209,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
         return Point{std::sin(12.9 * at * at), std::cos(7.3 * at * at)};
       },
       0.1, masses, inverse);
-  double momentum = 0;
-  double energy_before = 0;
-  double energy_after = 0;
+  double momentum = 0, energy_before = 0, energy_after = 0;
   for (std::size_t k = 0; k < n; ++k) {
     momentum += masses[k] * (tamed[k] - wild[k] + tamed[n + k] - wild[n + k]);
     energy_before += masses[k] * (wild[k] * wild[k] + wild[n + k] * wild[n + k]);
@@ -226,11 +223,10 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
 }
 
 TEST_CASE("steep water that runs together exchanges momentum and other water does not", "[manufactured]") {
-  Check check(
-      "plan_breaking", "Breaking in plan",
-      "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
-      "sixth column, what is steeper than 2 begins to break. Velocities before and after a short time. Then the "
-      "step falls to 0.6, where it is a bore of Froude number 1.55, and to 0.2, of 1.19.");
+  Check check("plan_breaking", "Breaking in plan",
+              "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
+              "sixth column, what is steeper than 2 begins to break. Velocities before and after a short time. Then "
+              "the step falls to 0.6, where it is a bore of Froude number 1.55, and to 0.2, of 1.19.");
   Lattice lattice =
       rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
   const std::size_t n = lattice.shape.nodes();
@@ -310,8 +306,8 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   other.shift_east();
   const double shifted = changed(change(other, 4, 0.6, meet_at(4), 0.1));
   check.that("goes-on",
-             "What broke breaks on, though it is not steep any more; so it does in a flow that goes on with "
-             "it, a column further west when that one's window moves.",
+             "What broke breaks on, though it is not steep any more; so it does in a flow that goes on with it, a "
+             "column further west when that one's window moves.",
              "both change velocities", {goes_on > 0.01 && shifted > 0.01 ? 1.0 : 0.0},
              Qualitative{"more than 0.01 of 0.5", "0.1 times a rate of some 10 changes a third of them"});
   Worst others;
@@ -319,8 +315,8 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   others.add(changed(change(drag, 5, 1.2, away, 0.1)));
   others.add(changed(change(drag, 5, 0.6, together, 0.1)));
   check.that("others",
-             "What is no bore any more, water that runs apart, and a step that is not steep and did not "
-             "break, stay as they are.",
+             "What is no bore any more, water that runs apart, and a step that is not steep and did not break, stay as "
+             "they are.",
              "largest change of a velocity", {others.value()}, Roundoff{1, 1, "nothing is computed"});
 }
 

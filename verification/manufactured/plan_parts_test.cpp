@@ -107,8 +107,8 @@ TEST_CASE("cells of the plan model hold the water between surface and bottom", "
   check.that("volume", "The volume of every cell is the integral of the depth.", "largest difference of a volume [m^3]",
              {worst.value()},
              Roundoff{40, 10,
-                      "four sides of three points, each the bottom's integral along x, up to 8 deep and 8 "
-                      "long, times a side of about one"});
+                      "four sides of three points, each the bottom's integral along x, up to 8 deep and 8 long, times "
+                      "a side of about one"});
 }
 
 TEST_CASE("a step over an uneven bottom carries velocities without a change of energy", "[manufactured]") {
@@ -195,13 +195,12 @@ TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
 }
 
 TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
-  Check check(
-      "plan_shore_moment", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
-      "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. A "
-      "canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a whole "
-      "has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the integral "
-      "over both parameters is taken by Gauss's rule of 7 x 7 points.",
-      "closed form");
+  Check check("plan_shore_moment", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
+              "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. "
+              "A canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a "
+              "whole has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the "
+              "integral over both parameters is taken by Gauss's rule of 7 x 7 points.",
+              "closed form");
   const auto lattice_over = [](std::vector<PolynomialBottom::Term> terms) {
     Lattice lattice = rectangular_lattice({.begin = 0, .end = 3, .south = 0, .north = 2, .columns = 3, .rows = 2});
     lattice.bottom = std::make_shared<PolynomialBottom>(std::move(terms));
@@ -303,9 +302,7 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
     const std::string where = inclined ? "inclined" : "level";
     const auto claim = [&](const std::string& id, const std::string& text, double value) {
       check.holds(where + "-" + id + ": " + text, {value},
-                  Roundoff{60, 20,
-                           "volumes from places up to 7 deep and wide, in some "
-                           "sixty operations"});
+                  Roundoff{60, 20, "volumes from places up to 7 deep and wide, in some sixty operations"});
     };
     claim("volume", "A new cell holds its width times the depth in its middle.", volume.value());
     claim("constraints", "The shifted state meets its constraints.", defect.value());

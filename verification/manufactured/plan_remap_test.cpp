@@ -59,9 +59,8 @@ Errors errors(std::size_t n) {
 
 TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   Check check("plan_remap_order", "Remap of the two-dimensional horizontal model: order",
-              "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
-              "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
-              "at the new nodes.",
+              "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are exchanged for "
+              "others: nodes move by up to 0.3 of a cell. Root mean squares of the errors at the new nodes.",
               "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
   std::vector<double> sizes, of_elevation, of_velocity;
   for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
@@ -76,8 +75,8 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   panel.line("velocity", sizes, of_velocity, evidence::Role::peer);
   validation::slope_guide(panel, 3, sizes, of_velocity.back() * 1.5);
   const Order third{3, 0.3,
-                    "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
-                    "carries along, by h^2 times the change of the cell's size, h"};
+                    "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation carries "
+                    "along, by h^2 times the change of the cell's size, h"};
   check.that("elevation", "Elevations are carried to third order.", "observed order",
              observed_order(sizes, of_elevation), third);
   check.that("velocity", "Velocities after the remap are of second order.", "observed order",

@@ -44,8 +44,8 @@ void check_moments(Check& check, const std::string& id, const std::string& name,
     const Roundoff limit{.operations = 40,
                          .scale = 1,
                          .reason =
-                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; "
-                             "those of single points average out",
+                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; those "
+                             "of single points average out",
                          .expected = expected};
     const std::string q = power == 0 ? "1" : "q^" + std::to_string(power);
     check.holds(id + "-moment-" + std::to_string(power) + ": The " + name + " has the moment of " + q +
@@ -58,8 +58,7 @@ void check_moments(Check& check, const std::string& id, const std::string& name,
 }
 
 struct LatticeRow {
-  std::string id;
-  std::string name;
+  std::string id, name;
   verification::LatticeSums sums;
   double zeroth, first;
   int neighbours;
@@ -69,9 +68,9 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
   const std::string cubic_source = "Monaghan and Lattanzio, Astron. Astrophys. 149 (1985) 135; integration by hand";
   Check check(
       "wcsph_kernels", "Smoothing kernels",
-      "Moments in the plane against exact fractions, of the value and, by parts, of the slope. Sums over square "
-      "and body-centred lattices: the sum of $V W$, the factor $M = -\\sum V x\\,\\partial W/\\partial x$ by "
-      "which the uncorrected first derivative is wrong however fine the lattice, and the number of neighbours.");
+      "Moments in the plane against exact fractions, of the value and, by parts, of the slope. Sums over square and "
+      "body-centred lattices: the sum of $V W$, the factor $M = -\\sum V x\\,\\partial W/\\partial x$ by which the "
+      "uncorrected first derivative is wrong however fine the lattice, and the number of neighbours.");
   check_moments<CubicSpline>(check, "cubic", "cubic spline", {1, 31.0 / 49, 635.0 / 882});
   check_moments<WendlandC2>(check, "wendland", "Wendland kernel", {1, 5.0 / 9, 56.0 / 99});
   const double h = 0.0148;
@@ -137,9 +136,7 @@ TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong toget
   check.source(source);
   const TaitFluid water(1000, 14.96);
   using Gauss = boost::math::quadrature::gauss<double, 15>;
-  Worst inverse;
-  Worst sound;
-  Worst energy;
+  Worst inverse, sound, energy;
   const double stiffness = 1000 * 14.96 * 14.96 / 7;
   for (double density = 920; density < 1100; density += 20) {
     inverse.add(water.density_at(water.pressure(density)) - density);

@@ -34,8 +34,7 @@ Errors errors(std::size_t n, double jitter, double smoothing) {
   for (std::size_t a = 0; a < count; ++a) f[a] = std::sin(two_pi * cloud.x[a]) * std::cos(two_pi * cloud.z[a]);
   const std::vector<Operators> computed = operators<CubicSpline>(cloud, smoothing / static_cast<double>(n), f);
   Errors e{};
-  double norm = 0;
-  double gradient_norm = 0;
+  double norm = 0, gradient_norm = 0;
   for (std::size_t a = 0; a < count; ++a) {
     const Operators& at = computed[a];
     const Eigen::Vector2d gradient =
@@ -114,8 +113,8 @@ void check_printed(Check& check, const std::vector<Errors>& table, const std::ve
           fmt::format("The error of the {} at N = {} has its recorded value (regression).", row.operator_name, n),
           {table[2 * k].*row.error},
           Bound{row.half_digits[k] + scatter,
-                disordered ? "half a unit of the last printed digit, and three standard deviations of "
-                             "two norms over N^2/20 independent samples each"
+                disordered ? "half a unit of the last printed digit, and three standard deviations of two norms over "
+                             "N^2/20 independent samples each"
                            : "half a unit of the last printed digit",
                 row.values[k]});
     }
@@ -129,12 +128,11 @@ void check_order(Check& check, const std::string& id, const std::string& text, c
 }
 
 TEST_CASE("on a square lattice operators tend to their lattice sums with second order", "[manufactured]") {
-  Check check(
-      "wcsph_operators_lattice", "Operators of particles on a square lattice",
-      "$f = \\sin 2\\pi x\\,\\cos 2\\pi z$ on the periodic unit square, cubic spline, $h/dx = 1.3$. A plane wave "
-      "remains one: each operator multiplies it by a factor, which tends with order 2 not to 1 but to the "
-      "operator's sum over the lattice, so that the error of the first derivative tends to $|M-1| = 1.05\\,\\%$ "
-      "(changing its sign on the way). Moving least squares alone has the factor 1 exactly.");
+  Check check("wcsph_operators_lattice", "Operators of particles on a square lattice",
+              "$f = \\sin 2\\pi x\\,\\cos 2\\pi z$ on the periodic unit square, cubic spline, $h/dx = 1.3$. A plane "
+              "wave remains one: each operator multiplies it by a factor, which tends with order 2 not to 1 but to the "
+              "operator's sum over the lattice, so that the error of the first derivative tends to $|M-1| = "
+              "1.05\\,\\%$ (changing its sign on the way). Moving least squares alone has the factor 1 exactly.");
   std::vector<Errors> table;
   for (const std::size_t n : sizes) table.push_back(errors(n, 0, 1.3));
   const LatticeSums sums = lattice_sums<CubicSpline>(1.3);
@@ -151,11 +149,11 @@ TEST_CASE("on a square lattice operators tend to their lattice sums with second 
     check.holds(
         fmt::format("mls-{}", sizes[k]) + ": Moving least squares on a lattice is interpolation over its own sum.",
         {table[k].moving_least_squares},
-        Roundoff{2.0 / 3 * static_cast<double>(sizes[k] * sizes[k]) + 100, 1,
-                 "the factor is a quotient of two sums over N^2 particles, whose partial sums have a "
-                 "third of the square of the whole in the mean; two sums of 21 terms and a 3 x 3 "
-                 "solution, some 100 roundings of numbers up to 1",
-                 1 - table[k].interpolation_factor / sums.zeroth});
+        Roundoff{
+            2.0 / 3 * static_cast<double>(sizes[k] * sizes[k]) + 100, 1,
+            "the factor is a quotient of two sums over N^2 particles, whose partial sums have a third of the square of "
+            "the whole in the mean; two sums of 21 terms and a 3 x 3 solution, some 100 roundings of numbers up to 1",
+            1 - table[k].interpolation_factor / sums.zeroth});
   }
   check_printed(
       check, table,
@@ -201,10 +199,9 @@ TEST_CASE("on disordered particles only moving least squares keeps its order", "
 }
 
 TEST_CASE("operators converge on disordered particles when the number of neighbours grows", "[manufactured]") {
-  Check check(
-      "wcsph_operators_growing_support", "Operators with a growing number of neighbours",
-      "Disorder of 0.2 dx and $h/dx = 1.3\\sqrt{N/32}$: h tends to 0 as the square root of the spacing, so that "
-      "errors of order $h^2$ appear with order 1.");
+  Check check("wcsph_operators_growing_support", "Operators with a growing number of neighbours",
+              "Disorder of 0.2 dx and $h/dx = 1.3\\sqrt{N/32}$: h tends to 0 as the square root of the spacing, so "
+              "that errors of order $h^2$ appear with order 1.");
   std::vector<Errors> table;
   for (const std::size_t n : sizes) table.push_back(errors(n, 0.2, 1.3 * std::sqrt(static_cast<double>(n) / 32)));
   const Order first{1, 0.25, "order 2 in h; scatter and discrete sums of few neighbours at the coarse end"};

@@ -22,8 +22,7 @@ struct Errors {
 
 /// Semi-axis along z from second moments.
 double semi_axis(const Particles& p) {
-  double mass = 0;
-  double moment = 0;
+  double mass = 0, moment = 0;
   for (std::size_t a = 0; a < p.size(); ++a) {
     mass += p.mass[a];
     moment += p.mass[a] * p.z[a] * p.z[a];
@@ -131,8 +130,7 @@ const std::string article =
     "A circle of radius 1 with $u = (-x, z)$, no gravity, no viscosity, $c_0 = 14$, smoothed motion, from the exact "
     "pressure. Semi-axis from second moments, velocity against the exact linear field, energy, momentum. To t = 1, "
     "where the circle has become 2.3 times as long: beyond, rows of the lattice lie two smoothing lengths apart and "
-    "the "
-    "cubic spline without viscosity tears.";
+    "the cubic spline without viscosity tears.";
 
 TEST_CASE("a stretching patch of cubic splines follows the exact drop", "[manufactured]") {
   Check check("wcsph_stretching_patch", "Free patch that is stretched, cubic spline", article);

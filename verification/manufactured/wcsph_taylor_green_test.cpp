@@ -90,10 +90,7 @@ Decay run(const Vortices& vortices, Run wanted) {
   Flow flow(std::move(particles), dx, settings);
   Decay decay{};
   const auto record = [&] {
-    double projection = 0;
-    double norm = 0;
-    double square = 0;
-    double error = 0;
+    double projection = 0, norm = 0, square = 0, error = 0;
     const double exact = std::exp(-vortices.rate() * flow.time());
     const Particles& p = flow.particles();
     for (std::size_t a = 0; a < p.size(); ++a) {
@@ -164,13 +161,12 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
   Check check(
       "wcsph_taylor_green", "Taylor-Green vortices at Reynolds number 10",
       "$u = (-\\cos kx \\sin kz,\\ \\sin kx \\cos kz)\\,e^{-2\\nu k^2 t}$ on the periodic unit square, $\\nu = 0.1$, "
-      "$c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact mode "
-      "over one decay time.\n\n"
-      "Two things make it slow. At the start it is that of the operator on the lattice, a sum that is known. Then the "
-      "flow strains the lattice, and 21 neighbours of a strained lattice give the second derivative 1 % too small: in "
-      "the mean over the decay time, with any spacing, for the strain does not know the spacing. With a wider kernel "
-      "it is gone. The rates of an earlier program, 0.3 to 0.5 % higher, are those of a flow that is strained less: "
-      "after half of the time, or from a uniform density, ours come as near.");
+      "$c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact mode over one "
+      "decay time.\n\nTwo things make it slow. At the start it is that of the operator on the lattice, a sum that is "
+      "known. Then the flow strains the lattice, and 21 neighbours of a strained lattice give the second derivative 1 "
+      "% too small: in the mean over the decay time, with any spacing, for the strain does not know the spacing. With "
+      "a wider kernel it is gone. The rates of an earlier program, 0.3 to 0.5 % higher, are those of a flow that is "
+      "strained less: after half of the time, or from a uniform density, ours come as near.");
   const Vortices vortices{0.1};
   struct Row {
     std::string id, name;
@@ -186,8 +182,8 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
     check.holds(fmt::format("The rate of decay has its recorded value (regression) ({}).", row.name),
                 {decay.rate_over(vortices.rate())},
                 Bound{0.01,
-                      "the strain of the lattice takes as much, and how much there is of it depends on the "
-                      "start and on when one reads it",
+                      "the strain of the lattice takes as much, and how much there is of it depends on the start and "
+                      "on when one reads it",
                       row.printed});
     check.holds(fmt::format("The velocity field agrees with the vortices ({}).", row.name), {decay.velocity_error},
                 Bound{0.02, "regression: 1e-2 in an earlier program; factor 2 for the start"});
@@ -199,14 +195,13 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
 
 TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain scheme loses them",
           "[manufactured][full]") {
-  Check check(
-      "wcsph_particle_shifting", "Taylor-Green vortices at Reynolds number 100: particle shifting",
-      "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
-      "plain scheme loses its energy too fast, with the cubic spline by a factor. Shifting against the gradient "
-      "of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
+  Check check("wcsph_particle_shifting", "Taylor-Green vortices at Reynolds number 100: particle shifting",
+              "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
+              "plain scheme loses its energy too fast, with the cubic spline by a factor. Shifting against the "
+              "gradient of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
   const std::string shifting =
-      "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, "
-      "Marrone and Zhang, Comput. Methods Appl. Mech. Eng. 315 (2017) 25";
+      "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, Marrone and Zhang, Comput. "
+      "Methods Appl. Mech. Eng. 315 (2017) 25";
   check.source(shifting);
   const Vortices vortices{0.01};
   const Settings wide{.kernel = KernelName::wendland_c2, .smoothing = 2};
@@ -222,8 +217,8 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
              "rate of decay of the kinetic energy over 4 nu k^2",
              {.value = energy_rate(shifted), .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.05,
-                   "published decays with shifting agree with the exact one to the width of their lines; the "
-                   "plain scheme is wrong by a third to a factor",
+                   "published decays with shifting agree with the exact one to the width of their lines; the plain "
+                   "scheme is wrong by a third to a factor",
                    1});
   check.that("velocity", "The velocity field agrees with the exact vortices.",
              "L2 of the velocity error over the initial speed, after one decay time",

@@ -42,11 +42,11 @@ Flow with_pressure(double spacing, const Settings& settings, double along, doubl
 
 TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the water beside it", "[manufactured]") {
   Check check("wcsph_wall_gauge", "Pressure on a gauge in a wall",
-              "A tank of water 1 m x 0.5 m with given pressures and a round gauge in its wall. Hydrostatic: the "
-              "gauge reads $\\rho_0 g$ times the depth of its middle. A pressure that rises along the wall: about a "
-              "height about which the lattice is symmetric its mean is that of the middle, to round-off. One that "
-              "rises towards the wall: read as far inside as the weights have their centre; half the spacing halves "
-              "the error. Where there is no water there is no pressure.",
+              "A tank of water 1 m x 0.5 m with given pressures and a round gauge in its wall. Hydrostatic: the gauge "
+              "reads $\\rho_0 g$ times the depth of its middle. A pressure that rises along the wall: about a height "
+              "about which the lattice is symmetric its mean is that of the middle, to round-off. One that rises "
+              "towards the wall: read as far inside as the weights have their centre; half the spacing halves the "
+              "error. Where there is no water there is no pressure.",
               source);
   const double spacing = 0.025;
   const double diameter = 0.02;
@@ -74,13 +74,13 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
     const Flow flow = with_pressure(dx, water(0), 0, 4000);
     errors[halving] = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter / (1 << halving)}, flow) - 5000;
   }
-  check.that("normal", "A pressure that rises towards the wall is read where the weights have their centre.",
-             "error over its gradient times h", {errors[0] / (4000 * 2 * spacing)},
-             Bound{0.02,
-                   "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the "
-                   "lattice at h/4, 3h/4, ... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 "
-                   "the kernel's integral along the wall",
-                   -0.424});
+  check.that(
+      "normal", "A pressure that rises towards the wall is read where the weights have their centre.",
+      "error over its gradient times h", {errors[0] / (4000 * 2 * spacing)},
+      Bound{0.02,
+            "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the lattice at h/4, 3h/4, "
+            "... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 the kernel's integral along the wall",
+            -0.424});
   check.that("order", "Half the spacing halves that error.", "error over that with twice the spacing",
              {errors[1] / errors[0]}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
 }

@@ -25,9 +25,7 @@ constexpr double amplitude = 0.3;
 constexpr double longest_run = 8;  // then from the beginning again: before the wave reaches the wall
 
 struct Solver {
-  long solves = 0;
-  long iterations = 0;
-  long factorisations = 0;
+  long solves = 0, iterations = 0, factorisations = 0;
 
   Solver& operator+=(const Solver& other) {
     solves += other.solves;

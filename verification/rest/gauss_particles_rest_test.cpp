@@ -45,25 +45,24 @@ double highest_marker(const Flow& flow) {
 }
 
 TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
-  Check check(
-      "gauss_particles_rest", "Free particles at rest",
-      "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat bottom "
-      "gravity's part in the space is zero to round-off, on a lattice that stays and on one that is shifted at "
-      "random. Over an uneven bottom the sums over particles are no exact integrals: the water is accelerated by "
-      "O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.",
-      source);
+  Check check("gauss_particles_rest", "Free particles at rest",
+              "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat "
+              "bottom gravity's part in the space is zero to round-off, on a lattice that stays and on one that is "
+              "shifted at random. Over an uneven bottom the sums over particles are no exact integrals: the water is "
+              "accelerated by O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.",
+              source);
   for (const bool shift : {false, true}) {
     Flow flow = still(false, 20, 6, 0.01, shift);
     flow.advance_to(10, 0.03, [&] { flow.observe(); });
-    check.holds(std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
-                    (shift ? "is shifted at random." : "stays."),
-                {highest_marker(flow)},
-                Roundoff{333 * 333, 1,
-                         "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in "
-                         "all later ones"});
+    check.holds(
+        std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
+            (shift ? "is shifted at random." : "stays."),
+        {highest_marker(flow)},
+        Roundoff{
+            333 * 333, 1,
+            "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in all later ones"});
   }
-  std::vector<double> spacing;
-  std::vector<double> acceleration;
+  std::vector<double> spacing, acceleration;
   for (const int per_side : {8, 12, 16, 24, 32}) {
     Flow flow = still(true, 20, per_side, 0, false);
     constexpr double tau = 0.03;
@@ -71,14 +70,13 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
     spacing.push_back(1.0 / per_side);
     acceleration.push_back(worst(flow.model().projected()) * 2 / tau);
   }
-  check.that(
-      "uneven-order",
-      "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
-      "order of the largest acceleration", observed_order(spacing, acceleration),
-      Order{4, 0.5,
-            "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
-            "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the "
-            "row: s^3.5 in a mean, not less"});
+  check.that("uneven-order",
+             "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
+             "order of the largest acceleration", observed_order(spacing, acceleration),
+             Order{4, 0.5,
+                   "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the "
+                   "lattice, at which second derivatives of the velocities jump, a sum errs by s^3 with a sign that "
+                   "changes along the row: s^3.5 in a mean, not less"});
   Flow flow = still(true, 20, 12, 0.01, false);
   flow.advance(0.03);
   const double first = worst(flow.model().projected()) * 2 / 0.03;
@@ -95,8 +93,7 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
              "largest defect of the energy after booking",
              {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
              Roundoff{333, 1e-2,
-                      "one rounding per step of potential energies m g (y - y0), which are sums of terms below "
-                      "1e-2"});
+                      "one rounding per step of potential energies m g (y - y0), which are sums of terms below 1e-2"});
 }
 
 }  // namespace seiche::verification::gauss_particles_rest_test

@@ -37,11 +37,10 @@ std::vector<Lake> lakes() {
 }
 
 TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit", "[rest]") {
-  Check check(
-      "lagrangian_mesh_3d_rest", "Still water on random hexahedral meshes",
-      "12 x 8 x 3 cells, inner nodes moved at random by up to a tenth of a cell. The potential energy counts from "
-      "the still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the mesh. "
-      "1000 steps of 0.1.");
+  Check check("lagrangian_mesh_3d_rest", "Still water on random hexahedral meshes",
+              "12 x 8 x 3 cells, inner nodes moved at random by up to a tenth of a cell. The potential energy counts "
+              "from the still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the "
+              "mesh. 1000 steps of 0.1.");
   for (const Lake& lake : lakes()) {
     for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
       HexahedralProblem problem(jittered(lake.mesh, 0.03, 3));

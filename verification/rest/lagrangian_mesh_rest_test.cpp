@@ -60,12 +60,11 @@ std::vector<Lake> lakes() {
 }
 
 TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") {
-  Check check(
-      "lagrangian_mesh_rest", "Still water on random meshes",
-      "12 x 5 cells, nodes moved at random by up to 10 % of a cell: interior ones anywhere, those at walls along "
-      "them, those at the surface along it. The potential energy of the polygon of water is counted from the "
-      "still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the mesh. "
-      "Two meshes each; 10000 steps of 0.02.");
+  Check check("lagrangian_mesh_rest", "Still water on random meshes",
+              "12 x 5 cells, nodes moved at random by up to 10 % of a cell: interior ones anywhere, those at walls "
+              "along them, those at the surface along it. The potential energy of the polygon of water is counted from "
+              "the still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the "
+              "mesh. Two meshes each; 10000 steps of 0.02.");
   for (const Lake& lake : lakes()) {
     for (const Integrator integrator : {Integrator::one_step, Integrator::conservative}) {
       Largest moved;

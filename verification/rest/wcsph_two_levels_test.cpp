@@ -64,13 +64,11 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   constexpr double low = 0.1;
   const Settings plain = still(WallPressure::dynamic);
   const TaitFluid fluid(plain.density, plain.sound_speed, plain.exponent);
-  Worst pressure_error;
-  Worst area_error;
+  Worst pressure_error, area_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     const Scene scene = levels(low, lattice, plain);
     const Particles& p = scene.particles;
-    double behind = 0;
-    double ahead = 0;
+    double behind = 0, ahead = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const bool in_column = p.x[i] <= column;
       const double expected = std::max((in_column ? high : low) - p.z[i], 0.0);
@@ -87,8 +85,7 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   check.that("area", "Column and water ahead have the area of their rectangles.", "largest relative error",
              {area_error.value()}, Roundoff{900, 1, "a rounding per particle of up to 900 on a side"});
 
-  Worst place_error;
-  Worst density_error;
+  Worst place_error, density_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     const Scene level = levels(high, lattice, plain);
     const Scene whole = tank({.width = basin, .depth = high, .spacing = dx, .lattice = lattice}, plain);
@@ -121,8 +118,8 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
              "rate of the momentum over rho g (H^2 - h^2)/2",
              {push / (0.5 * plain.density * gravity * (high * high - low * low))},
              Bound{dx / high,
-                   "where the surface meets the wall half of a spacing of water is not known better: the "
-                   "pressure at the floor over that height",
+                   "where the surface meets the wall half of a spacing of water is not known better: the pressure at "
+                   "the floor over that height",
                    1});
 
   Flow rest(levels(high, Lattice::square, followed).particles, dx, followed);

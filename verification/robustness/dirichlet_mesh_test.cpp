@@ -51,8 +51,7 @@ Eigen::MatrixXd responses(const Mesh& mesh) {
 }
 
 struct Rank {
-  long cells = 0;
-  long rank = 0;
+  long cells = 0, rank = 0;
   Eigen::MatrixXd null_vectors;  ///< in columns
 };
 
@@ -67,12 +66,11 @@ Rank rank_of(const Mesh& mesh) {
 }
 
 TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jittered ones are not", "[robustness]") {
-  Check check(
-      "dirichlet_mesh_rank", "Pressures without forces",
-      "Singular values of the forces that pressures of the cells make, $W^{1/2} G^T$ up to masses. A rectangular "
-      "lattice of 25 x 9 nodes in a tank has two pressures without any force: they are chequered, along one axis "
-      "at least. Staggered rows and jittered meshes have none. Without stabilisation the model refuses "
-      "the lattice and says what to do.");
+  Check check("dirichlet_mesh_rank", "Pressures without forces",
+              "Singular values of the forces that pressures of the cells make, $W^{1/2} G^T$ up to masses. A "
+              "rectangular lattice of 25 x 9 nodes in a tank has two pressures without any force: they are chequered, "
+              "along one axis at least. Staggered rows and jittered meshes have none. Without stabilisation the model "
+              "refuses the lattice and says what to do.");
   Layer layer{.begin = 0, .end = 3, .columns = 24, .rows = 8};
   layer.staggered = false;
   const Mesh rectangular = layer_mesh(layer);

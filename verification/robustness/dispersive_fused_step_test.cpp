@@ -95,8 +95,8 @@ Roundoff limit(int steps, double length) {
   return {.operations = 2.0 * steps * 64 + length * length,
           .scale = 1,
           .reason =
-              "both ways add the same to a place, but for roundings of rates and multipliers of order 1, some 64 "
-              "in a step; by these a place, up to the channel's length, may round the other way for once"};
+              "both ways add the same to a place, but for roundings of rates and multipliers of order 1, some 64 in a "
+              "step; by these a place, up to the channel's length, may round the other way for once"};
 }
 
 /// The scheme reflects what feedback puts into the rates and never damps it.
@@ -104,18 +104,17 @@ Roundoff fed_back(double scale) {
   return {.operations = 2.0 * 1000,
           .scale = scale,
           .reason =
-              "feedback divides the rounding of places, up to 75, by tau in every step; impulses become "
-              "multipliers by 2/tau"};
+              "feedback divides the rounding of places, up to 75, by tau in every step; impulses become multipliers by "
+              "2/tau"};
 }
 
 /// Around the blocks of 256 markers, in which the passes go.
 const std::vector<std::size_t> sizes{60, 255, 256, 257, 511, 512, 700, 1024, 1300};
 
 TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") {
-  Check check(
-      "dispersive_fused_step", "Dispersive shallow water: fused and separate passes, one-step scheme",
-      "A pulse of velocity 0.1 in the middle of the water splits in two, 1000 steps of 0.05. Once with the fused "
-      "step, once with the separate calls.");
+  Check check("dispersive_fused_step", "Dispersive shallow water: fused and separate passes, one-step scheme",
+              "A pulse of velocity 0.1 in the middle of the water splits in two, 1000 steps of 0.05. Once with the "
+              "fused step, once with the separate calls.");
   const int steps = 1000;
   for (const Basin& basin : basins()) {
     const Markers markers = pushed_water(basin.channel, 300);

@@ -76,10 +76,9 @@ TEST_CASE("a pressure that is not a number stops with time, step and place", "[r
 }
 
 TEST_CASE("steps beyond the stability limit are counted, and too long ones stop", "[robustness]") {
-  Check check(
-      "dispersive_long_steps", "Steps beyond the stability limit",
-      "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and counted; "
-      "a wave in steps of 20 depths' travel time makes markers cross or the iteration fail.");
+  Check check("dispersive_long_steps", "Steps beyond the stability limit",
+              "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and "
+              "counted; a wave in steps of 20 depths' travel time makes markers cross or the iteration fail.");
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
   Flow still(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)));
   const double limit = still.stable_step();

@@ -155,10 +155,9 @@ TEST_CASE("bad markers are refused with name, value and range", "[robustness]") 
 }
 
 TEST_CASE("bad starts, schemes and steps are refused with name, value and range", "[robustness]") {
-  Check check(
-      "dispersive_bad_start", "Bad starts and steps of the dispersive model",
-      "Waves and labels that make no sense, names of schemes that do not exist, and lengths of steps. A refused "
-      "step changes nothing.");
+  Check check("dispersive_bad_start", "Bad starts and steps of the dispersive model",
+              "Waves and labels that make no sense, names of schemes that do not exist, and lengths of steps. A "
+              "refused step changes nothing.");
   Refusals refusals(check);
   const Channel channel = level_channel();
   refusals.refused("Labels of one cell.", {"cells", "= 1", "at least 2"}, [&] { equal_labels(channel, 0, 1, 1); });

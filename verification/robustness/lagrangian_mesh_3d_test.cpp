@@ -110,10 +110,9 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
 }
 
 TEST_CASE("a wave that folds hexahedra at a wall stops with time, step and place", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_3d_fold", "A high wave inverts hexahedra at a wall",
-      "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake the "
-      "wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
+  Check check("lagrangian_mesh_3d_fold", "A high wave inverts hexahedra at a wall",
+              "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake "
+              "the wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
   constexpr double a = 0.7;
   const double celerity = std::sqrt(1 + a);
   const double decay = std::sqrt(0.75 * a / (1 + a));
@@ -141,10 +140,9 @@ TEST_CASE("a wave that folds hexahedra at a wall stops with time, step and place
 }
 
 TEST_CASE("a moving window that follows still water changes nothing", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_3d_window", "A moving window over still water",
-      "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. Nothing moves, "
-      "and the window stands where it should.");
+  Check check("lagrangian_mesh_3d_window", "A moving window over still water",
+              "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. Nothing "
+              "moves, and the window stands where it should.");
   Layer layer = still_layer();
   layer.sides.west = plan_lattice::HeldSide{};
   Flow flow(layer_mesh(layer), {}, {}, {}, {.reach = [](double t) { return 4 + t; }});

@@ -41,10 +41,9 @@ TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place"
 }
 
 TEST_CASE("a node that leaves the curve of its wall stops with time, step and place", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_short_curve", "A node leaves the curve it slides along",
-      "The curve of a wall of slope 1 ends 0.05 above the still-water level. A surge of 0.3 carries the contact point "
-      "past its end, whatever the scheme.");
+  Check check("lagrangian_mesh_short_curve", "A node leaves the curve it slides along",
+              "The curve of a wall of slope 1 ends 0.05 above the still-water level. A surge of 0.3 carries the "
+              "contact point past its end, whatever the scheme.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     Mesh mesh = layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 16, .rows = 4}, 1);
     const auto one = [](double) { return 1.0; };

@@ -117,9 +117,9 @@ TEST_CASE("bad constants and walls are refused with name, value and range", "[ro
 }
 
 TEST_CASE("bad starts and steps of the Lagrangian mesh are refused and change nothing", "[robustness]") {
-  Check check("lagrangian_mesh_bad_start", "Bad starts and steps of the Lagrangian mesh",
-              "Velocities that are not finite, sweeps and lengths of steps out of range. A refused step changes "
-              "nothing.");
+  Check check(
+      "lagrangian_mesh_bad_start", "Bad starts and steps of the Lagrangian mesh",
+      "Velocities that are not finite, sweeps and lengths of steps out of range. A refused step changes nothing.");
   Refusals refusals(check);
   refusals.refused("A negative number of sweeps.", {"fixed_sweeps", "= -1", "non-negative"},
                    [] { Flow flow(still_water(), {}, {.stepping = Stepping::conservative, .fixed_sweeps = -1}); });

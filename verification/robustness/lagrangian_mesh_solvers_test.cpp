@@ -44,10 +44,9 @@ const std::vector<std::pair<std::string, Stepping>> steppings{{"one-step", Stepp
                                                               {"conservative", Stepping::conservative}};
 
 TEST_CASE("banded and iterative solvers give one motion", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_solvers", "Lagrangian mesh: two solvers, one motion",
-      "Water with a surface of $0.25\\cos(\\pi x/6)$, 48 x 8 cells, 50 steps of 0.05: the mesh is well deformed. "
-      "Banded Cholesky factorisation; conjugate gradients to relative residuals of 1e-13 and 1e-8.");
+  Check check("lagrangian_mesh_solvers", "Lagrangian mesh: two solvers, one motion",
+              "Water with a surface of $0.25\\cos(\\pi x/6)$, 48 x 8 cells, 50 steps of 0.05: the mesh is well "
+              "deformed. Banded Cholesky factorisation; conjugate gradients to relative residuals of 1e-13 and 1e-8.");
   for (const auto& [id, stepping] : steppings) {
     const auto run = [&, which = stepping](SolverMethod method, double tolerance) {
       Flow flow = released(48, 8, {.stepping = which}, method, tolerance);

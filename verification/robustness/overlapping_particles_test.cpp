@@ -110,11 +110,10 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
 }
 
 TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robustness]") {
-  Check check(
-      "overlapping_particles_singular", "Singular configurations of overlapping particles",
-      "A square lattice in a box that it fills with its mirror images: chequered multipliers are without forces. "
-      "It is refused; with stabilisation the water rests, without gravity bit by bit. With the lattice's upper "
-      "half alone there is a surface, and nothing is singular.");
+  Check check("overlapping_particles_singular", "Singular configurations of overlapping particles",
+              "A square lattice in a box that it fills with its mirror images: chequered multipliers are without "
+              "forces. It is refused; with stabilisation the water rests, without gravity bit by bit. With the "
+              "lattice's upper half alone there is a surface, and nothing is singular.");
   Refusals refusals(check);
   refusals.refused("The full box without stabilisation.", {"singular configuration", "set stabilisation > 0"},
                    [] { Flow flow(full_box(), {}, {.walls = four_walls}); });
@@ -132,10 +131,9 @@ TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robus
 }
 
 TEST_CASE("overlapping particles that go through a wall stop with time, step and place", "[robustness]") {
-  Check check(
-      "overlapping_particles_breakdown", "Overlapping particles are thrown at a wall",
-      "A block is thrown at a floor so fast that a step takes it through. The run stops and names the particle, "
-      "with the state of before.");
+  Check check("overlapping_particles_breakdown", "Overlapping particles are thrown at a wall",
+              "A block is thrown at a floor so fast that a step takes it through. The run stops and names the "
+              "particle, with the state of before.");
   Flow flow(block(), [](Point) { return Point{0, -1}; }, {.walls = {{{0, -0.5}, {0, 1}}}});
   holds_of_breakdown(check, "floor", run_until_breakdown(flow, 2, [](Flow& f) { f.advance(0.4); }),
                      "goes through wall 0", -0.01, 0.81);

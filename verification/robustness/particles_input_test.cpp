@@ -33,9 +33,9 @@ std::string refusal(Action action) {
 }
 
 TEST_CASE("bad particles, ends and steps are refused with their name", "[robustness]") {
-  Check check("particles_bad_input", "Bad input of the particle method",
-              "Each refusal is a std::invalid_argument, thrown before anything changes, whose message names the "
-              "quantity.");
+  Check check(
+      "particles_bad_input", "Bad input of the particle method",
+      "Each refusal is a std::invalid_argument, thrown before anything changes, whose message names the quantity.");
   const auto refused = [&](const std::string& id, const std::string& text, const std::string& word, auto action) {
     const std::string message = refusal(action);
     INFO(id << ": " << message);
@@ -115,10 +115,9 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
 }
 
 TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
-  Check check(
-      "particles_piston_almost_escapes", "A piston that withdraws just below the limit",
-      "Still water follows a piston up to twice its celerity. A piston with 0.99 of that is no vacuum: the run goes "
-      "on, with positive depths.");
+  Check check("particles_piston_almost_escapes", "A piston that withdraws just below the limit",
+              "Still water follows a piston up to twice its celerity. A piston with 0.99 of that is no vacuum: the run "
+              "goes on, with positive depths.");
   const double escape = 2 * shallow_water::celerity(9.81, 1);
   ParticleFlow flow(still_water(40), {Piston{[=](double) { return -0.99 * escape; }}, Wall{}});
   flow.advance_to(0.5);
@@ -153,10 +152,10 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
 }
 
 TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[robustness]") {
-  Check check("particles_as_written", "The rearrangement as it is written",
-              "A dam break between free ends: momentum changes by the impulses of the ends, whose pressures stay those "
-              "of still water; ends and steps that it has not, and pairs without room, are refused and leave it as it "
-              "was.");
+  Check check(
+      "particles_as_written", "The rearrangement as it is written",
+      "A dam break between free ends: momentum changes by the impulses of the ends, whose pressures stay those of "
+      "still water; ends and steps that it has not, and pairs without room, are refused and leave it as it was.");
   AsWritten flow(dam_break(0, 20, 40, {2, 0}, {1, 0}, 60), {Free{}, Free{}});
   const auto momentum = [&flow] {
     double sum = 0;
@@ -164,11 +163,11 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
     return sum;
   };
   for (int k = 0; k < 40; ++k) flow.advance(0.05);
-  check.holds("The momentum is the time times the difference of the ends' thrusts.",
-              {momentum() - flow.time() * 0.5 * 9.81 * (4 - 1)},
-              Bound{2e-9 * 0.5 * 9.81 * (4 + 1) * 2,
-                    "densities that differ by 1e-9 are equal, so that the thrusts of the "
-                    "ends are known to 2e-9, for 2 s"});
+  check.holds(
+      "The momentum is the time times the difference of the ends' thrusts.",
+      {momentum() - flow.time() * 0.5 * 9.81 * (4 - 1)},
+      Bound{2e-9 * 0.5 * 9.81 * (4 + 1) * 2,
+            "densities that differ by 1e-9 are equal, so that the thrusts of the ends are known to 2e-9, for 2 s"});
   const auto refused = [&](const std::string& id, const std::string& text, const std::string& word, auto action) {
     check.holds(id + ": " + text, {refusal(action).find(word) != std::string::npos ? 1.0 : 0.0},
                 Qualitative{"std::invalid_argument whose message contains \"" + word + "\"", "input must be refused"});

@@ -106,10 +106,9 @@ TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
 }
 
 TEST_CASE("a step that hands on more than there is, or does not settle, is not taken", "[robustness]") {
-  Check check(
-      "variable_mass_exchange_limits", "Exchanges that no step can hold",
-      "Three bodies of mass 1. One gives away more than it has; or they hand a large mass round in a ring, which "
-      "leaves their masses alone but not the iteration.");
+  Check check("variable_mass_exchange_limits", "Exchanges that no step can hold",
+              "Three bodies of mass 1. One gives away more than it has; or they hand a large mass round in a ring, "
+              "which leaves their masses alone but not the iteration.");
   const std::vector<double> masses(3, 1.0);
   const std::vector<double> x{0.25, 0.5, 0.75};
   const std::vector<double> y(3, 0.0);
@@ -138,10 +137,9 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
 }
 
 TEST_CASE("variable masses that cannot go on stop with time, step and place", "[robustness]") {
-  Check check(
-      "variable_mass_breakdown", "Variable masses break down",
-      "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave as high as the box "
-      "is deep: its surface turns over. Either stops, with state and masses of before the step.");
+  Check check("variable_mass_breakdown", "Variable masses break down",
+              "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave as high as the "
+              "box is deep: its surface turns over. Either stops, with state and masses of before the step.");
   Flow jet(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
            {.velocity =
                 [](Point r) {

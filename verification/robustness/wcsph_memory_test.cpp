@@ -26,13 +26,11 @@ double memory_of(Settings settings, double& particles) {
 }
 
 TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
-  Check check(
-      "wcsph_memory", "Weakly compressible SPH: memory",
-      "Memory per particle of a dam break in a large tank after three steps. Needed are, in bytes: the particle 57; "
-      "rates 40; its "
-      "record, as neighbours read it, 64, and its mass there 8; where the lists were made 24; with "
-      "eddies stresses 32. Clusters of as many particles as a register has lanes share 40 and a list of "
-      "candidates at 4, about 45 beside eight particles.");
+  Check check("wcsph_memory", "Weakly compressible SPH: memory",
+              "Memory per particle of a dam break in a large tank after three steps. Needed are, in bytes: the "
+              "particle 57; rates 40; its record, as neighbours read it, 64, and its mass there 8; where the lists "
+              "were made 24; with eddies stresses 32. Clusters of as many particles as a register has lanes share 40 "
+              "and a list of candidates at 4, about 45 beside eight particles.");
   const auto lanes = static_cast<double>(pair_loops(KernelName::cubic_spline).lanes);
   for (const bool eddies : {false, true}) {
     Settings settings;

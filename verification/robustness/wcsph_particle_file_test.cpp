@@ -74,11 +74,10 @@ std::string dimensions(const Dataset& set) {
 }
 
 TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
-  Check check(
-      "wcsph_particle_file", "Particle files for ParaView",
-      "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads to "
-      "an HDF5 dataset of the shape and type it states, values and order included; the same particles give the "
-      "same bytes; without close nothing is left.");
+  Check check("wcsph_particle_file", "Particle files for ParaView",
+              "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads "
+              "to an HDF5 dataset of the shape and type it states, values and order included; the same particles give "
+              "the same bytes; without close nothing is left.");
   const ScratchFolder scratch("seiche_wcsph_particle_file_test");
   const Particles particles = scene().particles;
   write(scratch.path() / "waves", particles, reversed(particles));
@@ -89,8 +88,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   CHECK(series.attribute("CollectionType").value() == std::string("Temporal"));
   const std::size_t count = particles.size();
   std::vector<double> times;
-  double items = 0;
-  double mismatches = 0;
+  double items = 0, mismatches = 0;
   bool polyvertex = true;
   double wrong_values = 0;
   for (const pugi::xml_node grid : series.children("Grid")) {

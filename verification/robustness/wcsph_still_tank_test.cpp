@@ -62,9 +62,7 @@ Rest settle(Settings settings, double spacing, double time, bool full) {
   const std::vector<double> pressure = flow.pressure();
   const double scale = 1000 * gravity * depth;
   const double core = 3.5 * flow.smoothing_length();
-  double count = 0;
-  double core_count = 0;
-  double speed = 0;
+  double count = 0, core_count = 0, speed = 0;
   for (std::size_t a = 0; a < p.size(); ++a) {
     if (p.kind[a] != Kind::fluid) continue;
     const double error = pressure[a] / scale - (1 - p.z[a] / depth);
@@ -120,8 +118,8 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
   Check check(
       "wcsph_still_tank", "Tank at rest: plain scheme, clamped walls, density filter",
       "1 m x 0.5 m of water, $dx = 0.025$ m, $c_0 = 10\\sqrt{2gH}$, $\\alpha = 0.1$, hydrostatic start, 2 s. Dynamic "
-      "wall particles make errors of the pressure of 4 % at walls and corners, which do not converge with the "
-      "spacing: a property of theirs. The density filter smooths the interior and lets the water sink slowly.",
+      "wall particles make errors of the pressure of 4 % at walls and corners, which do not converge with the spacing: "
+      "a property of theirs. The density filter smooths the interior and lets the water sink slowly.",
       source);
   Settings clamped;
   clamped.walls = WallPressure::clamped;
@@ -159,11 +157,10 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
 
 TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves the water where it is",
           "[robustness]") {
-  Check check(
-      "wcsph_still_tank_diffusion", "Tank at rest: density diffusion",
-      "The same tank for one second. Density diffusion takes the noise out of the pressure; with corrected "
-      "gradients, the hydrostatic one being linear, it leaves the water where it is, which the uncorrected form "
-      "does not: that lets it sink by one per cent of the depth in two seconds.");
+  Check check("wcsph_still_tank_diffusion", "Tank at rest: density diffusion",
+              "The same tank for one second. Density diffusion takes the noise out of the pressure; with corrected "
+              "gradients, the hydrostatic one being linear, it leaves the water where it is, which the uncorrected "
+              "form does not: that lets it sink by one per cent of the depth in two seconds.");
   Settings diffusive;
   diffusive.density_diffusion = 0.1;
   const std::vector<Rest> rest =
@@ -185,10 +182,9 @@ TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves 
 TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[robustness]") {
   Check check("wcsph_still_tank_extrapolated", "Tank at rest: extrapolated wall pressure",
               "The same tank with three full rows of wall particles on the lattice of the water, whose density at the "
-              "beginning is "
-              "that of water without pressure. Dynamic walls push only after the water has pressed on them, and the "
-              "pressure wave of this start stays in their densities. Extrapolation from the water with its hydrostatic "
-              "gradient finds the right pressure at once.");
+              "beginning is that of water without pressure. Dynamic walls push only after the water has pressed on "
+              "them, and the pressure wave of this start stays in their densities. Extrapolation from the water with "
+              "its hydrostatic gradient finds the right pressure at once.");
   const std::string adami = "Adami, Hu and Adams, J. Comput. Phys. 231 (2012) 7057";
   Settings extrapolated;
   extrapolated.walls = WallPressure::extrapolated;
