@@ -397,7 +397,7 @@ Seen gauss(const Twin& twin, bool tank, gauss_particles::Stepping stepping) {
                                  .surface = [](double x) { return 0.2 * hump(x, 0.5); },
                                  .bottom = [](double) { return -1.0; },
                                  .markers = 8})
-                        : disc(1, 14, 8);
+                        : gauss_particles::disc(1, 14, 8);
   if (tank) {
     lattice.left_wall = twin.place(0);
     lattice.right_wall = twin.place(2);

@@ -1,4 +1,4 @@
-// Overlapping particles: what a free blob keeps, what walls do, and what is kept to second order only.
+// Overlapping particles: free fall, and what walls do.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -25,17 +25,6 @@ Particles jittered(Particles particles, double part, std::uint64_t seed) {
     particles.y[k] += part * spacing * noise();
   }
   return particles;
-}
-
-/// 239 particles, sheared, turned and bent by their first velocity.
-Flow moving_blob(Settings settings) {
-  return Flow(
-      jittered(staggered_disc(1, spacing), 0.1, 1),
-      [](Point r) {
-        return Point{0.4 * r.x - 0.9 * r.y + 0.1 * std::sin(2 * r.y) + 0.3,
-                     0.7 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
-      },
-      std::move(settings));
 }
 
 void claim_kept(Check& check, const std::string& what, const Flow& flow,
@@ -74,22 +63,6 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
                       "pivots of 1/100"});
   check.that("energy", "Energy of the falling drop is conserved to round-off.", "largest defect",
              {flow.ledger().largest_defect("energy")}, Roundoff{2000, 400, "kinetic energy at the end: pi 16^2/2"});
-}
-
-TEST_CASE("masses in control volumes drift by the square of the step", "[conservation]") {
-  Check check(
-      "overlapping_particles_drift", "What overlapping particles keep to second order only",
-      "The free blob until t = 0.2: the largest change of the mass in a control volume. Steps halved four times.",
-      source);
-  Convergence drifts;
-  for (const int n : {5, 10, 20, 40, 80}) {
-    Flow flow = moving_blob({});
-    flow.advance_to(0.2, 0.2 / n);
-    flow.observe();
-    drifts.add(1.0 / n, flow.ledger().largest_defect("volume_worst"));
-  }
-  check.that("order", "The drift of masses in volumes is second-order in the step.", "order of the largest drift",
-             drifts.order(), Order{2, 0.2, "second order of the one-step scheme"});
 }
 
 TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservation]") {
