@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "validation/case/reference_table.hpp"
 #include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
 
@@ -26,7 +25,6 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
   auto& figure = check.figure("crest", "Crest of a solitary wave on coarse cells", "Elevation of the crest in time.");
   auto& panel = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H"});
   std::vector<double> spacings, losses;
-  const io::Table known = reference_table("regression_plan_soliton", check.record().reference_data);
   for (const double spacing : {1.0, 0.7, 0.5, 0.35}) {
     const PlanSolitonRun run{.spacing = spacing, .tau = 0.4 * spacing};
     auto flow = plan_soliton_flow(run);
@@ -43,16 +41,6 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
                 Bound{1e-3,
                       "a part in a thousand of the wave's own energy: less than the height it loses at first, a part "
                       "in a hundred"});
-    const auto& spacings_known = known.column("spacing");
-    const auto found_row = std::find(spacings_known.begin(), spacings_known.end(), spacing);
-    if (found_row == spacings_known.end()) continue;  // the finest serves the order alone
-    const auto row = static_cast<std::size_t>(found_row - spacings_known.begin());
-    check.holds(id + "-height: The mean height is that of an earlier program.", {found.mean_height()},
-                Bound{1e-4, "means over other parts of the run: a tenth of the band with cells of a depth",
-                      known.column("height")[row]});
-    check.holds(
-        id + "-speed: So is the speed.", {found.speed()},
-        Bound{1e-4, "the place of the crest, a hundredth of a cell over 90 depths of way", known.column("speed")[row]});
   }
   check.that("order", "The loss of height at the start is of second order.", "observed order",
              observed_order(spacings, losses),

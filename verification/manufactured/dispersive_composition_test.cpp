@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "seiche/samples.hpp"
-#include "validation/case/reference_table.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::dispersive_composition_test {
 
@@ -19,7 +21,6 @@ using namespace mechanics;
 using Model = dispersive_shallow_water_1d::Model;
 
 const std::string source = "Yoshida (1990), Suzuki (1990); Hairer, Lubich & Wanner (2006), II.4";
-const std::string digits = "regression: computed once by an earlier program for the same equations";
 constexpr double amplitude = 0.3;
 constexpr double length = 60;
 constexpr double end_time = 20;
@@ -67,26 +68,19 @@ struct Method {
   std::vector<double> stages;
   double theory;
   std::vector<double> tau;
-  double known;  ///< its code in the table of known errors; 0 where none are known
 };
 
 std::vector<Method> methods() {
-  const std::vector<double> small = {0.4, 0.2, 0.1, 0.05};
-  const std::vector<double> large = {0.8, 0.4, 0.2, 0.1};
+  const std::vector<double> small = {0.4, 0.2, 0.1, 0.05}, large = {0.8, 0.4, 0.2, 0.1};
   const auto single = Stages::single;
   return {
-      {"one-step", "one-step", run<OneStep>, {1.0}, 2, small, 1},
-      {"triple-jump", "one-step, triple jump", run<OneStep>, triple_jump_weights(single), 4, large, 2},
-      {"suzuki", "one-step, Suzuki", run<OneStep>, suzuki_weights(single), 4, large, 3},
-      {"conservative-suzuki", "conservative, Suzuki", run<ConservativeStep>, suzuki_weights(single), 4, large, 4},
-      {"triple-jump-paired", "one-step, triple jump of pairs", run<OneStep>, triple_jump_weights(), 4, small, 0},
-      {"suzuki-paired", "one-step, Suzuki of pairs", run<OneStep>, suzuki_weights(), 4, small, 0},
+      {"one-step", "one-step", run<OneStep>, {1.0}, 2, small},
+      {"triple-jump", "one-step, triple jump", run<OneStep>, triple_jump_weights(single), 4, large},
+      {"suzuki", "one-step, Suzuki", run<OneStep>, suzuki_weights(single), 4, large},
+      {"conservative-suzuki", "conservative, Suzuki", run<ConservativeStep>, suzuki_weights(single), 4, large},
+      {"triple-jump-paired", "one-step, triple jump of pairs", run<OneStep>, triple_jump_weights(), 4, small},
+      {"suzuki-paired", "one-step, Suzuki of pairs", run<OneStep>, suzuki_weights(), 4, small},
   };
-}
-
-/// Last digit of a value given with two.
-double half_unit(double value) {
-  return 0.5 * std::pow(10, std::floor(std::log10(value)) - 1);
 }
 
 TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[manufactured]") {
@@ -96,51 +90,31 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
               "is all of time. Suzuki's composition of the conservative scheme is of fourth order and keeps energy, "
               "momentum and the volume of every cell to round-off.",
               source);
-  auto& panel = check.figure("orders", "Orders in time", "Largest error of a marker against the step.")
-                    .panel({.x = "tau", .y = "error", .log_x = true, .log_y = true});
   const std::vector<double> limit = run<OneStep>(0.01, suzuki_weights()).x;
-  const auto known = validation::reference_table("regression_dispersive_composition", check.record().reference_data);
   for (const Method& method : methods()) {
-    std::vector<double> error;
     Largest energy, volume, solves;
-    for (const double tau : method.tau) {
-      const Result result = method.run(tau, method.stages);
-      Worst farthest;
-      for (std::size_t i = 0; i < limit.size(); ++i) farthest.add(result.x[i] - limit[i]);
-      error.push_back(farthest.value());
-      energy.add(result.energy);
-      volume.add(result.volume);
-      solves.add(static_cast<double>(result.solves));
-    }
-    panel.line(method.name, method.tau, error, evidence::Role::computed);
-    check.that("order-" + method.id,
-               std::string("The error falls with order ") + (method.theory == 4 ? "4" : "2") +
-                   " in the step: " + method.name + ".",
-               "observed order of the largest error of a marker", observed_order(method.tau, error, 1e-12),
-               Order{method.theory, method.theory == 4 ? 0.2 : 0.1,
-                     "smooth motion on a level bottom; below 1e-12 the rounding of coordinates up to 60 counts"});
-    if (method.known != 0) {
-      Worst deviation;
-      for (std::size_t row = 0; row < known.rows(); ++row) {
-        if (known.column("method")[row] != method.known) continue;
-        const auto k = static_cast<std::size_t>(
-            std::find(method.tau.begin(), method.tau.end(), known.column("tau")[row]) - method.tau.begin());
-        const double expected = known.column("error")[row];
-        deviation.add((error.at(k) - expected) / half_unit(expected));
-      }
-      check.holds("digits-" + method.id + ": " + method.name + ": errors of an earlier program.", {deviation.value()},
-                  Bound{1, "two digits are given"});
-    }
+    refine(check, {"step", method.tau, "order-" + method.id, method.name, 1e-12},
+           {{"order-" + method.id,
+             fmt::format("The error falls with order {:g} in the step: {}.", method.theory, method.name),
+             {method.theory, method.theory == 4 ? 0.2 : 0.1,
+              "smooth motion on a level bottom; below 1e-12 the rounding of coordinates up to 60 counts"}}},
+           [&](double tau) {
+             const Result result = method.run(tau, method.stages);
+             Worst farthest;
+             for (std::size_t i = 0; i < limit.size(); ++i) farthest.add(result.x[i] - limit[i]);
+             energy.add(result.energy);
+             volume.add(result.volume);
+             solves.add(static_cast<double>(result.solves));
+             return farthest.value();
+           });
     if (method.id != "conservative-suzuki") continue;
-    check.from(digits + ": 6e-15")
-        .that("energy", "Suzuki's composition of the conservative scheme keeps the energy.", "largest relative defect",
-              {.value = energy.value(), .resolution = "tau = 0.8 .. 0.1"},
-              Roundoff{solves.value(), 1, "one rounded energy per solve"});
-    check.from(digits + ": 8e-13")
-        .that("volume", "Suzuki's composition of the conservative scheme conserves every cell's volume.",
-              "largest relative defect", {.value = volume.value() / (length / cells), .resolution = "tau = 0.8 .. 0.1"},
-              Roundoff{solves.value(), cells,
-                       "one rounded coordinate, up to the channel's length, per solve and width of a cell"});
+    check.at("tau = 0.8 .. 0.1");
+    check.that("energy", "Suzuki's composition of the conservative scheme keeps the energy.", "largest relative defect",
+               {energy.value()}, Roundoff{solves.value(), 1, "one rounded energy per solve"});
+    check.that("volume", "Suzuki's composition of the conservative scheme conserves every cell's volume.",
+               "largest relative defect", {volume.value() / (length / cells)},
+               Roundoff{solves.value(), cells,
+                        "one rounded coordinate, up to the channel's length, per solve and width of a cell"});
   }
 }
 

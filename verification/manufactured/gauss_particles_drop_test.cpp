@@ -15,6 +15,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/gauss_pressure.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::gauss_particles_drop_test {
 
@@ -66,23 +67,21 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
               "paths but for the error in time: of second order with the conservative scheme, for 300 particles and "
               "for 4, of first order with Frank's projection scheme.",
               source);
-  const std::vector<double> lengths{0.04, 0.02, 0.01, 0.005};
-  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& error,
-                         double theory) {
-    check.that(id, text, "order of the largest distance at t = 2", observed_order(lengths, error),
-               Order{theory, 0.01,
-                     "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of "
-                     "an order over this range"});
+  const auto order = [](double theory) {
+    return Order{theory, 0.01,
+                 "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
+                 "order over this range"};
   };
-  std::vector<double> many, few, first;
-  for (const double tau : lengths) {
-    many.push_back(errors<OneStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
-    few.push_back(errors<OneStep>(four(), std::make_unique<PolynomialSpace>(), tau).largest);
-    first.push_back(errors<ProjectedStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
-  }
-  order("conservative", "Conservative scheme, 300 particles: second order.", many, 2);
-  order("four-particles", "Conservative scheme, 4 particles: second order.", few, 2);
-  order("projection-scheme", "Frank's projection scheme converges at first order in the step.", first, 1);
+  refine(check, {"step", {0.04, 0.02, 0.01, 0.005}},
+         {{"conservative", "Conservative scheme, 300 particles: second order.", order(2)},
+          {"four-particles", "Conservative scheme, 4 particles: second order.", order(2)},
+          {"projection-scheme", "Frank's projection scheme converges at first order in the step.", order(1)}},
+         [](double tau) {
+           const auto space = [] { return std::make_unique<PolynomialSpace>(); };
+           return std::array{errors<OneStep>(disc(1, 10), space(), tau).largest,
+                             errors<OneStep>(four(), space(), tau).largest,
+                             errors<ProjectedStep>(disc(1, 10), space(), tau).largest};
+         });
 }
 
 TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {

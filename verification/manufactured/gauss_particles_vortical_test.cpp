@@ -8,6 +8,7 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::gauss_particles_vortical_test {
 
@@ -79,20 +80,18 @@ TEST_CASE("an unsteady vortical flow with a free surface is met to second order"
       "a solution with zero pressure on the circle. Cubic splines, steps in proportion to the cells: the error of the "
       "velocity falls with the square of both. The force's work is the change of energy, to round-off.",
       source);
-  Convergence errors;
   double defect = 0;
-  for (const double h : {0.3, 0.2, 0.15, 0.1, 0.075}) {
-    const Result result = run(h);
-    errors.add(h, result.error);
-    if (h == 0.2) defect = result.work_defect;
-  }
-  auto& figure = check.figure("order", "Error of the velocity at t = 1", "Cubic splines, tau = h/4.");
-  figure.panel({.x = "h", .y = "rms error", .log_x = true, .log_y = true})
-      .line("found", errors.sizes, errors.errors, Role::computed);
-  check.that("order", "The velocity errs by O(h^2) with tau = h/4.", "order of the rms error at t = 1", errors.order(),
-             Order{2, 0.25,
-                   "second order in time; the splines add a term of third order, up to h of the first with fields of "
-                   "order 1: 0.3 on the coarsest lattice, 0.075 on the finest"});
+  refine(check, {"h", {0.3, 0.2, 0.15, 0.1, 0.075}},
+         {{"order",
+           "The velocity errs by O(h^2) with tau = h/4.",
+           {2, 0.25,
+            "second order in time; the splines add a term of third order, up to h of the first with fields of order 1: "
+            "0.3 on the coarsest lattice, 0.075 on the finest"}}},
+         [&](double h) {
+           const Result result = run(h);
+           if (h == 0.2) defect = result.work_defect;
+           return result.error;
+         });
   check.that("work", "The energy changes by the force's work.", "largest defect of the energy",
              {.value = defect, .resolution = "h = 0.2, tau = 0.05, 20 steps"},
              Roundoff{20, 3, "one rounding per step of the kinetic energy, at most 3"});

@@ -11,6 +11,7 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::lagrangian_mesh_3d_section_test {
 
@@ -89,11 +90,11 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
                 Roundoff{40 * 8, length,
                          "places up to 8 depths, rounded with those of the seven other corners in each of 40 steps"});
   }
-  const std::vector<double> taus{0.2, 0.1, 0.05, 0.025};
-  std::vector<double> differences;
-  for (const double tau : taus) differences.push_back(difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau));
-  check.that("bent-order", "Over a bent slope the difference vanishes with the square of the step.", "observed order",
-             observed_order(taus, differences), Order{2, 0.3, "both schemes are symmetric, of second order"});
+  refine(check, {"step", {0.2, 0.1, 0.05, 0.025}},
+         {{"bent-order",
+           "Over a bent slope the difference vanishes with the square of the step.",
+           {2, 0.3, "both schemes are symmetric, of second order"}}},
+         [](double tau) { return difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau); });
 }
 
 }  // namespace seiche::verification::lagrangian_mesh_3d_section_test

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/manufactured/hexahedral_motion.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::lagrangian_mesh_3d_test {
 
@@ -56,34 +56,16 @@ bool in_the_middle(std::size_t index, std::size_t n) {
   return 4 * index >= n && 4 * index <= 3 * n;
 }
 
-/// Root mean squares at the end.
-struct Errors {
-  double interior = 0;   ///< places in the middle half of the water, each way
-  double velocity = 0;   ///< there
-  double lambda = 0;     ///< in the middles of cells there, one step before the end
-  double shape = 0;      ///< distance of the surface's nodes from the exact surface, in its middle half each way
-  double slip = 0;       ///< and their displacement along it
-  double on_bottom = 0;  ///< displacement of nodes along the bottom, in its middle half
-};
-
-class MeanSquare {
- public:
-  void add(double value) {
-    sum_ += value * value;
-    ++count_;
-  }
-  [[nodiscard]] double root() const { return std::sqrt(sum_ / count_); }
-
- private:
-  double sum_ = 0;
-  double count_ = 0;  // none: not a number
-};
+/// Root mean squares at the end: of places and velocities in the middle half of the water, each way; of lambda in the
+/// middles of cells there, one step before the end; distances of the surface's nodes from the exact surface, in its
+/// middle half each way, and along it; displacements of nodes along the bottom, in its middle half.
+using Errors = std::array<double, 6>;
 
 Errors errors_of(const Flow& flow) {
   const Mesh& mesh = flow.model().mesh();
   const auto exact_at = [&](std::size_t k, double time) { return Motion::at({mesh.x[k], mesh.y[k], mesh.z[k]}, time); };
   const std::size_t n = mesh.layers;
-  MeanSquare interior, velocity, lambda, shape, slip, on_bottom;
+  Mean interior, velocity, lambda, shape, slip, on_bottom;
   for (std::size_t l = 0; l <= n; ++l) {
     for (std::size_t j = 0; j <= n; ++j) {
       for (std::size_t i = 0; i <= n; ++i) {
@@ -118,45 +100,21 @@ Errors errors_of(const Flow& flow) {
     }
     lambda.add(pressure[cell] - Motion::at(middle, duration - tau).lambda);
   }
-  return {.interior = interior.root(),
-          .velocity = velocity.root(),
-          .lambda = lambda.root(),
-          .shape = shape.root(),
-          .slip = slip.root(),
-          .on_bottom = on_bottom.root()};
+  return {interior.rms(), velocity.rms(), lambda.rms(), shape.rms(), slip.rms(), on_bottom.rms()};
 }
 
-struct Quantity {
-  std::string id, text;
-  double Errors::*error;
-  Order order;
-};
-
-const std::vector<Quantity> quantities = {
-    {"interior",
-     "places in the interior are of second order",
-     &Errors::interior,
-     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
-    {"velocity",
-     "so are the velocities there",
-     &Errors::velocity,
-     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
-    {"pressure",
-     "so is the pressure there",
-     &Errors::lambda,
-     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
+const Order inside{2, 0.15,
+                   "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"};
+const Order along{1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"};
+const std::vector<Refined> quantities = {
+    {"interior", "Over the uneven bottom places in the interior are of second order.", inside},
+    {"velocity", "Over the uneven bottom velocities in the interior are of second order.", inside},
+    {"pressure", "Over the uneven bottom the pressure in the interior is of second order.", inside},
     {"shape",
-     "the surface's shape is of second order",
-     &Errors::shape,
+     "Over the uneven bottom the surface's shape is of second order.",
      {2, 0.2, "second order: what is of first order is along the surface"}},
-    {"slip",
-     "surface nodes slip along the surface to first order",
-     &Errors::slip,
-     {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
-    {"bottom",
-     "nodes slide along the bottom to first order",
-     &Errors::on_bottom,
-     {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
+    {"slip", "Over the uneven bottom surface nodes slip along the surface to first order.", along},
+    {"bottom", "Over the uneven bottom nodes slide along the bottom to first order.", along},
 };
 
 TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
@@ -242,23 +200,11 @@ TEST_CASE("hexahedra over an uneven bottom are of second order against a manufac
       "node of the surface, of the bottom or of a wall feels the pressure gradient half a cell inside and slips along "
       "it to first order, in a layer of one cell, which the pressure there feels. Everything else is of second order.",
       source);
-  std::vector<double> sizes;
-  std::vector<std::vector<double>> errors(quantities.size());
-  for (const std::size_t n : {16U, 20U, 24U, 32U, 40U}) {
-    const Errors found = errors_of(flow_of(n, Stepping::one_step, 5 * static_cast<long>(n) / 4));
-    sizes.push_back(1 / static_cast<double>(n));
-    for (std::size_t i = 0; i < quantities.size(); ++i) errors[i].push_back(found.*quantities[i].error);
-  }
-  auto& panel = check.figure("convergence", "Errors under refinement", "Grey lines have slopes 1 and 2.")
-                    .panel({.x = "height of a cell", .y = "error", .log_x = true, .log_y = true});
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
-    const Quantity& quantity = quantities[i];
-    panel.line(quantity.id, sizes, errors[i]);
-    check.that(quantity.id, "Over the uneven bottom " + quantity.text + ".", "observed order",
-               observed_order(sizes, errors[i]), quantity.order);
-  }
-  validation::slope_guide(panel, 1, sizes, errors[4].back() * 1.5);
-  validation::slope_guide(panel, 2, sizes, errors[0].back() / 1.5);
+  check.source(source);
+  refine(check, {"height of a cell", widths(1, {16, 20, 24, 32, 40})}, quantities, [](double height) {
+    const std::size_t n = cells_of(1, height);
+    return errors_of(flow_of(n, Stepping::one_step, 5 * static_cast<long>(n) / 4));
+  });
 }
 
 TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "[manufactured]") {
@@ -269,24 +215,20 @@ TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "
   constexpr std::size_t n = 6;
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Flow finest = flow_of(n, stepping, 512);
-    std::vector<double> taus, places, velocities;
-    for (const long steps : {8, 16, 32, 64}) {
-      const Flow flow = flow_of(n, stepping, steps);
-      MeanSquare place, velocity;
-      for (std::size_t k = 0; k < 3 * flow.x().size(); ++k) {
-        place.add(flow.state().q[k] - finest.state().q[k]);
-        velocity.add(flow.state().u[k] - finest.state().u[k]);
-      }
-      taus.push_back(duration / static_cast<double>(steps));
-      places.push_back(place.root());
-      velocities.push_back(velocity.root());
-    }
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
-    check.that(id + "-places", id + ": places are second-order in time.", "observed order",
-               observed_order(taus, places), second);
-    check.that(id + "-velocities", id + ": velocities are second-order in time.", "observed order",
-               observed_order(taus, velocities), second);
+    refine(check, {.axis = "step", .sizes = widths(duration, {8, 16, 32, 64}), .id = id},
+           {{id + "-places", id + ": places are second-order in time.", second},
+            {id + "-velocities", id + ": velocities are second-order in time.", second}},
+           [&](double tau) {
+             const Flow flow = flow_of(n, stepping, std::lround(duration / tau));
+             Mean place, velocity;
+             for (std::size_t k = 0; k < 3 * flow.x().size(); ++k) {
+               place.add(flow.state().q[k] - finest.state().q[k]);
+               velocity.add(flow.state().u[k] - finest.state().u[k]);
+             }
+             return std::array{place.rms(), velocity.rms()};
+           });
   }
 }
 

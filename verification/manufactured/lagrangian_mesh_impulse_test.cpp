@@ -8,6 +8,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::lagrangian_mesh_impulse_test {
 
@@ -60,30 +61,19 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
       "the mesh takes for potential flow; nodes started with the exact velocities slide over the row beneath for ever.",
       source);
   const exact::SolitaryWave wave(0.3);
-  std::vector<double> h, lower_half, surface, kinetic;
+  const Order second{2, 0.2, "smooth wave; the coarsest mesh has four rows"};
   Largest rates;
-  for (const long rows : {4, 8, 16, 32}) {
-    const Errors errors = errors_of(wave, rows);
-    h.push_back(1 / static_cast<double>(rows));
-    lower_half.push_back(errors.lower_half);
-    surface.push_back(errors.surface);
-    kinetic.push_back(errors.kinetic);
-    rates.add(errors.rates);
-  }
-  auto& panel =
-      check.figure("impulse", "Velocities after an impulse on the surface", "Errors against the height of the cells.")
-          .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
-  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
-                         Order criterion) {
-    check.that(id, text, "observed order", observed_order(h, errors), criterion);
-    panel.points(id, h, errors, Role::computed);
-  };
-  order("lower-half", "Velocities in the lower half agree with the wave, to second order.", lower_half,
-        {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
-  order("energy", "The kinetic energy after the impulse converges at second order.", kinetic,
-        {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
-  order("surface", "Velocities at the surface are so to first order.", surface,
-        {1, 0.2, "a surface node feels the pressure half a cell below"});
+  refine(check, {"h2/depth", widths(1, {4, 8, 16, 32})},
+         {{"lower-half", "Velocities in the lower half agree with the wave, to second order.", second},
+          {"energy", "The kinetic energy after the impulse converges at second order.", second},
+          {"surface",
+           "Velocities at the surface are so to first order.",
+           {1, 0.2, "a surface node feels the pressure half a cell below"}}},
+         [&](double height) {
+           const Errors errors = errors_of(wave, std::lround(1 / height));
+           rates.add(errors.rates);
+           return std::array{errors.lower_half, errors.kinetic, errors.surface};
+         });
   check.that("areas", "Rates of all cell areas after the impulse are zero to round-off.",
              "largest rate of an area over the area [sqrt(g/depth)]",
              {.value = rates.value(), .resolution = "4 to 32 rows"},

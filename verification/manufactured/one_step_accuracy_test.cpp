@@ -7,6 +7,7 @@
 #include "validation/instruments/reference_integrators.hpp"
 #include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::one_step_accuracy_test {
 
@@ -35,32 +36,25 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
               "largest of a coordinate against RK4 with 131072 steps.",
               source);
   const State truth = integrated(Integrator::runge_kutta_4, 1 << 17);
-  auto& panel = check.figure("orders", "Orders of the integrators", "Largest coordinate error against the step.")
-                    .panel({.x = "tau", .y = "error", .log_x = true, .log_y = true});
   Worst energy;
   for (const Integrator integrator : all_integrators) {
     const bool fourth = order(integrator) == 4;
-    std::vector<double> tau, error;
-    for (const int steps : {50, 100, 200, 400, 800, 1600}) {
-      const State state = integrated(integrator, steps, keeps_energy(integrator) ? &energy : nullptr);
-      tau.push_back(end_time / steps);
-      Worst farthest;
-      for (std::size_t i = 0; i < truth.q.size(); ++i) farthest.add(state.q[i] - truth.q[i]);
-      error.push_back(farthest.value());
-    }
+    const std::string id(name(integrator)), text(title(integrator));
     // RK2 is not yet asymptotic at the largest steps.
-    if (integrator == Integrator::runge_kutta_2) {
-      tau.erase(tau.begin(), tau.begin() + 2);
-      error.erase(error.begin(), error.begin() + 2);
-    }
-    check.that(std::string(name(integrator)),
-               "The coordinate error of " + std::string(title(integrator)) + " has order " +
-                   std::to_string(order(integrator)) + ".",
-               "order of the largest coordinate error", observed_order(tau, error, 5e-12),
-               Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
-                     "smooth motion; below 5e-12 the rounding of the 131072 steps of the reference counts"});
-    panel.line(std::string(title(integrator)), tau, error,
-               keeps_energy(integrator) ? evidence::Role::computed : evidence::Role::peer);
+    const std::vector<int> steps = integrator == Integrator::runge_kutta_2 ? std::vector{200, 400, 800, 1600}
+                                                                           : std::vector{50, 100, 200, 400, 800, 1600};
+    refine(check, {"step", widths(end_time, steps), id, text, 5e-12},
+           {{id,
+             "The coordinate error of " + text + " has order " + std::to_string(order(integrator)) + ".",
+             {fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
+              "smooth motion; below 5e-12 the rounding of the 131072 steps of the reference counts"}}},
+           [&](double tau) {
+             const State state = integrated(integrator, static_cast<int>(std::lround(end_time / tau)),
+                                            keeps_energy(integrator) ? &energy : nullptr);
+             Worst farthest;
+             for (std::size_t i = 0; i < truth.q.size(); ++i) farthest.add(state.q[i] - truth.q[i]);
+             return farthest.value();
+           });
   }
   check.from("Frank, Discrete models of incompressible fluid (1994), chapter 1")
       .that("energy",
