@@ -126,15 +126,15 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
     worst_cell.add(model.rest_volumes()[i] - cell);
   }
   const double water = shape_of(shore.outline(shore.markers.x.front(), shore.markers.x.back())).area;
-  const auto claim = [&](const std::string& id, const std::string& text, double defect, double scale) {
-    check.holds(id + ": " + text, {defect},
+  const auto claim = [&](const std::string& text, double defect, double scale) {
+    check.holds(text, {defect},
                 Roundoff{40, scale, "products x y of the polygon's corners, eight corners of five operations"});
   };
-  claim("masses", "The masses are the areas of the elementary volumes.", worst_mass.value(), 7.2);
-  claim("cells", "The constant volumes are the areas between neighbouring markers.", worst_cell.value(), 7.2);
+  claim("The masses are the areas of the elementary volumes.", worst_mass.value(), 7.2);
+  claim("The constant volumes are the areas between neighbouring markers.", worst_cell.value(), 7.2);
   const std::span<const double> masses = model.masses();
-  claim("sum", "The elementary volumes fill the water.",
-        std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water), 7.2 * std::sqrt(12));
+  claim("The elementary volumes fill the water.", std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water),
+        7.2 * std::sqrt(12));
   const double triangle = model.rest_volumes().back();
   check.that("tip", "The tip's particle has a quarter of its triangle.", "mass of the tip/area of the last cell",
              {model.masses().back() / triangle}, Roundoff{10, 0.25, "two areas of five operations each", 0.25});

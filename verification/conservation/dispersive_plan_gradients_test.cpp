@@ -125,8 +125,8 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
       "a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, against central "
       "differences with steps of 1e-4. Volumes over a level bottom and the energy are polynomials of degree one and "
       "two in each coordinate: their differences have no error but rounding, 1e-16 of the volume over twice the step.");
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value},
                 Bound{1e-9,
                       "differences: step^2/6 of the third derivatives of the bottom, 1e-9 of their 0.1, and roundings "
                       "of 1e-16 over 2e-4, 1e-12"});
@@ -135,23 +135,21 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
   Model polynomial(uneven_lattice(quartic_bottom()));
   Model bump(uneven_lattice(std::make_shared<BumpBottom>()));
   Model improved(uneven_lattice({}), {.inertia = 0.4, .gamma = 1.0 / 15});
-  const auto exact = [&](const std::string& id, const std::string& text, double value, const Roundoff& rounding) {
-    check.holds(id + ": " + text, {value}, rounding);
+  const auto exact = [&](const std::string& text, double value, const Roundoff& rounding) {
+    check.holds(text, {value}, rounding);
   };
-  exact("level", "Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
+  exact("Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
         {.operations = 200,
          .scale = 0.4 / (2 * difference_step),
          .reason = "over twice the step: two volumes of 0.4 in sixty operations each, and two places up to 7 whose "
                    "rounding moves faces of 0.35, as much as eighty of these"});
-  claim("polynomial", "Gradients of cell volumes over a polynomial bottom equal differences.",
-        volume_gradient_error(polynomial));
-  claim("bump", "Gradients of cell volumes over a bump equal differences.", volume_gradient_error(bump));
-  exact("energy", "Gradients of the potential energy equal differences.", force_error(level),
+  claim("Gradients of cell volumes over a polynomial bottom equal differences.", volume_gradient_error(polynomial));
+  claim("Gradients of cell volumes over a bump equal differences.", volume_gradient_error(bump));
+  exact("Gradients of the potential energy equal differences.", force_error(level),
         {.operations = 64,
          .scale = level.potential_energy(level.state().q) / (2 * difference_step),
          .reason = "over twice the step: two sums over 30 cells, rounded up to the energy, and the places"});
-  claim("improved", "Gradients of the potential energy, improved dispersion included, equal differences.",
-        force_error(improved));
+  claim("Gradients of the potential energy, improved dispersion included, equal differences.", force_error(improved));
 }
 
 TEST_CASE("a bilinear patch is the mean of its two triangulations and its integrals are exact", "[conservation]") {
@@ -175,12 +173,12 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
     volume_error.add(volume - gauss(x, y, z, [](double at) { return at; }));
     moment_error.add(bilinear_patch::moment(x, y, z) - gauss(x, y, z, [](double at) { return at * at / 2; }));
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value}, Roundoff{60, 1, "some 60 operations on numbers of size one"});
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value}, Roundoff{60, 1, "some 60 operations on numbers of size one"});
   };
-  claim("triangulations", "The volume is the mean of the two triangulations.", mean.value());
-  claim("volume", "The volume under a bilinear patch equals the integral by quadrature.", volume_error.value());
-  claim("moment", "The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
+  claim("The volume is the mean of the two triangulations.", mean.value());
+  claim("The volume under a bilinear patch equals the integral by quadrature.", volume_error.value());
+  claim("The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
 }
 
 }  // namespace seiche::verification::dispersive_plan_gradients_test

@@ -67,14 +67,14 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
   check.from(digits + " to 15 digits")
       .that("initial-angular-momentum", "Angular momentum of the projected velocity.", "angular momentum",
             {patch.angular_momentum(start.q, start.u)[0]}, angular);
-  const auto keeps = [&](const std::string& id, const std::string& text, double value, int steps) {
-    check.holds(id + ": " + text, {value},
+  const auto keeps = [&](const std::string& text, double value, int steps) {
+    check.holds(text, {value},
                 Roundoff{2 * coordinates + 10 * steps / coordinates, 1,
                          "two sums over 162 coordinates, of order 1; a step rounds a rate some ten times, that is "
                          "1/162 of the sum"});
   };
-  const auto keeps_areas = [&](const std::string& id, const std::string& text, double value, int steps) {
-    check.holds(id + ": " + text, {value},
+  const auto keeps_areas = [&](const std::string& text, double value, int steps) {
+    check.holds(text, {value},
                 Roundoff{8.0 * (steps + 2), 0.125,
                          "each step rounds the eight coordinates of a cell, of order 1, which move its area by half a "
                          "side; as do the two areas"});
@@ -86,12 +86,10 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
   };
   for (const Case& c : {Case{"fine", "tau = 1e-5", 1e-5, 100000}, Case{"coarse", "tau = 1e-3", 1e-3, 1000}}) {
     const Drift d = drift(Integrator::one_step, c.tau, c.steps);
-    keeps(c.id + "-energy", "Energy is conserved to round-off (one-step scheme).", d.energy, c.steps);
-    keeps(c.id + "-momentum", "Momentum is conserved to round-off (one-step scheme).", d.momentum, c.steps);
-    keeps(c.id + "-angular-momentum", "Angular momentum is conserved to round-off (one-step scheme).",
-          d.angular_momentum, c.steps);
-    keeps_areas(c.id + "-modified-area",
-                "The modified area V_s(r) - (tau^2/4) V_s(u) is conserved to round-off (one-step scheme).",
+    keeps("Energy is conserved to round-off (one-step scheme).", d.energy, c.steps);
+    keeps("Momentum is conserved to round-off (one-step scheme).", d.momentum, c.steps);
+    keeps("Angular momentum is conserved to round-off (one-step scheme).", d.angular_momentum, c.steps);
+    keeps_areas("The modified area V_s(r) - (tau^2/4) V_s(u) is conserved to round-off (one-step scheme).",
                 d.modified_area, c.steps);
     if (c.steps == 1000) {
       check.from(digits).that("area", "The area error of the one-step scheme, O(tau^2), has the two digits expected.",
@@ -100,9 +98,9 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
     }
   }
   const Drift implicit = drift(Integrator::conservative, 0.02, 50);
-  keeps("conservative-energy", "Energy is conserved to round-off (fully conservative scheme).", implicit.energy, 50);
-  keeps_areas("conservative-area", "Areas are conserved to round-off (fully conservative scheme).", implicit.area, 50);
-  keeps("conservative-momentum", "Momenta are conserved to round-off (fully conservative scheme).",
+  keeps("Energy is conserved to round-off (fully conservative scheme).", implicit.energy, 50);
+  keeps_areas("Areas are conserved to round-off (fully conservative scheme).", implicit.area, 50);
+  keeps("Momenta are conserved to round-off (fully conservative scheme).",
         worst(std::array{implicit.momentum, implicit.angular_momentum}), 50);
 }
 

@@ -93,17 +93,17 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
   Flow above(half, stretched, {.walls = {floor}});
   Flow corner(quarter, stretched, {.walls = {floor, side}});
   for (Flow* flow : {&whole, &above, &corner}) flow->advance_to(0.2, 0.02, [&] { flow->observe(); });
-  const auto same = [&](const std::string& id, const std::string& text, const Flow& flow) {
+  const auto same = [&](const std::string& text, const Flow& flow) {
     Worst apart;
     for (std::size_t k = 0; k < n; ++k) {
       apart.add(flow.x()[k] - whole.x()[k]);
       apart.add(flow.y()[k] - whole.y()[k]);
     }
-    check.holds(id + ": " + text, {apart.value()},
+    check.holds(text, {apart.value()},
                 Roundoff{10 * 20, 1, "ten steps of places of size 1, by sums of some twenty multipliers"});
   };
-  same("half", "Half of the disc above a wall.", above);
-  same("quarter", "A quarter of the disc in a corner moves as the whole disc.", corner);
+  same("Half of the disc above a wall.", above);
+  same("A quarter of the disc in a corner moves as the whole disc.", corner);
   claim_kept(check, "Above the wall", above, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
   claim_kept(check, "In the corner", corner, {{"energy", "Energy"}});
 }

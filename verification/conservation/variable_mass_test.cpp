@@ -68,16 +68,16 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
     mass = copied(convection.next_masses());
   }
   const auto last = sums();
-  const auto keeps = [&](const std::string& id, const std::string& text, double defect, double scale) {
-    check.holds(id + ": " + text, {defect},
+  const auto keeps = [&](const std::string& text, double defect, double scale) {
+    check.holds(text, {defect},
                 Roundoff{rounds * 264.0, scale,
                          "each round rounds 64 bodies and 200 sides of exchanges, of this size at most: masses to 10, "
                          "momenta to 10, energies to 5"});
   };
-  keeps("mass", "Mass is conserved by the exchanges to round-off.", last[0] - first[0], 10);
-  keeps("momentum-x", "Momentum along x is conserved by the exchanges to round-off.", last[1] - first[1], 10);
-  keeps("momentum-y", "Momentum along y is conserved by the exchanges to round-off.", last[2] - first[2], 10);
-  keeps("energy", "Kinetic energy is conserved by the exchanges to round-off.", last[3] - first[3], 5);
+  keeps("Mass is conserved by the exchanges to round-off.", last[0] - first[0], 10);
+  keeps("Momentum along x is conserved by the exchanges to round-off.", last[1] - first[1], 10);
+  keeps("Momentum along y is conserved by the exchanges to round-off.", last[2] - first[2], 10);
+  keeps("Kinetic energy is conserved by the exchanges to round-off.", last[3] - first[3], 5);
   check.that("finite", "The largest change of a mass in a round exceeds a tenth.",
              "largest change of a mass in a round, relative", {std::abs(handed_on.value()) > 0.1 ? 1.0 : 0.0},
              Qualitative{"more than a tenth", "neutrality to first order in small exchanges would not be enough"});

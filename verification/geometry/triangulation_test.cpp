@@ -68,12 +68,12 @@ TEST_CASE("signs of orientation and in-circle are exact where rounding would dec
     const Point o{nudged(100 + 24.0), nudged(100 - 7.0)};
     circles += sign(in_circle(p, q, r, o)) != sign(rational_in_circle(p, q, r, o));
   }
-  const auto none = [&](const std::string& id, const std::string& text, long wrong) {
-    check.holds(id + ": " + text, {static_cast<double>(wrong)},
+  const auto none = [&](const std::string& text, long wrong) {
+    check.holds(text, {static_cast<double>(wrong)},
                 Bound{0, "the arithmetic is exact where the error bound does not settle the sign"});
   };
-  none("orientation", "Every orientation has its right sign.", lines);
-  none("in-circle", "Every in-circle determinant has its right sign.", circles);
+  none("Every orientation has its right sign.", lines);
+  none("Every in-circle determinant has its right sign.", circles);
   check.that("noise", "Plain arithmetic fails on these points: the test means something.",
              "orientations of the wrong sign, plain", {plain > 0 ? 1.0 : 0.0},
              Qualitative{"at least one wrong sign", "otherwise the points would not be close enough to a line"});

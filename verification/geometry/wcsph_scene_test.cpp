@@ -58,9 +58,8 @@ Flume flap_flume() {
           .spacing = 0.001};
 }
 
-void counted(Check& check, const std::string& id, const std::string& text, const Scene& scene, long expected) {
-  check.holds(id + ": " + text, {static_cast<double>(scene.particles.size())},
-              Bound{0, "a count", static_cast<double>(expected)});
+void counted(Check& check, const std::string& text, const Scene& scene, long expected) {
+  check.holds(text, {static_cast<double>(scene.particles.size())}, Bound{0, "a count", static_cast<double>(expected)});
 }
 
 double fluid_mass(const Particles& particles) {
@@ -95,15 +94,15 @@ TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
               "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two "
               "staggered rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for "
               "each of both walls at their common corners; the square lattice has one particle per cell.");
-  counted(check, "tall-published", "Case of the tall column, corners twice: 10000 + 1103.",
+  counted(check, "Case of the tall column, corners twice: 10000 + 1103.",
           dam_break(tall_column(Lattice::body_centred, true), water(0.114)), 11103);
-  counted(check, "tall-once", "The same without duplicates: 10000 + 1101.",
+  counted(check, "The same without duplicates: 10000 + 1101.",
           dam_break(tall_column(Lattice::body_centred, false), water(0.114)), 11101);
-  counted(check, "tall-square", "The same on the square lattice: 5000 + 1101.",
+  counted(check, "The same on the square lattice: 5000 + 1101.",
           dam_break(tall_column(Lattice::square, false), water(0.114)), 6101);
-  counted(check, "square-published", "Case of the square column, corners twice: 7200 + 783.",
+  counted(check, "Case of the square column, corners twice: 7200 + 783.",
           dam_break(square_column(Lattice::body_centred, true), water(0.3)), 7983);
-  counted(check, "square-once", "The same on the square lattice, without duplicates: 3600 + 781.",
+  counted(check, "The same on the square lattice, without duplicates: 3600 + 781.",
           dam_break(square_column(Lattice::square, false), water(0.3)), 4381);
 
   const Scene scene = dam_break(tall_column(Lattice::square, false), water(0.114));

@@ -130,8 +130,8 @@ TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", 
   Check check("cosine_lattice", "Cosine transforms invert the undeformed lattice",
               "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for "
               "random right-hand sides, against Eigen's dense Cholesky in double precision.");
-  const auto claim = [&](const std::string& id, const std::string& text, double error) {
-    check.holds(id + ": " + text, {error},
+  const auto claim = [&](const std::string& text, double error) {
+    check.holds(text, {error},
                 Bound{1e-5,
                       "single precision, 6e-8, times some tens of roundings in the transforms and in the elimination "
                       "over the layers"});
@@ -141,16 +141,16 @@ TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", 
     mesh.add(
         mesh_error(static_cast<std::size_t>(columns), 0.3, std::vector<double>(static_cast<std::size_t>(rows), 0.2)));
   }
-  claim("mesh", "The cosine solver solves the pressure of a mesh of equal rows.", mesh.value());
-  claim("rows", "Mesh whose rows differ in height.",
+  claim("The cosine solver solves the pressure of a mesh of equal rows.", mesh.value());
+  claim("Mesh whose rows differ in height.",
         worst(std::array{mesh_error(12, 0.3, {0.4, 0.1, 0.2, 0.15, 0.3, 0.25}), mesh_error(7, 0.1, {0.1, 0.3})}));
   Largest box;
   for (const CosineLattice::Shape shape :
        {CosineLattice::Shape{6, 5, 4}, {5, 6, 3}, {17, 3, 7}, {1, 8, 2}, {33, 2, 5}, {3, 33, 5}, {2, 1, 40}}) {
     box.add(box_error(shape));
   }
-  claim("box", "The cosine solver solves the pressure of layers in a box.", box.value());
-  claim("plan", "The cosine solver solves the pressure of one layer in a box.",
+  claim("The cosine solver solves the pressure of layers in a box.", box.value());
+  claim("The cosine solver solves the pressure of one layer in a box.",
         worst(std::array{box_error({20, 31, 1}), box_error({31, 20, 1})}));
 }
 

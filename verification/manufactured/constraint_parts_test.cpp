@@ -122,12 +122,11 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
       free.add(state.u[n + inside] - given.y);
     }
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
-                Roundoff{20, 1, "a normal from rounded places, a product with it, and its part"});
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value}, Roundoff{20, 1, "a normal from rounded places, a product with it, and its part"});
   };
-  claim("wall", "Along the wall the part along it is left.", slid.value());
-  claim("inside", "Velocities of nodes inside the water are not changed by sliding walls.", free.value());
+  claim("Along the wall the part along it is left.", slid.value());
+  claim("Velocities of nodes inside the water are not changed by sliding walls.", free.value());
 }
 
 }  // namespace seiche::verification::constraint_parts_test

@@ -82,18 +82,15 @@ TEST_CASE("a wall is a mirror", "[manufactured]") {
       };
       const std::string name =
           fmt::format("{}-{}", uneven ? "hump" : "level", level == Level::muscl ? "muscl" : "godunov");
-      const auto claim = [&](const std::string& id, const std::string& text, double value) {
-        check.holds(id + ": " + text, {value}, rounding);
-      };
+      const auto claim = [&](const std::string& text, double value) { check.holds(text, {value}, rounding); };
       const Particles half = slosh(0, 20, 0);
-      claim(name, "Half a basin behaves as half of the whole.", difference_from_half(half, slosh(-3, 40, 0)));
+      claim("Half a basin behaves as half of the whole.", difference_from_half(half, slosh(-3, 40, 0)));
       if (uneven) continue;
       constexpr double speed = 0.7;
       Particles carried = slosh(0, 20, speed);
       for (double& x : carried.edge) x -= speed * tau * steps;
       for (double& u : carried.velocity) u -= speed;
-      claim(name + "-carried", "A basin that is carried along behaves as one at rest.",
-            difference_from_half(carried, half));
+      claim("A basin that is carried along behaves as one at rest.", difference_from_half(carried, half));
     }
   }
 }
@@ -164,13 +161,13 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
     hand_over(g, *jump, mass, tau, velocity, thrust);
     const double width = mass / mean.depth + sign * tau * (velocity - back.velocity);
     const double momentum = mass * mean.velocity + sign * tau * (shallow_water::thrust(g, back.depth) - thrust);
-    const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
+    const auto claim = [&](const std::string& text, double value, double expected) {
       check.holds(
-          (right ? "right-" : "left-") + id + ": " + text, {value},
+          (right ? "right-" : "left-") + text, {value},
           Roundoff{60, std::abs(expected) + 5, "some sixty operations on numbers up to the celerity", expected});
     };
-    claim("depth", "By its volume the particle has the depth behind.", mass / width, back.depth);
-    claim("velocity", "By its momentum it has the velocity behind.", momentum / mass, back.velocity);
+    claim("By its volume the particle has the depth behind.", mass / width, back.depth);
+    claim("By its momentum it has the velocity behind.", momentum / mass, back.velocity);
   }
 }
 
@@ -189,13 +186,13 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
     momenta.add(tip.edge_depth * tip.front_velocity / (e + 1) -
                 2 * std::sqrt(g) * std::pow(tip.edge_depth, 1.5) / (1.5 * e + 1) - mean.depth * mean.velocity);
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+  const auto claim = [&](const std::string& text, double value) {
     check.holds(
-        id + ": " + text, {value},
+        text, {value},
         Roundoff{100, 2, "the exponent is found to a rounding by halving; momenta up to 2, in some thirty operations"});
   };
-  claim("mass", "The mass under the tip's profile equals the particle's mass.", masses.value());
-  claim("momentum", "The momentum that has left is second-order in the particle spacing.", momenta.value());
+  claim("The mass under the tip's profile equals the particle's mass.", masses.value());
+  claim("The momentum that has left is second-order in the particle spacing.", momenta.value());
 }
 
 }  // namespace seiche::verification::particles_parts_test

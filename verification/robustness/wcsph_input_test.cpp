@@ -124,15 +124,14 @@ TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, 
   omp_set_num_threads(usual);
   CHECK(flow.particles().x == x);
   CHECK(flow.time() == time);
-  const auto claim = [&](const std::string& id, const std::string& text, double value, double limit,
-                         const std::string& reason) {
-    check.holds(id + ": " + text, {value}, Bound{limit, reason});
+  const auto claim = [&](const std::string& text, double value, double limit, const std::string& reason) {
+    check.holds(text, {value}, Bound{limit, reason});
   };
-  claim("parallel", "The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
+  claim("The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
         "they are the user's, and may throw or share what they use");
-  claim("times", "The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
+  claim("The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
         "a measured motion begins at 0");
-  claim("calls", "The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
+  claim("The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
         "pose and rate at two instants for each of at most three evaluations, and at one for each of at most four "
         "positions: 20");
 }
