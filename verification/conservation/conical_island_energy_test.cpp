@@ -44,8 +44,7 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
   } catch (const Divergence& divergence) {
     stopped = divergence.what();
   }
-  const std::string resolution = fmt::format("columns {:g} m apart, {} steps", spacing, flow.steps());
-  check.at(resolution);
+  check.at(fmt::format("columns {:g} m apart, {} steps", spacing, flow.steps()));
   check.from(source).that("passes", "The iteration of every step settles until the end time.",
                           "time that was not reached [s]",
                           {.value = std::max(end - flow.time(), 0.0), .where = stopped},

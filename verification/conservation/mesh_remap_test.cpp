@@ -79,7 +79,6 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
               "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a third of a "
               "cell, those of the sides along them.",
               source);
-  const std::string resolution = "16 x 16 cells";
   const Model model(free_patch(cells, cells, {0, 0}, {size, size}));
   const mechanics::State state = model.state();
   const auto [x, y] = moved(model.mesh());
@@ -93,7 +92,7 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
     along.add(next.nodes().mass()[k] * now.velocity[k].x - model.nodes().mass()[k] * u[k]);
     up.add(next.nodes().mass()[k] * now.velocity[k].y - model.nodes().mass()[k] * u[model.mesh().nodes() + k]);
   }
-  check.at(resolution);
+  check.at("16 x 16 cells");
   check.that("momentum", "Momentum is conserved by the remap to round-off.", "change of the momentum [m^3/s]",
              {std::hypot(along.value(), up.value())}, rounded);
   const Remapped same = remap(model, state.q, u, model.mesh().x, model.mesh().y);
@@ -129,8 +128,7 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
   });
   const auto steps = static_cast<double>(flow.steps());
   const auto rezoned = static_cast<double>(flow.rezoning().done);
-  const std::string resolution = fmt::format("40 x 8 cells, {} steps, rezoned {} times", steps, rezoned);
-  check.at(resolution);
+  check.at(fmt::format("40 x 8 cells, {} steps, rezoned {} times", steps, rezoned));
   check.that("rezoned", "The mesh is rezoned on the way.", "times", {rezoned},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
   check.that("water", "The area of the water is conserved by rezoning.", "largest change over the first area",
@@ -211,8 +209,7 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
       bent.add(places.x[k] - places.x[low] - slope * (places.y[k] - places.y[low]), first.x[low]);
     }
   }
-  const std::string resolution = "40 x 8 cells";
-  check.at(resolution);
+  check.at("40 x 8 cells");
   check.that("water", "The area of the water is conserved to round-off.", "change of the area [m^2]", {whole.value()},
              Roundoff{100 * columns, 10, "areas of columns from places of 10 m"});
   check.that("column", "Every column keeps its water, but for what the polygon of the surface lacks.",

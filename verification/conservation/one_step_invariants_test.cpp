@@ -64,8 +64,7 @@ TEST_CASE("a free rigid chain keeps energy and momenta", "[conservation]") {
     scheme.step(state, 0.01);
     watch.record(state);
   }
-  const std::string resolution = "tau = 0.01, 1e5 steps";
-  check.at(resolution);
+  check.at("tau = 0.01, 1e5 steps");
   check.that("energy", "Energy of the free chain is constant.", "largest energy defect",
              {watch.ledger().largest_defect("energy")},
              Bound{1e-12, "4 eps sqrt(1e5) times the kinetic energy, about 3.5"});

@@ -250,11 +250,10 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       source);
   const double tau = 0.01;
   const long steps = 1000000;
-  const std::string resolution = "tau = 0.01, 1e6 steps";
   const LongRun wild = free_chain_run(0, steps, tau);
   const LongRun cured = free_chain_run(1000, steps, tau);
   const LongRun often = free_chain_run(1, steps / 10, tau);
-  check.at(resolution);
+  check.at("tau = 0.01, 1e6 steps");
   check.from(digits + ": jump 5e-3 at the start, 1e2 after 1e6 steps")
       .that("growth", "Without cure the multipliers alternate by more than 10 after 1e6 steps.",
             "alternation exceeds 10", {wild.parasite.back() > 10 ? 1.0 : 0.0},

@@ -28,8 +28,7 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
       if (jumps[j].particle + 1 == jumps[j + 1].particle && jumps[j].facing == jumps[j + 1].facing) ++adjacent;
     }
   }
-  const std::string resolution = "N = 500, tau = 0.01 s, 1e5 steps";
-  check.at(resolution);
+  check.at("N = 500, tau = 0.01 s, 1e5 steps");
   check.that("mass", "Mass of the closed basin is constant, bitwise.", "mass defect [m^2]", {flow.mass_defect()},
              Roundoff{0, 150, "masses are never written: no operation is rounded"});
   check.that("length", "The length of the closed basin is constant, bitwise.", "length defect [m]",
@@ -74,10 +73,9 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
   }
   Worst drift;
   for (std::size_t k = 0; k < edges.size(); ++k) drift.add(flow.particles().edge[k] - edges[k]);
-  const std::string resolution = "N = 200, tau = 0.005 s, 1e4 steps";
   // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
   // g times its slope (over the width) times the step is the velocity that starts.
-  check.at(resolution);
+  check.at("N = 200, tau = 0.005 s, 1e4 steps");
   check.that("velocity", "Particle velocities of the lake at rest stay zero to round-off.", "largest speed [m/s]",
              {fastest.value()},
              Roundoff{1e4, 2.8, "one rounded balance of thrusts and bed per step; scale is the celerity"});

@@ -66,8 +66,7 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
       outside.add(1 - flow.particles().depth(i));
     }
   }
-  const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
-  check.at(resolution);
+  check.at("N = 120, tau = 0.08 s, 100 steps");
   check.that("alone", "Beside an isolated bore no second jump is seen.", "jumps dropped beside a larger one",
              {static_cast<double>(flow.events().adjacent_discarded)}, Bound{0, "the water on both sides is uniform"});
   const ProfileError error = reconstructed(flow, exact);

@@ -137,10 +137,9 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   const Remapped now = remap(model, model.state().q, u, x, y);
   const Model next(now.lattice);
   const std::size_t n = model.nodes();
-  const std::string resolution = "16 x 16 cells";
   Smallest depth;
   for (const double z : now.lattice.z) depth.add(z + 1);
-  check.at(resolution);
+  check.at("16 x 16 cells");
   check.that("wet", "Depths of all columns stay positive after the remap.", "smallest depth is positive",
              {depth.value() > 0 ? 1.0 : 0.0},
              Qualitative{"above the bottom", "a column sinks by a part of its depth in a pass"});
@@ -206,7 +205,6 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     const double slope = 2 * mean_depth(film, thin.first_volumes(), i, 1) / width(film, i, 1);
     off.add(width(drawn, i, 1) / width(film, i, 1) / std::sqrt(slope / edge_slope) - 1);
   }
-  const std::string resolution = "columns 0.5 m apart";
   // A tongue: one marker of the shoreline runs 0.4 m ahead, those beside it half as far.
   Lattice tongue = lake;
   const std::size_t ahead = count / 2;
@@ -228,7 +226,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   for (std::size_t i = 0; i + 1 < count; ++i) {
     steepest.add(std::abs(up(i + 1) - up(i)) / std::hypot(lake.x[i + 1] - lake.x[i], lake.y[i + 1] - lake.y[i]));
   }
-  check.at(resolution);
+  check.at("columns 0.5 m apart");
   check.that("cut", "A tongue is drawn back to the slope asked for, on both of its sides.",
              "steepest way up from a marker of the shoreline to the next one over their distance", {steepest.value()},
              Bound{0.05, "columns are lines from the first shoreline to the outer side and not quite radii", 1});
@@ -358,11 +356,9 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
   Worst spilt;
   flow.advance_to(island.passage(), island.step(),
                   [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
-  const std::string resolution =
-      fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());
   const auto steps = static_cast<double>(flow.steps());
-  check.at(resolution);
+  check.at(fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned()));
   check.that("rezoned", "The lattice is rezoned on the way.", "times", {static_cast<double>(flow.rezoned())},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
   check.that("water", "The volume of the water is conserved to round-off.", "largest change over the first volume",
