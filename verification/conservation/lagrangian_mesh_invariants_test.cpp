@@ -13,7 +13,6 @@
 namespace seiche::verification::lagrangian_mesh_invariants_test {
 
 using namespace mechanics;
-using lagrangian_mesh_2d::Model;
 
 const std::string digits = "regression: computed once by an earlier program for the same equations";
 

@@ -95,10 +95,6 @@ double kinetic_energy(const Particles& p) {
   return sum;
 }
 
-bool same_bytes(const std::vector<double>& one, const std::vector<double>& other) {
-  return one.size() == other.size() && std::memcmp(one.data(), other.data(), one.size() * sizeof(double)) == 0;
-}
-
 TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[conservation]") {
   Check check("wcsph_carried_tank", "Tank carried at a uniform velocity",
               "Water settling in a tank, 50 steps: with all walls carried by a paddle at 2 m/s and the water at the "

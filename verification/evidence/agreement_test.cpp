@@ -10,7 +10,6 @@
 namespace seiche::verification::agreement_test {
 
 using namespace validation;
-using evidence::Claim;
 
 constexpr double pi = std::numbers::pi;
 
@@ -27,10 +26,6 @@ Points sampled(double from, double to, int intervals, Function f) {
     points.y.push_back(f(points.x.back()));
   }
   return points;
-}
-
-Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
-  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
 }
 
 TEST_CASE("measures of agreement have their known values", "[evidence]") {

@@ -11,7 +11,6 @@
 namespace seiche::verification::misreading_test {
 
 using namespace validation;
-using evidence::Claim;
 using Kind = Misreading::Kind;
 
 constexpr double spacing = 0.05;
@@ -34,10 +33,6 @@ Points sampled(Function f, double last = 20) {
     points.y.push_back(f(t));
   }
   return points;
-}
-
-Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
-  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the change"};
 }
 
 TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {

@@ -16,14 +16,9 @@
 namespace seiche::verification::particle_measures_test {
 
 using namespace validation;
-using evidence::Claim;
 using exact::OverturningWave;
 
 constexpr double pi = std::numbers::pi;
-
-Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
-  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
-}
 
 Polyline circle(double radius, int points) {
   Polyline curve;
