@@ -1,4 +1,5 @@
 // The projection of free particles' velocities: exact fields to the order of the splines, gradients to zero.
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -7,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "seiche/geometry/curve.hpp"
 #include "seiche/models/gauss_particles/particles.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::gauss_particles_projection_test {
 
@@ -93,32 +97,30 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
               "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows "
               "and for particles and masses displaced at random by up to half their spacing and half their size.",
               source);
-  auto& figure = check.figure("orders", "Error of the projection", "Against the cells of a lattice.");
-  auto& panel = figure.panel({.x = "h", .y = "relative error", .log_x = true, .log_y = true});
   for (const bool random : {false, true}) {
     for (int degree = 2; degree <= 4; ++degree) {
-      Convergence errors;
-      for (const int cells : {20, 40, 80, 160}) {
-        Particles at = water(cells, 4, false);
-        if (random) {
-          std::mt19937 generator(1);
-          const auto part = [&] { return static_cast<double>(generator()) / 4294967296.0 - 0.5; };
-          for (std::size_t k = 0; k < at.size(); ++k) {
-            at.x[k] += part() * length / (4 * cells);
-            at.mass[k] *= 1 + part();
-          }
-        }
-        const Velocities exact = solenoidal(at);
-        errors.add(length / cells, difference(at, projected(at, exact, degree, cells), exact));
-      }
-      const std::string name =
-          "p = " + std::to_string(degree) + (random ? ", random particles" : ", particles in rows");
-      panel.line(name, errors.sizes, errors.errors, Role::computed);
-      check.that(std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
-                 "The projection errs by O(h^p): " + name + ".", "order of the relative error", errors.order(),
-                 Order{static_cast<double>(degree), 0.25,
-                       "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 "
-                       "at the coarsest lattice, 0.08 at the finest, a quarter on average"});
+      const std::string id = fmt::format("{}-degree-{}", random ? "random" : "rows", degree);
+      const std::string name = fmt::format("p = {}, {}", degree, random ? "random particles" : "particles in rows");
+      refine(check, {"h", widths(length, {20, 40, 80, 160}), id, "Error of the projection, " + name},
+             {{id,
+               "The projection errs by O(h^p): " + name + ".",
+               {static_cast<double>(degree), 0.25,
+                "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 at the "
+                "coarsest lattice, 0.08 at the finest, a quarter on average"}}},
+             [&](double h) {
+               const auto cells = static_cast<int>(cells_of(length, h));
+               Particles at = water(cells, 4, false);
+               if (random) {
+                 std::mt19937 generator(1);
+                 const auto part = [&] { return static_cast<double>(generator()) / 4294967296.0 - 0.5; };
+                 for (std::size_t k = 0; k < at.size(); ++k) {
+                   at.x[k] += part() * length / (4 * cells);
+                   at.mass[k] *= 1 + part();
+                 }
+               }
+               const Velocities exact = solenoidal(at);
+               return difference(at, projected(at, exact, degree, cells), exact);
+             });
     }
   }
 }
@@ -130,27 +132,27 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
               "particles' spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the "
               "seed of the instability under gravity.",
               source);
-  for (const bool end_corrected : {false, true}) {
-    Convergence leaks;
-    for (const int per_side : {8, 16, 32, 64}) {
-      const Particles at = water(40, per_side, end_corrected);
-      const Velocities full = gradient(at);
-      leaks.add(1.0 / per_side, norm(at, projected(at, full, 3, 40)) / norm(at, full));
-    }
-    const double theory = end_corrected ? 4 : 2;
-    check.that(end_corrected ? "end-corrected" : "midpoint",
-               std::string("Projections with ") +
-                   (end_corrected ? "end-corrected masses have order 4." : "equal masses have order 2."),
-               "order of the part of a gradient that is left, in the particles' spacing", leaks.order(),
-               end_corrected
-                   ? Order{theory, 0.5,
-                           "the midpoint rule with its first end correction is of fourth order; where rows of "
-                           "particles cross a line of the lattice, at which second derivatives of the velocities jump, "
-                           "a sum errs by s^3 with a sign that changes along the row: s^3.5 in a mean, not less"}
-                   : Order{theory, 0.1,
-                           "the midpoint rule, by its ends; what lines of the lattice add is s^1.5 of it: 0.04 at the "
-                           "largest spacing s = 1/8 and 0.002 at the smallest, or 0.02 of an order"});
-  }
+  refine(
+      check, {"spacing in cells", widths(1, {8, 16, 32, 64})},
+      {{"midpoint",
+        "Projections with equal masses have order 2.",
+        {2, 0.1,
+         "the midpoint rule, by its ends; what lines of the lattice add is s^1.5 of it: 0.04 at the largest spacing s "
+         "= 1/8 and 0.002 at the smallest, or 0.02 of an order"}},
+       {"end-corrected",
+        "Projections with end-corrected masses have order 4.",
+        {4, 0.5,
+         "the midpoint rule with its first end correction is of fourth order; where rows of particles cross a line "
+         "of the lattice, at which second derivatives of the velocities jump, a sum errs by s^3 with a sign that "
+         "changes along the row: s^3.5 in a mean, not less"}}},
+      [](double spacing) {
+        const auto left = [&](bool end_corrected) {
+          const Particles at = water(40, static_cast<int>(cells_of(1, spacing)), end_corrected);
+          const Velocities full = gradient(at);
+          return norm(at, projected(at, full, 3, 40)) / norm(at, full);
+        };
+        return std::array{left(false), left(true)};
+      });
 }
 
 TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactured]") {

@@ -13,6 +13,7 @@
 #include "validation/instruments/error_measures.hpp"
 #include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::particles_orders_test {
 
@@ -37,46 +38,33 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
     return std::abs(y) < 3 ? -1.2 * a * std::pow(std::cos(a * y), 5) * std::sin(a * y) : 0.0;
   };
   const exact::SimpleWave exact(gravity, 1, {depth, slope, 3, 9});
-  auto& panel = check.figure("convergence", "Error of a smooth wave", "Mean-value L1 error of the depth.")
-                    .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
-  std::vector<double> second_order;
-  for (const Level level : {Level::godunov, Level::muscl, Level::hand_over}) {
-    std::vector<double> sizes, errors;
-    for (const std::size_t count : {std::size_t{200}, std::size_t{400}, std::size_t{800}, std::size_t{1600}}) {
-      Scheme scheme;
-      scheme.level = level;
-      ParticleFlow flow(
-          particles_from_profile(equal_width_edges(0, 20, count), depth,
-                                 [&](double x) { return 2 * (std::sqrt(gravity * depth(x)) - celerity); }),
-          {}, {}, scheme);
-      flow.advance_to(0.9);
-      sizes.push_back(20.0 / static_cast<double>(count));
-      errors.push_back(cell_error(
-                           flow.measured_profile(), [&](double x) { return exact.at(x, 0.9); }, exact.breakpoints(0.9))
-                           .depth.l1);
-    }
-    const std::string name = level == Level::godunov ? "G1" : (level == Level::muscl ? "M2" : "H2");
-    panel.points(name, sizes, errors);
-    if (level == Level::godunov) {
-      check.that("order_G1", "The depth of scheme G1 converges at first order.", "order of L1(h)",
-                 observed_order(sizes, errors),
-                 Order{1, 0.2, "first order from below: wide particles smear the crest"});
-    } else {
-      check.from("van Leer (1979)")
-          .that("order_" + name, "The depth of scheme " + name + " converges at second order.", "order of L1(h)",
-                observed_order(sizes, errors),
-                Order{2, 0.5,
-                      "the limiter drops to first order over a few particles at the crest, whose share of L1 shrinks "
-                      "faster than second order"});
-    }
-    if (level == Level::muscl) second_order = errors;
-    if (level == Level::hand_over) {
-      check.from("definition of H2")
-          .that("same", "No smooth compression is taken for a jump.", "difference of the errors of H2 and M2 [m]",
-                {.value = errors.back() - second_order.back(), .resolution = "N = 1600"},
-                Bound{0, "without a jump both run the same operations"});
-    }
-  }
+  const auto error = [&](Level level, double width) {
+    Scheme scheme;
+    scheme.level = level;
+    ParticleFlow flow(particles_from_profile(equal_width_edges(0, 20, cells_of(20, width)), depth,
+                                             [&](double x) { return 2 * (std::sqrt(gravity * depth(x)) - celerity); }),
+                      {}, {}, scheme);
+    flow.advance_to(0.9);
+    return cell_error(
+               flow.measured_profile(), [&](double x) { return exact.at(x, 0.9); }, exact.breakpoints(0.9))
+        .depth.l1;
+  };
+  const Order second{2, 0.5,
+                     "the limiter drops to first order over a few particles at the crest, whose share of L1 shrinks "
+                     "faster than second order"};
+  const auto errors = refine(
+      check, {"particle width [m]", widths(20, {200, 400, 800, 1600})},
+      {{"order_G1",
+        "The depth of scheme G1 converges at first order.",
+        {1, 0.2, "first order from below: wide particles smear the crest"}},
+       {"order_M2", "The depth of scheme M2 converges at second order.", second},
+       {"order_H2", "The depth of scheme H2 converges at second order.", second}},
+      [&](double width) {
+        return std::array{error(Level::godunov, width), error(Level::muscl, width), error(Level::hand_over, width)};
+      });
+  check.that("same", "No smooth compression is taken for a jump.", "difference of the errors of H2 and M2 [m]",
+             {.value = errors[2].back() - errors[1].back(), .resolution = "N = 1600"},
+             Bound{0, "without a jump both run the same operations"});
 }
 
 TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manufactured]") {
@@ -85,52 +73,47 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
               "that masses stay exact. Edges and mass-mean velocities have exact references.",
               "method of manufactured solutions");
   const validation::LagrangianManufactured exact(gravity);
-  std::vector<double> sizes, edge_errors, velocity_errors;
-  for (const std::size_t count : {std::size_t{320}, std::size_t{480}, std::size_t{640}, std::size_t{960}}) {
-    Particles start;
-    start.edge = equal_width_edges(0, 1, count);
-    const Array labels = start.edge;
-    for (std::size_t i = 0; i < count; ++i) {
-      start.mass.push_back(labels[i + 1] - labels[i]);
-      start.velocity.push_back(exact.mean_velocity(labels[i], labels[i + 1], 0));
-    }
-    Forcing forcing;
-    forcing.body_force = [&](double x, double t) { return exact.source(x, t); };
-    ParticleFlow flow(start, {}, forcing);
-    flow.advance_to(1);
-    double edge = 0, velocity = 0;
-    const auto n = static_cast<double>(count);
-    for (std::size_t k = 0; k <= count; ++k) {
-      edge += std::abs(flow.particles().edge[k] - exact.position(labels[k], 1)) / n;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      velocity += std::abs(flow.particles().velocity[i] - exact.mean_velocity(labels[i], labels[i + 1], 1)) / n;
-    }
-    sizes.push_back(1 / n);
-    edge_errors.push_back(edge);
-    velocity_errors.push_back(velocity);
-    if (count == 320) {
-      check.from("conservation of momentum")
-          .that("momentum", "Momentum equals the impulses of walls and source.", "momentum defect [m^3/s]",
-                {.value = flow.momentum_defect(), .resolution = "N = 320"},
-                Roundoff{6, flow.ledger().left_impulse.value(),
-                         "the books of the walls and of the source, their sum, and what is left of three numbers are "
-                         "rounded once, as large as the impulse of a wall, for sums are compensated; momenta of single "
-                         "particles are a thousandth of that"});
-    }
-  }
-  check.that("edges", "Positions of the edges converge at second order.", "order of L1(x)",
-             observed_order(sizes, edge_errors),
-             Order{2, 0.35,
-                   "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited extrema and of "
-                   "the rest cancel on coarse rows"});
-  check.that("velocities", "Velocities of the particles converge at second order.", "order of L1(u)",
-             observed_order(sizes, velocity_errors),
-             Order{2, 0.35, "approaches 2 from above: the limited extrema shrink with the width"});
-  auto& panel = check.figure("convergence", "Manufactured motion", "Errors at t = 1.")
-                    .panel({.x = "particle width [m]", .y = "L1 error", .log_x = true, .log_y = true});
-  panel.points("edges [m]", sizes, edge_errors);
-  panel.points("velocities [m/s]", sizes, velocity_errors);
+  refine(
+      check, {"particle width [m]", widths(1, {320, 480, 640, 960})},
+      {{"edges",
+        "Positions of the edges converge at second order.",
+        {2, 0.35,
+         "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited extrema and of the rest "
+         "cancel on coarse rows"}},
+       {"velocities",
+        "Velocities of the particles converge at second order.",
+        {2, 0.35, "approaches 2 from above: the limited extrema shrink with the width"}}},
+      [&](double width) {
+        const std::size_t count = cells_of(1, width);
+        Particles start;
+        start.edge = equal_width_edges(0, 1, count);
+        const Array labels = start.edge;
+        for (std::size_t i = 0; i < count; ++i) {
+          start.mass.push_back(labels[i + 1] - labels[i]);
+          start.velocity.push_back(exact.mean_velocity(labels[i], labels[i + 1], 0));
+        }
+        Forcing forcing;
+        forcing.body_force = [&](double x, double t) { return exact.source(x, t); };
+        ParticleFlow flow(start, {}, forcing);
+        flow.advance_to(1);
+        double edge = 0, velocity = 0;
+        for (std::size_t k = 0; k <= count; ++k) {
+          edge += std::abs(flow.particles().edge[k] - exact.position(labels[k], 1)) * width;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+          velocity += std::abs(flow.particles().velocity[i] - exact.mean_velocity(labels[i], labels[i + 1], 1)) * width;
+        }
+        if (count == 320) {
+          check.from("conservation of momentum")
+              .that("momentum", "Momentum equals the impulses of walls and source.", "momentum defect [m^3/s]",
+                    {.value = flow.momentum_defect(), .resolution = "N = 320"},
+                    Roundoff{6, flow.ledger().left_impulse.value(),
+                             "the books of the walls and of the source, their sum, and what is left of three numbers "
+                             "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "
+                             "of single particles are a thousandth of that"});
+        }
+        return std::array{edge, velocity};
+      });
 }
 
 TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufactured]") {
