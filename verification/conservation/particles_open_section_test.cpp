@@ -8,6 +8,7 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::particles_open_section_test {
 
@@ -27,8 +28,8 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
               "are booked, and the error of the depth after 40 s falls with the square of the particle width.",
               "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269");
   const exact::SteadyBump exact(9.81, 4.42, 2);
-  Convergence errors;
-  for (const std::size_t count : {std::size_t{25}, std::size_t{50}, std::size_t{100}, std::size_t{200}}) {
+  const auto error_of = [&](double width) {
+    const std::size_t count = cells_of(25, width);
     const Particles start = particles_from_profile(
         equal_width_edges(0, 25, count), [&](double x) { return exact.at(x).depth; },
         [&](double x) { return exact.at(x).velocity; });
@@ -38,7 +39,6 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     flow.advance_to(40);
     const auto error = cell_error(
         flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
-    errors.add(25.0 / static_cast<double>(count), error.depth.l1);
     check.holds(fmt::format("mass_{}", count) + ": Mass equals what has passed the sections.", {flow.mass_defect()},
                 Roundoff{6, flow.ledger().left_mass.value(),
                          "the books of the two sections, their sum, and what is left of three numbers are rounded "
@@ -51,14 +51,15 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
                          "the books of the sections and of the bed, their sum, and what is left of three numbers are "
                          "rounded once, as large as the impulse at a section, for sums are compensated; and every step "
                          "rounds the momentum of each particle"});
-  }
-  check.that("order", "The depth over the bump converges at second order.", "order of L1(h)", errors.order(),
-             Order{2, 0.5,
-                   "the ends of the bump have a kink in z', where the limited slopes are of first order over a region "
-                   "that shrinks with the width"});
-  auto& panel = check.figure("convergence", "Error of the steady depth", "L1 error against particle width.")
-                    .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
-  panel.points("particles", errors.sizes, errors.errors);
+    return error.depth.l1;
+  };
+  refine(check, {"particle width [m]", widths(25, {25, 50, 100, 200})},
+         {{"order",
+           "The depth over the bump converges at second order.",
+           {2, 0.5,
+            "the ends of the bump have a kink in z', where the limited slopes are of first order over a region that "
+            "shrinks with the width"}}},
+         error_of);
 }
 
 }  // namespace seiche::verification::particles_open_section_test

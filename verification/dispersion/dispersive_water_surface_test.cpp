@@ -14,6 +14,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::dispersive_water_surface_test {
 
@@ -74,31 +75,32 @@ TEST_CASE("the water's surface is of second order over an uneven bottom", "[disp
               "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, markers at uneven places carry w - gamma L "
               "w/4; the water's surface there is w - 3 gamma L w/4.",
               derived);
-  std::vector<double> widths, errors;
-  for (const int n : {50, 100, 200, 400}) {
-    std::vector<double> x, y, zeta, volume;
-    const auto place = [&](int i) {
-      const double a = 2 * pi * i / n;
-      return a + 0.3 * std::sin(a + 1);
-    };
-    for (int i = 0; i < n; ++i) {
-      const double at = place(i);
-      const double depth = 1 + 0.3 * std::cos(at);
-      const double operated = 2 * depth * -0.3 * std::sin(at) * std::cos(at) - depth * depth * std::sin(at);
-      x.push_back(at);
-      y.push_back(std::sin(at) - improved / 4 * operated);
-      zeta.push_back(std::sin(at) - 3 * improved / 4 * operated);
-      const double next = place(i + 1);
-      volume.push_back(next - at + 0.3 * (std::sin(next) - std::sin(at)));
-    }
-    const auto surface = water_surface(x, y, volume, improved, 2 * pi);
-    Mean square;
-    for (std::size_t i = 0; i < x.size(); ++i) square.add(std::pow(surface[i] - zeta[i], 2));
-    errors.push_back(std::sqrt(square.value()));
-    widths.push_back(2 * pi / n);
-  }
-  check.that("order", "The water's surface is of second order.", "order of the root-mean-square error",
-             observed_order(widths, errors), Order{2, 0.05, "smooth places, differences between neighbours"});
+  refine(check, {"width of a cell", widths(2 * pi, {50, 100, 200, 400})},
+         {{"order",
+           "The water's surface is of second order.",
+           {2, 0.05, "smooth places, differences between neighbours"}}},
+         [](double width) {
+           const auto n = static_cast<int>(cells_of(2 * pi, width));
+           std::vector<double> x, y, zeta, volume;
+           const auto place = [&](int i) {
+             const double a = 2 * pi * i / n;
+             return a + 0.3 * std::sin(a + 1);
+           };
+           for (int i = 0; i < n; ++i) {
+             const double at = place(i);
+             const double depth = 1 + 0.3 * std::cos(at);
+             const double operated = 2 * depth * -0.3 * std::sin(at) * std::cos(at) - depth * depth * std::sin(at);
+             x.push_back(at);
+             y.push_back(std::sin(at) - improved / 4 * operated);
+             zeta.push_back(std::sin(at) - 3 * improved / 4 * operated);
+             const double next = place(i + 1);
+             volume.push_back(next - at + 0.3 * (std::sin(next) - std::sin(at)));
+           }
+           const auto surface = water_surface(x, y, volume, improved, 2 * pi);
+           Mean square;
+           for (std::size_t i = 0; i < x.size(); ++i) square.add(surface[i] - zeta[i]);
+           return square.rms();
+         });
 }
 
 TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]") {
@@ -108,23 +110,19 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
               "that of the markers and of Serre's equations agree to k^2 only. And waves that begin with the markers' "
               "own second harmonic keep it.",
               "Stokes, Trans. Camb. Phil. Soc. 8 (1847) 441");
-  std::vector<double> depths, of_surface, of_markers;
-  for (const double k : {0.1, 0.15, 0.2, 0.3}) {
-    const double sigma = std::tanh(k);
-    const double stokes = k / 4 * (3 - sigma * sigma) / std::pow(sigma, 3);
-    const double markers = bound_second_harmonic(0.4, improved, 2, k);
-    depths.push_back(k);
-    of_markers.push_back(std::abs(markers / stokes - 1));
-    of_surface.push_back(
-        std::abs(markers * surface_of_wave(improved, 2 * k) / std::pow(surface_of_wave(improved, k), 2) / stokes - 1));
-  }
-  const auto claim = [&](const std::string& id, const std::string& whose, double order, double band) {
-    check.that(id, fmt::format("The second harmonic of {} differs from Stokes's by k^{:g}.", whose, order),
-               "order of the relative difference", observed_order(depths, id == "surface" ? of_surface : of_markers),
-               Order{order, band, "expansion in k"});
-  };
-  claim("surface", "the water's surface", 4, 0.2);
-  claim("markers", "the markers", 2, 0.2);
+  refine(check, {"k", {0.1, 0.15, 0.2, 0.3}},
+         {{"surface",
+           "The second harmonic of the water's surface differs from Stokes's by k^4.",
+           {4, 0.2, "expansion in k"}},
+          {"markers", "The second harmonic of the markers differs from Stokes's by k^2.", {2, 0.2, "expansion in k"}}},
+         [](double k) {
+           const double sigma = std::tanh(k);
+           const double stokes = k / 4 * (3 - sigma * sigma) / std::pow(sigma, 3);
+           const double markers = bound_second_harmonic(0.4, improved, 2, k);
+           const double surface =
+               markers * surface_of_wave(improved, 2 * k) / std::pow(surface_of_wave(improved, k), 2);
+           return std::array{std::abs(surface / stokes - 1), std::abs(markers / stokes - 1)};
+         });
 
   // A wavelength of 2 pi in a ring.
   constexpr double amplitude = 0.01;

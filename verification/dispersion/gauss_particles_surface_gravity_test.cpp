@@ -11,6 +11,7 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::gauss_particles_surface_gravity_test {
 
@@ -131,18 +132,17 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
   check.that("energy", "The energy is conserved to round-off.", "largest defect over the kinetic energy",
              {.value = wave.energy_defect(), .resolution = resolution},
              Roundoff{steps * periods, 2, "one rounding per step of the kinetic and the potential energy"});
-  const std::vector<int> counts{28, 40, 56, 80};
-  Convergence found;
-  for (const int count : counts) {
-    Wave one_period(true, 0.9);
-    one_period.run(count, 1);
-    found.add(turn / count, one_period.difference());
-  }
-  check.that("order", "The surface converges with the second order of the step.",
-             "order of the rms difference after one period", found.order(),
-             Order{2, 0.2,
-                   "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the "
-                   "lattice adds 1e-4 to differences from 5e-4"});
+  refine(check, {"omega tau", widths(turn, {28, 40, 56, 80})},
+         {{"order",
+           "The surface converges with the second order of the step.",
+           {2, 0.2,
+            "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the lattice "
+            "adds 1e-4 to differences from 5e-4"}}},
+         [](double step) {
+           Wave one_period(true, 0.9);
+           one_period.run(static_cast<int>(cells_of(turn, step)), 1);
+           return one_period.difference();
+         });
 }
 
 }  // namespace seiche::verification::gauss_particles_surface_gravity_test

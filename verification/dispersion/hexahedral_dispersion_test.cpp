@@ -10,6 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace seiche::verification::hexahedral_dispersion_test {
@@ -36,14 +37,11 @@ double plan_error(double wavelength, double spacing) {
 }
 
 void claim_limits(Check& check) {
-  Convergence errors;
-  for (std::size_t layers = 16; layers <= 256; layers *= 2) {
-    const double h = 1 / static_cast<double>(layers);
-    errors.add(h, std::abs(layers_error(3, h, layers, 0.5)));
-  }
-  check.that("order", "With cubes the law tends to Airy's with the square of their size.",
-             "order of the error at a wavelength of three depths, 29 degrees", errors.order(),
-             Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"});
+  refine(check, {"size of the cubes", widths(1, {16, 32, 64, 128, 256})},
+         {{"order",
+           "With cubes the law tends to Airy's with the square of their size.",
+           {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"}}},
+         [](double h) { return std::abs(layers_error(3, h, cells_of(1, h), 0.5)); });
   // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine plan lattice
   for (const std::size_t layers : {1UL, 2UL, 3UL}) {
     for (const bool tuned : {false, true}) {

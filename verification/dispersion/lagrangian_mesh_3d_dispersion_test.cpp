@@ -124,19 +124,6 @@ TEST_CASE("standing waves in a box of hexahedra have the frequencies of the clos
                       "amplitudes of 1e-6 change frequencies by their square, 1e-12, and are kept to 1e-11 by the "
                       "solver, which second differences with omega tau = 0.2 divide by 0.04"});
   }
-  auto& errors = check.figure(
-      "errors", "What layers and cells cost in frequency",
-      "Relative deviation of the closed form from Airy's law along a lattice axis, cells of half a depth.");
-  auto& error_panel = errors.panel({.x = "wavelength over depth", .y = "relative error of the frequency"});
-  for (const std::size_t layers : {1U, 2U, 3U, 6U}) {
-    const exact::HexahedralDispersion law(1, 1, 0.5, 0.5, layers);
-    std::vector<double> wavelengths, error;
-    for (int i = 0; i <= 60; ++i) {
-      wavelengths.push_back(3 + 0.2 * i);
-      error.push_back(law.frequency_error(2 * pi / wavelengths.back(), 0));
-    }
-    error_panel.line(fmt::format("{} layers", layers), wavelengths, error, Role::exact);
-  }
 }
 
 }  // namespace seiche::verification::lagrangian_mesh_3d_dispersion_test

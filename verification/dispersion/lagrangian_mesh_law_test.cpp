@@ -8,6 +8,7 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace seiche::verification::lagrangian_mesh_law_test {
@@ -74,16 +75,12 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
                         1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
     }
   }
-  std::vector<double> sizes, errors;
-  for (std::size_t rows = 32; rows <= 512; rows *= 2) {
-    const double h = 1.0 / static_cast<double>(rows);
-    sizes.push_back(h);
-    errors.push_back(std::abs(error_against_airy(3, h, rows)));
-  }
-  check.that(
-      "order", "The law tends to Airy's with the square of the cells' size.",
-      "order in h1 = h2 of the error at a wavelength of three depths", observed_order(sizes, errors),
-      Order{2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"});
+  refine(
+      check, {"h1 = h2", widths(1, {32, 64, 128, 256, 512})},
+      {{"order",
+        "The law tends to Airy's with the square of the cells' size.",
+        {2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"}}},
+      [](double h) { return std::abs(error_against_airy(3, h, cells_of(1, h))); });
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0, 1), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(2.001 * pi), std::invalid_argument);

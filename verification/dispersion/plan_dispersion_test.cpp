@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,6 +10,7 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace seiche::verification::plan_dispersion_test {
@@ -55,21 +57,19 @@ void claim_misprints(Check& check) {
 void claim_orders(Check& check) {
   constexpr double k = 1.2;
   constexpr double direction = 0.5;
-  std::vector<double> spacings, errors, rests;
-  for (double h = 0.4; h > 0.02; h /= 2) {
-    spacings.push_back(h);
-    const PlanDispersion law(1, 1, h, 0.7 * h);
-    errors.push_back(std::abs(law.frequency_error(k, direction)));
-    rests.push_back(std::abs(law.frequency_error(k, direction) - law.leading_error(k, direction)));
-  }
-  check.from(source).that(
-      "order", "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
-      "order in h1 at k H = 1.2, 29 degrees, h2 = 0.7 h1", observed_order(spacings, errors),
-      Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
-  check.from(source).that(
-      "leading-term", "Beyond its leading error the law deviates with the fourth power of the spacing.",
-      "order in h1 of the error minus its leading term", observed_order(spacings, rests),
-      Order{4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
+  check.source(source);
+  refine(check, {"h1", {0.4, 0.2, 0.1, 0.05, 0.025}},
+         {{"order",
+           "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
+           {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"}},
+          {"leading-term",
+           "Beyond its leading error the law deviates with the fourth power of the spacing.",
+           {4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"}}},
+         [](double spacing) {
+           const PlanDispersion law(1, 1, spacing, 0.7 * spacing);
+           const double error = law.frequency_error(k, direction);
+           return std::array{std::abs(error), std::abs(error - law.leading_error(k, direction))};
+         });
   const double h = 0.5;
   const double small = 0.02;
   check.from(source).that(
