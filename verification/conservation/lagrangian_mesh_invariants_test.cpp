@@ -1,4 +1,4 @@
-// A free patch of fluid: energy, momenta and areas to round-off, with first values known from elsewhere.
+// A free patch of fluid: energy, momenta and areas to round-off.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +13,6 @@
 namespace seiche::verification::lagrangian_mesh_invariants_test {
 
 using namespace mechanics;
-
-const std::string digits = "regression: computed once by an earlier program for the same equations";
 
 struct Drift {
   double energy, momentum, angular_momentum, area;
@@ -50,22 +48,7 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
               "Square of 8 x 8 cells of constant area, no potential, sheared and bent by its initial velocity, to t = "
               "1. Areas are bilinear: $V_s(r) - (\\tau^2/4)V_s(u)$ is exactly constant with the one-step scheme, and "
               "$V_s$ itself with the fully conservative one.");
-  const auto [patch, start] = moving_patch();
   constexpr double coordinates = 162;
-  const Roundoff initial{
-      .operations = coordinates + 64 / coordinates,
-      .scale = 1,
-      .reason = "sums over 162 coordinates, each rounded 64 times by the projection, that is 1/162 of the sum"};
-  Roundoff energy = initial;
-  energy.expected = 0.884486280096849;
-  check.from(digits + " to 15 digits")
-      .that("initial-energy", "Kinetic energy of the projected velocity.", "energy",
-            {patch.kinetic_energy(start.q, start.u)}, energy);
-  Roundoff angular = initial;
-  angular.expected = 1.47566381695791;
-  check.from(digits + " to 15 digits")
-      .that("initial-angular-momentum", "Angular momentum of the projected velocity.", "angular momentum",
-            {patch.angular_momentum(start.q, start.u)[0]}, angular);
   const auto keeps = [&](const std::string& text, double value, int steps) {
     check.holds(text, {value},
                 Roundoff{2 * coordinates + 10 * steps / coordinates, 1,
@@ -79,22 +62,17 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
                          "side; as do the two areas"});
   };
   struct Case {
-    std::string id, resolution;
+    std::string id;
     double tau;
     int steps;
   };
-  for (const Case& c : {Case{"fine", "tau = 1e-5", 1e-5, 100000}, Case{"coarse", "tau = 1e-3", 1e-3, 1000}}) {
+  for (const Case& c : {Case{"fine", 1e-5, 100000}, Case{"coarse", 1e-3, 1000}}) {
     const Drift d = drift(Integrator::one_step, c.tau, c.steps);
     keeps("Energy is conserved to round-off (one-step scheme).", d.energy, c.steps);
     keeps("Momentum is conserved to round-off (one-step scheme).", d.momentum, c.steps);
     keeps("Angular momentum is conserved to round-off (one-step scheme).", d.angular_momentum, c.steps);
     keeps_areas("The modified area V_s(r) - (tau^2/4) V_s(u) is conserved to round-off (one-step scheme).",
                 d.modified_area, c.steps);
-    if (c.steps == 1000) {
-      check.from(digits).that("area", "The area error of the one-step scheme, O(tau^2), has the two digits expected.",
-                              "largest change of a cell's area", {.value = d.area, .resolution = c.resolution},
-                              Bound{0.05e-9, "half a unit of the last of two digits", 5.3e-9});
-    }
   }
   const Drift implicit = drift(Integrator::conservative, 0.02, 50);
   keeps("Energy is conserved to round-off (fully conservative scheme).", implicit.energy, 50);

@@ -259,7 +259,6 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
                          "times as large"});
   };
   for (const Shape shape : {Shape::smoothed, Shape::ball}) {
-    const std::string name = shape == Shape::ball ? "ball" : "smoothed";
     Model model(jittered_square(), {.shape = shape, .support = shape == Shape::ball ? 1.6 : 2.6});
     rigid("Translation along x leaves the masses of all volumes unchanged.", model, [](Point) { return Point{1, 0}; });
     rigid("Translation along y leaves the masses of all volumes unchanged.", model, [](Point) { return Point{0, 1}; });
