@@ -52,18 +52,18 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
     for (std::size_t k = 0; k < m.plan.nodes(); ++k) m.z[k] = -1 + 0.05 * m.x[k] + (k == 3 ? 1e-10 : 0);
   });
   layer({"elevation 0", "x = 4", "above the bottom 0"}, [](Layer& l) { l.bottom = plane_bottom(0.25); });
-  const auto over_slope = refusals.with<auto>([&](const auto& change) {
-    Layer l = still_layer();
-    l.bottom = plane_bottom(0.05);
-    Mesh m = layer_mesh(l);
+  struct Sloped {
+    Mesh mesh;
     Window window;
-    change(m, window);
-    Flow flow(std::move(m), {}, {}, {}, window);
-  });
+  };
+  Layer sloped = still_layer();
+  sloped.bottom = plane_bottom(0.05);
+  const auto over_slope =
+      refusals.of(Sloped{layer_mesh(sloped), {}}, [](Sloped s) { Flow flow(std::move(s.mesh), {}, {}, {}, s.window); });
   over_slope({"driven side", "uneven bottom"},
-             [](Mesh& m, Window&) { m.sides.west = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }}; });
-  over_slope({"moving window", "uneven bottom"}, [](Mesh&, Window& w) { w.reach = [](double t) { return t; }; });
-  over_slope({"free bottom", "uneven"}, [](Mesh& m, Window&) { m.free_bottom = true; });
+             [](Sloped& s) { s.mesh.sides.west = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }}; });
+  over_slope({"moving window", "uneven bottom"}, [](Sloped& s) { s.window.reach = [](double t) { return t; }; });
+  over_slope({"free bottom", "uneven"}, [](Sloped& s) { s.mesh.free_bottom = true; });
   refusals.refused({"bends outwards", "(2, 0)", "180"}, [] {
     Layer l = still_layer();
     l.south_wall = [](double x) { return x < 2 ? 0.0 : 0.3 * (2 - x); };

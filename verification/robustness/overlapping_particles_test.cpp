@@ -18,13 +18,6 @@ Particles block() {
   return staggered({.spacing = 0.1, .lower = {0, 0}, .upper = {0.8, 0.5}, .through = {0, 0.05}});
 }
 
-template <class Change>
-void build(const Change& change, Settings settings = {}) {
-  Particles particles = block();
-  change(particles);
-  Flow flow(particles, {}, std::move(settings));
-}
-
 /// A square lattice that fills a box of the side 1: with its mirror images it fills the plane.
 Particles full_box() {
   Particles box{.x = {}, .y = {}, .mass = {}, .spacing = 0.1};
@@ -45,7 +38,7 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
       "overlapping_particles_bad_input", "Bad input of overlapping particles",
       "Particles that are none, at one place or behind walls; walls that images cannot do; settings out of range.");
   Refusals refusals(check);
-  const auto refused = refusals.with<auto>([&](const auto& change) { build(change); });
+  const auto refused = refusals.of(block(), [](const Particles& p) { Flow flow(p); });
   refused({"x of particle 4", "nan", "finite"}, [](Particles& p) { p.x[4] = not_a_number; });
   refused({"y of particle 2", "inf", "finite"}, [](Particles& p) { p.y[2] = std::numeric_limits<double>::infinity(); });
   refused({"mass of particle 3", "= 0", "positive"}, [](Particles& p) { p.mass[3] = 0; });
@@ -66,7 +59,7 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
     p.x[6] += 10;
     p.x[7] += 10;
   });
-  const auto setting = refusals.with<Settings>([&](const Settings& settings) { build([](Particles&) {}, settings); });
+  const auto setting = refusals.with<Settings>([](const Settings& settings) { Flow flow(block(), {}, settings); });
   setting({"support", "= 1.25", "[1.5, 10]"}, {.support = 1.25});
   setting({"support", "nan"}, {.support = not_a_number});
   setting({"gravity", "= -1", "non-negative"}, {.gravity = -1});
