@@ -127,17 +127,6 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
   const std::vector<Row> rows{{{32, 1}, 0.9998750, 7},  {{64, 1}, 1.0078660, 7},
                               {{128, 1}, 1.0098731, 7}, {{64, 1, KernelName::wendland_c2, 2.0}, 0.9938213, 7},
                               {{64, 4}, 0.9685005, 7},  {{64, 8}, 0.8520, 4}};
-  evidence::Table table{.id = "frequencies",
-                        .title = "Frequency over c_0 k, and growth of the energy",
-                        .caption = "Steps of 0.3 h/c_0 to t = 0.5.",
-                        .columns = {{"kernel", ""},
-                                    {"N", "1"},
-                                    {"mode", "1"},
-                                    {"S/k", "1"},
-                                    {"expected", "1"},
-                                    {"measured", "1"},
-                                    {"growth expected", "1"},
-                                    {"growth", "1"}}};
   std::vector<double> k_cubic, cubic, k_wendland, wendland;
   for (const Row& row : rows) {
     const Wave& wave = row.wave;
@@ -167,14 +156,10 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
                       "and grows 16 times as fast; densities of 1 are rounded by steps, 4 eps sqrt(steps), over an "
                       "amplitude of 1e-5 of each particle",
                       growth, true});
-    table.rows.push_back({std::string(name_of(wave.kernel)), static_cast<double>(wave.cells),
-                          static_cast<double>(wave.mode), wave.dispersion(), expected, found.frequency, growth,
-                          found.energy_growth});
     const bool spline = wave.kernel == KernelName::cubic_spline;
     (spline ? k_cubic : k_wendland).push_back(static_cast<double>(wave.mode) / static_cast<double>(wave.cells));
     (spline ? cubic : wendland).push_back(found.frequency * angle / turn(angle));
   }
-  check.table(std::move(table));
 
   auto& panel = check
                     .figure("dispersion", "Numerical dispersion of sound",

@@ -60,15 +60,6 @@ struct Run {
 
 std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
   const StretchingDrop drop(1, 1, -1, 1);
-  evidence::Table table{.id = "errors",
-                        .title = "Errors of the patch",
-                        .caption = "Semi-axis and energy relative, velocity over its value of the beginning.",
-                        .columns = {{"kernel, spacing", ""},
-                                    {"semi-axis, t = 0.5", "1"},
-                                    {"semi-axis, t = 1", "1"},
-                                    {"velocity, t = 0.5", "1"},
-                                    {"velocity, t = 1", "1"},
-                                    {"energy, t = 1", "1"}}};
   auto& figure = check.figure("shape", "Stretched patch at t = 1", "Particles, and the exact outline.");
   std::vector<Errors> last;
   for (const Run& run : runs) {
@@ -94,7 +85,6 @@ std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
     flow.advance_to(1);
     const Errors one = errors(flow, drop, energy);
     last.push_back(one);
-    table.rows.push_back({run.name, half.axis, one.axis, half.velocity, one.velocity, one.energy});
     const auto claim = [&](const std::string& quantity, double value, const Bound& bound) {
       check.holds(run.name + ": " + quantity, {value}, bound);
     };
@@ -122,7 +112,6 @@ std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
     }
     panel.line("exact outline", x, z, Role::exact);
   }
-  check.table(std::move(table));
   return last;
 }
 
