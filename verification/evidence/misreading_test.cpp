@@ -22,7 +22,7 @@ double gauge(double t) {
 
 struct Points {
   std::vector<double> x, y;
-  [[nodiscard]] Curve curve() const { return {x, y}; }
+  [[nodiscard]] validation::Curve curve() const { return {x, y}; }
 };
 
 template <class Function>

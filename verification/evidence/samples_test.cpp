@@ -27,8 +27,9 @@ TEST_CASE("a NaN first, in the middle or last makes every measure NaN", "[sample
       mean.add(samples[k]);
       count.add(samples[k], [](double sample) { return sample > 0; });
     }
-    for (const double measured : {worst.value(), largest_one.value(), smallest_one.value(), mean.value(), mean.rms(),
-                                  mean.sum(), count.value(), largest(samples), smallest(samples), worst(samples)}) {
+    for (const double measured :
+         {worst.value(), largest_one.value(), smallest_one.value(), mean.value(), mean.rms(), mean.sum(), count.value(),
+          largest(samples), smallest(samples), seiche::worst(samples)}) {
       CHECK(std::isnan(measured));
     }
     CHECK(worst.where() == static_cast<double>(place));
@@ -39,14 +40,14 @@ TEST_CASE("a NaN first, in the middle or last makes every measure NaN", "[sample
 TEST_CASE("without samples every measure is NaN", "[samples]") {
   const std::vector<double> none;
   for (const double measured : {Worst().value(), Largest().value(), Smallest().value(), Mean().value(), Mean().rms(),
-                                Mean().sum(), Count().value(), largest(none), smallest(none), worst(none)}) {
+                                Mean().sum(), Count().value(), largest(none), smallest(none), seiche::worst(none)}) {
     CHECK(std::isnan(measured));
   }
 }
 
 TEST_CASE("measures of numbers are those of their definitions", "[samples]") {
   const std::vector<double> samples{0.5, -3, 2, 1, 0};
-  CHECK(worst(samples) == 3);
+  CHECK(seiche::worst(samples) == 3);
   CHECK(largest(samples) == 2);
   CHECK(smallest(samples) == -3);
   Mean mean;
