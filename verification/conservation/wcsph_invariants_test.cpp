@@ -35,7 +35,7 @@ Particles resting_blob(double spacing) {
 
 /// Velocity (-x, z), jittered: no symmetry is left.
 Particles jittered_patch(double spacing, double density) {
-  Particles patch = disc(spacing, density);
+  Particles patch = wcsph_disc(spacing, density);
   jitter(patch, 0.1 * spacing);
   for (std::size_t a = 0; a < patch.size(); ++a) {
     patch.u[a] = -patch.x[a] + 0.3 * patch.z[a];
@@ -128,7 +128,7 @@ TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
               "The stretching disc on a lattice that is symmetric about both axes: angular momentum stays at rounding "
               "although steps are explicit.",
               "symmetry");
-  Particles patch = disc(0.05, 1);
+  Particles patch = wcsph_disc(0.05, 1);
   for (std::size_t a = 0; a < patch.size(); ++a) {
     patch.u[a] = -patch.x[a];
     patch.w[a] = patch.z[a];
