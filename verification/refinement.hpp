@@ -1,7 +1,6 @@
 /// Errors of a sequence of resolutions: their orders as claims, and their figure.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <set>
 #include <string>

@@ -1,7 +1,6 @@
 /// Particles for the checks of weakly compressible SPH, and how they are compared.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,6 @@
 // The conservative step of the plan model around an island, with its shoreline and over a surveyed bottom.
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 

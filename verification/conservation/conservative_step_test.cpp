@@ -1,7 +1,5 @@
 // The implicit variant: energy of a nonlinear potential, constraints and momenta to round-off.
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "seiche/divergence.hpp"

@@ -1,10 +1,8 @@
 // What water on meshes and in columns keeps to round-off, as ledgers of runs say: momenta without walls, energy and
 // volumes with the fully conservative scheme.
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "verification/check.hpp"

@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"

@@ -1,5 +1,4 @@
 // Volumes and potential energy of the plan model: gradients against differences, and identities of the bilinear patch.
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>

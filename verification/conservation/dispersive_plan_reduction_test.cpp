@@ -1,5 +1,4 @@
 // Waves of the plan model that do not depend on y are those of the one-dimensional model, whatever the number of rows.
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>

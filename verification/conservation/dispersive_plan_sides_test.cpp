@@ -1,11 +1,8 @@
 // Sides of the plan model that waves pass: a window that follows a wave, a driven side that lets one in, a slanted wall
 // that sends one back.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"

@@ -1,5 +1,4 @@
 // A patch of water with two free ends: nothing acts on it from outside.
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>

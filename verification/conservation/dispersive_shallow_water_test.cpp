@@ -1,5 +1,4 @@
 // A solitary wave in a periodic channel: what each scheme of the dispersive shallow-water model conserves.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>

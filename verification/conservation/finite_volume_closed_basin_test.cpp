@@ -1,4 +1,3 @@
-#include <cmath>
 #include <vector>
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"

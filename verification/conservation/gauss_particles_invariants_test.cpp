@@ -1,6 +1,5 @@
 // Energy and momenta of free particles under Gauss's principle, with another space of fields at every step.
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>

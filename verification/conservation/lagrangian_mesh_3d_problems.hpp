@@ -1,11 +1,9 @@
 /// Motions of the hexahedral Lagrangian mesh on which conservation, accuracy and symmetries are tried.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"

@@ -1,7 +1,5 @@
 // A free patch of fluid: energy, momenta and areas to round-off.
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "seiche/mechanics/invariants.hpp"

@@ -1,7 +1,6 @@
 /// Motions of the two-dimensional Lagrangian mesh on which conservation, accuracy and symmetries are tried.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>

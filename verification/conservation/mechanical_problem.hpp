@@ -1,9 +1,7 @@
 /// A mechanical model with the state it starts from, and what tests of all models do with it.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>

@@ -1,12 +1,8 @@
 // Columns and meshes, their main options, and the twins of their flows.
-#include <fmt/format.h>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
-#include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>

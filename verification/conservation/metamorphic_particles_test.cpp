@@ -1,9 +1,6 @@
 // Particles, cells and finite volumes, their main options, and the twins of their flows.
-#include <fmt/format.h>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>

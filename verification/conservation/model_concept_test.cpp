@@ -1,5 +1,4 @@
 // One interface for all models: moving frames, a basis instead of multipliers, constraints that come and go.
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>

@@ -1,6 +1,4 @@
 // What the one-step scheme keeps to round-off.
-#include <algorithm>
-#include <cmath>
 
 #include "seiche/samples.hpp"
 #include "validation/instruments/rigid_chain.hpp"

@@ -1,5 +1,4 @@
 // The alternation of the multipliers: how it starts, how it grows in very long runs, and its cures.
-#include <algorithm>
 #include <cmath>
 
 #include "seiche/mechanics/index_reduced.hpp"

@@ -1,5 +1,4 @@
 // What the particle method keeps for ever: mass, length, momentum minus booked impulses, and a lake at rest.
-#include <algorithm>
 #include <cmath>
 
 #include "seiche/models/shallow_water_particles/initial.hpp"

@@ -1,9 +1,7 @@
 // A step of the shallow-water particles goes through a long row stretch by stretch, on threads: neither leaves a trace.
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"

@@ -1,7 +1,5 @@
 // The moving shoreline of the plan model: rest, conservation, and the slow oscillation of water in a parabolic canal.
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>

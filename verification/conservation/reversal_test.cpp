@@ -3,7 +3,6 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/instruments/rigid_chain.hpp"

@@ -1,7 +1,6 @@
 // Particles of variable mass: neutral exchanges.
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 

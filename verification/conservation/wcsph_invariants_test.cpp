@@ -1,7 +1,6 @@
 // What weakly compressible SPH conserves: momentum to round-off, angular momentum and energy to the order of the steps.
 #include <cmath>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>

@@ -1,14 +1,9 @@
 // What must not change a computation by weakly compressible SPH: a carriage under the tank, and the way the sums are
 // made.
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"

@@ -1,13 +1,10 @@
 // Standing waves of the plan model against its closed dispersion law: the linearised matrices, and runs.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan_standing_mode.hpp"

@@ -1,6 +1,4 @@
 // A solitary wave on coarse cells of the plan model keeps its amplitude, energy and speed.
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <boost/math/tools/roots.hpp>
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"

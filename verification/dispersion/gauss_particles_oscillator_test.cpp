@@ -1,6 +1,5 @@
 // The linear law of the conservative scheme of free particles: leapfrog's, with its limit of stability.
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>

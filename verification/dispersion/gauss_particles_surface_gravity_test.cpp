@@ -4,7 +4,6 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"

@@ -1,6 +1,5 @@
 // A solitary wave on coarse hexahedra keeps its amplitude, and its speed is the better the more layers there are.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -1,5 +1,4 @@
 // Small oscillations of a hanging chain: frequencies of both schemes, and the largest stable step.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>

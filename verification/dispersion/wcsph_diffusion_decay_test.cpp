@@ -1,9 +1,7 @@
 // Sound in weakly compressible SPH with density diffusion: it dies away as the linear equations on the lattice say.
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // Waves that lose height or phase on their way are told, by any solver.
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "seiche/exact/stokes_wave.hpp"
 #include "validation/case/job.hpp"

@@ -1,5 +1,4 @@
 // Histories of volume, energy and momentum that come with a result.
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 

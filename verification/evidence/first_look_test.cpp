@@ -2,8 +2,6 @@
 #include <cmath>
 #include <functional>
 
-#include <fmt/format.h>
-
 #include "validation/scoring/first_look.hpp"
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"

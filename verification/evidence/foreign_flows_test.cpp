@@ -1,7 +1,6 @@
 // What cases ask of others, and what they refuse: too few points, and instants at which a wrong result looks right.
 // Which wrong results are detected is tried by ci/tests/test_resolving_power.py.
 #include <stdexcept>
-#include <string>
 
 #include "validation/case/registry.hpp"
 #include "validation/scoring/score.hpp"

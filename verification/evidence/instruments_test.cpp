@@ -1,7 +1,6 @@
 // Instruments that read a number off a series or a profile, on curves for which that number is known.
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "seiche/samples.hpp"

@@ -1,7 +1,5 @@
 // The measures of the particle cases on curves for which they are known, and the start of the steep wave against the
 // boundary-integral solution that it is compared with.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
 
 #include <H5Cpp.h>
 #include <nlohmann/json.hpp>

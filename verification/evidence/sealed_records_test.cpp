@@ -2,7 +2,6 @@
 // it.
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

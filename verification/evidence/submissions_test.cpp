@@ -1,6 +1,4 @@
 // Whatever a case asks of others, its own reference must pass and a wrong result must not.
-#include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 

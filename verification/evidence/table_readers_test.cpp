@@ -1,10 +1,7 @@
 // What the readers make of files that are as they should be: every number in its own place, with its own unit.
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"

@@ -1,5 +1,4 @@
 // The judge is judged: these tests use plain Catch2, not the machinery they check.
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>

@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <random>
 
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,6 +1,5 @@
 // Dirichlet cells without clipping: their areas, and gradients that are those of the areas.
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 

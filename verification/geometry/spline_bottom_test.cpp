@@ -1,7 +1,6 @@
 // The bottom through elevations on a grid: order, exactness, and lakes at rest over it.
 #include "seiche/geometry/plan_bottom.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>

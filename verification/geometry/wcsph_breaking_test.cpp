@@ -1,5 +1,4 @@
 // Detectors of breaking on shapes whose overhang, jet and cavity are known, filled with particles.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -1,5 +1,4 @@
 // The free surface as particles show it: elevations of known layers, contours of known shapes.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -1,5 +1,4 @@
 // Layers with an uneven surface and round patches: masses, moments and fields of their particles.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -1,5 +1,4 @@
 // Paddles: velocities are the derivatives of places, and nothing is stretched.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

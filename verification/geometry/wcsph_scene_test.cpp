@@ -1,9 +1,7 @@
 // The particles of the beginning: counts, places, masses and densities of every scene.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <vector>
 

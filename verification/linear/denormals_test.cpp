@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/flush_denormals.hpp"
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/lattice_matrix.hpp"

@@ -1,6 +1,5 @@
 // Matrices of rings and their solvers, when the pattern changes.
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include <Eigen/Dense>

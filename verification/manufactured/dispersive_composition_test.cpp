@@ -1,5 +1,4 @@
 // Compositions of the dispersive shallow-water model's steps: fourth order in time, with the invariants of the base.
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>

@@ -3,9 +3,6 @@
 #include <functional>
 #include <numbers>
 #include <string>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "validation/instruments/plan_manufactured_flow.hpp"
 #include "verification/check.hpp"

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,4 @@
 // Time errors of the integrators on the two-dimensional Lagrangian mesh.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>

@@ -1,5 +1,4 @@
 // Velocities that an impulsive pressure on the surface gives the two-dimensional Lagrangian mesh.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -1,11 +1,9 @@
 // First data of the two-dimensional Lagrangian mesh from exact waves: what is exact, and how the rest converges.
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/exact/solitary_wave.hpp"

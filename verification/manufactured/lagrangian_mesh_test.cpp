@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "validation/instruments/mesh_double_shear.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"

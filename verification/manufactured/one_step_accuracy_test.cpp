@@ -1,5 +1,4 @@
 // Orders of the one-step scheme, its compositions and the integrators it is compared with.
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -1,6 +1,5 @@
 // Particles under friction and before a piston: flows of which one number is known in closed form.
 #include <cmath>
-#include <vector>
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"

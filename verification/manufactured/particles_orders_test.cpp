@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/exact/shallow_water/thacker.hpp"

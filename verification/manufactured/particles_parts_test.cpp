@@ -1,6 +1,5 @@
 // Parts of the particle method that are known in closed form: mirrors at walls, fixed sections, jumps that leave their
 // particle, the profile of a front.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 // The remap of the plan model on smooth fields: its order.
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"

@@ -1,8 +1,6 @@
 // The pressure that a gauge in a wall reads: hydrostatic water, and linear pressures.
-#include <cmath>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 // Still water in plan stays still: bit by bit at the still-water level, to round-off if it is raised.
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // Still water in Dirichlet cells and in particles of variable mass stays still on any mesh.
 #include <cmath>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>

@@ -3,9 +3,6 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"

@@ -1,6 +1,4 @@
 // Still water stays still, bit by bit, on any hexahedral mesh between straight walls.
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,4 @@
 // Still water stays still, bit by bit, on any mesh between any walls.
-#include <algorithm>
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 // The dispersive shallow-water model makes whole steps in two passes over memory, with an elimination from both ends.
 // They must do what the separate calls of the integrators do.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -1,8 +1,6 @@
 // What the plan model refuses: with name, value and range.
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 

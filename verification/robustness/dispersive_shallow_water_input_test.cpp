@@ -1,6 +1,4 @@
 // What the dispersive shallow-water model refuses, and how it says so.
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"

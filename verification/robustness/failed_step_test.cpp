@@ -3,10 +3,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/projected_step.hpp"

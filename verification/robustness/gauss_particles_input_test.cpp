@@ -1,7 +1,6 @@
 // What the free-particle model refuses, and how it says so.
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>

@@ -1,12 +1,9 @@
 // What the hexahedral Lagrangian mesh refuses, and how it breaks down: with reason, time, step and place.
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"

@@ -3,7 +3,6 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"

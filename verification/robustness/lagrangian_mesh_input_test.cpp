@@ -1,5 +1,4 @@
 // What the two-dimensional Lagrangian mesh refuses, and how it says so.
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>

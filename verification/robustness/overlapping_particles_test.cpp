@@ -1,7 +1,5 @@
 // What overlapping particles refuse, singular configurations among it, and how they break down.
-#include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "seiche/models/overlapping_particles/flow.hpp"

@@ -1,8 +1,4 @@
 // What the particle method refuses, and how it says so.
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
 #include "seiche/divergence.hpp"
 #include "seiche/models/shallow_water_particles/as_written.hpp"

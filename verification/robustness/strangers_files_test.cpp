@@ -1,9 +1,7 @@
 // Files and texts that others prepared: nothing is read from elsewhere, nothing else is overwritten, nothing strange is
 // shown, and what only claims to be large takes no memory.
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

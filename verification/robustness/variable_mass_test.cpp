@@ -1,6 +1,5 @@
 // What particles of variable mass refuse, and how they break down.
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // What weakly compressible SPH refuses, and how it stops.
 #include <omp.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -9,8 +8,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/flow.hpp"

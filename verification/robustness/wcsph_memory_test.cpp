@@ -1,7 +1,6 @@
 // What weakly compressible SPH needs of memory: as much as its arrays, and nothing twice.
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"

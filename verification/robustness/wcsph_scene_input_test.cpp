@@ -1,5 +1,4 @@
 // What the scenes of WCSPH, their paddles and the reading of their surfaces refuse, and how they say so.
-#include <limits>
 #include <string>
 #include <vector>
 
