@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <string>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

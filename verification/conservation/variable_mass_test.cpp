@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

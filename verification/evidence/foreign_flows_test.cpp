@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "validation/case/registry.hpp"
-#include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::foreign_flows_test {

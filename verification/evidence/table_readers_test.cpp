@@ -6,7 +6,6 @@
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"
 #include "seiche/io/text_table.hpp"
-#include "seiche/samples.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"

@@ -7,7 +7,6 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "validation/instruments/sph_wall_gauge.hpp"
 #include "verification/check.hpp"
-#include "verification/wcsph_problems.hpp"
 
 namespace seiche::verification::wcsph_wall_gauge_test {
 

@@ -7,7 +7,6 @@
 
 #include <Eigen/Dense>
 
-#include "seiche/geometry/triangulation.hpp"
 #include "seiche/models/dirichlet_mesh/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/robustness/breakdown.hpp"

@@ -17,7 +17,6 @@
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/isolated.hpp"
 #include "seiche/io/table.hpp"
-#include "seiche/io/text_table.hpp"
 #include "validation/case/configuration.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/scoring/solver_files.hpp"
