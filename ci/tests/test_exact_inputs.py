@@ -5,13 +5,12 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import h5py
 import numpy as np
 
-from submitting import SEICHE, seiche
+from submitting import SEICHE, Scratch, seiche
 
 WAVE = ["--set", "amplitude=0.2,depth=1,gravity=1"]
 # What other solvers start from: the elevation of the bed (None: infinitely deep), where, and with which parameters.
@@ -77,13 +76,7 @@ def for_every_solution(check):
     return checks
 
 
-class Inputs(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-        self.out = self.folder / "out"
-
+class Inputs(Scratch):
     def written(self, name, form, *words):
         made = seiche("exact", name, "--write", form, "--out", self.out, *words)
         self.assertEqual(made.returncode, 0, made.stdout + made.stderr)
