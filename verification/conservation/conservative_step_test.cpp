@@ -21,6 +21,7 @@ using namespace seiche::verification;
 using Channel = FlatChannel<seiche::linear::PeriodicTridiagonal>;
 using seiche::largest;
 using seiche::worst;
+using seiche::march;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 3";
 const std::string digits = "regression: computed once by an earlier program for the same equations";

@@ -18,6 +18,8 @@ using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
 using seiche::Largest;
 using seiche::LevelBottom;
+using seiche::march;
+using seiche::stable_steps;
 
 const std::string source = "jump conditions: Stoker, Water Waves (1957), 10.6";
 

@@ -19,6 +19,7 @@ using seiche::Largest;
 using seiche::Worst;
 using namespace seiche::verification;
 using seiche::shallow_water::ProfileError;
+using seiche::march;
 
 constexpr double gravity = 9.81;
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";

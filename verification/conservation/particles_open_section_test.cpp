@@ -13,6 +13,7 @@ namespace particles_open_section_test {
 
 using namespace seiche::shallow_water_particles;
 using namespace seiche::verification;
+using seiche::march;
 
 Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
   Open open;

@@ -21,6 +21,7 @@ using seiche::Largest;
 using seiche::PolynomialBottom;
 using seiche::Worst;
 using seiche::plan_lattice::ShoreSide;
+using seiche::march;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
 constexpr double half_width = 10;

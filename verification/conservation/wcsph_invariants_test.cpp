@@ -14,6 +14,7 @@ namespace wcsph_invariants_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::march;
 
 const std::string source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703: antisymmetry of the pair forces";
 

@@ -20,6 +20,8 @@ namespace dispersive_water_surface_test {
 using namespace seiche::dispersive_shallow_water_1d;
 using seiche::Largest;
 using namespace seiche::verification;
+using seiche::march;
+using seiche::stable_steps;
 
 constexpr double pi = std::numbers::pi;
 constexpr double improved = 1.0 / 15;

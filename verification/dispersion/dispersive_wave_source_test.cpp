@@ -21,6 +21,8 @@ using seiche::Largest;
 using seiche::Mean;
 using namespace seiche::verification;
 using seiche::validation::wave_statistics;
+using seiche::march;
+using seiche::stable_steps;
 
 constexpr double pi = std::numbers::pi;
 const std::string derived = "derived in wave_source.hpp";

@@ -16,6 +16,7 @@ namespace wcsph_standing_wave_test {
 using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::Worst;
+using seiche::march;
 
 constexpr double gravity = 9.81;
 constexpr double k = 2 * std::numbers::pi;  // one wave in a period of 1 m

@@ -15,6 +15,7 @@ using namespace seiche::gauss_particles;
 using namespace seiche::verification;
 using seiche::Mean;
 using seiche::Point;
+using seiche::march;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, formula (20)";
 

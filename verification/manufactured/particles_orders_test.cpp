@@ -21,6 +21,7 @@ using seiche::Largest;
 using seiche::largest;
 using seiche::Worst;
 using namespace seiche::verification;
+using seiche::march;
 
 constexpr double gravity = 9.81;
 

@@ -16,6 +16,7 @@ namespace plan_drag_test {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
+using seiche::march;
 
 constexpr double manning = 0.3;
 constexpr double depth = 0.8;

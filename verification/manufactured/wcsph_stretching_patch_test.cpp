@@ -16,6 +16,7 @@ namespace wcsph_stretching_patch_test {
 using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::exact::StretchingDrop;
+using seiche::march;
 
 struct Errors {
   double axis, velocity, energy, momentum, turning;

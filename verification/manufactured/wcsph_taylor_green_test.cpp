@@ -15,6 +15,7 @@ namespace wcsph_taylor_green_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::march;
 
 constexpr double k = 2 * std::numbers::pi;
 const std::string source = "Taylor and Green, Proc. R. Soc. Lond. A 158 (1937) 499";

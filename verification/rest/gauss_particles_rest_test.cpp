@@ -19,6 +19,7 @@ using namespace seiche::verification;
 using seiche::CosineBottom;
 using seiche::Largest;
 using seiche::Point;
+using seiche::march;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 

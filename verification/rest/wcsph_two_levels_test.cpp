@@ -15,6 +15,7 @@ using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::Mean;
 using seiche::Worst;
+using seiche::march;
 
 constexpr double gravity = 9.81;
 constexpr double column = 0.4;

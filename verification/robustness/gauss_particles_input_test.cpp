@@ -18,6 +18,7 @@ namespace gauss_particles_input_test {
 using namespace seiche::gauss_particles;
 using seiche::Point;
 using namespace seiche::verification;
+using seiche::march;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

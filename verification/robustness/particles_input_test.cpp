@@ -15,6 +15,7 @@ namespace particles_input_test {
 
 using namespace seiche::shallow_water_particles;
 using namespace seiche::verification;
+using seiche::march;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

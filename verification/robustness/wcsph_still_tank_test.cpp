@@ -15,6 +15,7 @@ namespace wcsph_still_tank_test {
 using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::Worst;
+using seiche::march;
 
 constexpr double gravity = 9.81;
 constexpr double width = 1;
