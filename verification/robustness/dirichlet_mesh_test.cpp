@@ -38,7 +38,7 @@ void build(const Change& change, Settings settings = {}) {
 
 /// Derivatives of all cells by the coordinates that may move, weighted with the inverse masses: [coordinate][cell].
 Eigen::MatrixXd responses(const Mesh& mesh) {
-  dirichlet_mesh::Model model(mesh, {.stabilisation = 1});
+  Model model(mesh, {.stabilisation = 1});
   model.linearise({}, model.state().q);
   const auto n = static_cast<Eigen::Index>(model.nodes());
   Eigen::MatrixXd all(2 * n, n);
