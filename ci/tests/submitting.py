@@ -1,4 +1,4 @@
-"""Submitting a result to `seiche score`: what its tests share."""
+"""Running the command, and submitting a result to `seiche score`: what their tests share."""
 
 import functools
 import json
@@ -31,18 +31,20 @@ def rows_of(csv):
     return lines[0].split(","), [line.split(",") for line in lines[1:]]
 
 
-class Scoring(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-        self.out = self.folder / "evidence"
+class Scratch(unittest.TestCase):
+    """Tests with a folder each, and in it one for evidence."""
 
-    def score(self, case, *words, solver="mine"):
-        return seiche("score", case, *words, "--solver", solver, "--out", self.out)
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="seiche-test-")))
+        self.out = self.folder / "evidence"
 
     def record(self, stem):
         return json.loads((self.out / f"{stem}.json").read_text())
+
+
+class Scoring(Scratch):
+    def score(self, case, *words, solver="mine"):
+        return seiche("score", case, *words, "--solver", solver, "--out", self.out)
 
     def write(self, content, name="mine.csv"):
         path = self.folder / name

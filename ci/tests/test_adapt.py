@@ -1,7 +1,6 @@
 """`python -m seiche.adapt`: fronts, surfaces and gauges off what solvers write, as files of their own or made here."""
 
 import os
-import pathlib
 import subprocess
 import sys
 import unittest

@@ -194,7 +194,8 @@ class Steps(unittest.TestCase):
                 text = text.replace(place, here)
             result = subprocess.run(
                 ["bash", "-eo", "pipefail", "-c", text], cwd=work, capture_output=True, text=True,
-                env={"PATH": self.path, "HOME": str(work), "RUNNER_TEMP": str(work), **variables, **of_step})
+                env={"PATH": self.path, "HOME": str(work), "XDG_CACHE_HOME": f"{self.folder}/cache", "RUNNER_TEMP": str(work),
+                     **variables, **of_step})
             said += result.stdout + result.stderr
             if result.returncode:
                 break

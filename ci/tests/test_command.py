@@ -1,51 +1,18 @@
-"""The `seiche` command as a user meets it: exit statuses, error messages, records, what survives a kill."""
+"""The `seiche` command as a user meets it: exit statuses, error messages, records."""
 
 import datetime
 import json
 import os
-import pathlib
 import resource
 import shutil
-import signal
 import subprocess
-import tempfile
 import time
 import unittest
 
 from sealing import sealed
+from submitting import SEICHE, SOURCE, Scratch, seiche
 
-SEICHE = os.environ["SEICHE"]
-SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
-
-
-def seiche(*words, **options):
-    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
-
-
-def children_of(process):
-    found = []
-    for entry in pathlib.Path("/proc").glob("[0-9]*/stat"):
-        try:
-            fields = entry.read_text().rsplit(")", 1)[1].split()
-        except OSError:
-            continue  # ended meanwhile
-        if int(fields[1]) == process.pid:
-            found.append(int(entry.parent.name))
-    return found
-
-
-class Command(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.out = pathlib.Path(scratch.name) / "evidence"
-
-    # A run long enough to be caught in the act.
-    LONG = ["riemann", "--set", "particles=4000", "--set", "time_step=0.00005", "--set", "time=5"]
-
-    def record(self, name):
-        return json.loads((self.out / f"{name}.json").read_text())
-
+class Command(Scratch):
     def refused(self, result, *words):
         """Exit status 2, one line that holds the words, nothing written."""
         self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
@@ -230,7 +197,7 @@ class Command(unittest.TestCase):
         self.assertNotEqual(self.record("moving_bore")["wall_time"], 1234.5)
 
     def test_configuration_file(self):
-        config = self.out.parent / "case.toml"
+        config = self.folder / "case.toml"
         config.write_text("particles = 50\n[riemann]\nright_depth = 0.5\n")
         result = seiche("run", "riemann", "--config", config, "--set", "particles=60", "--out", self.out)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
@@ -238,7 +205,7 @@ class Command(unittest.TestCase):
         self.assertEqual((values["particles"]["value"], values["right_depth"]["value"]), (60, 0.5))
 
     def test_wrong_configuration_is_refused_with_its_line(self):
-        config = self.out.parent / "case.toml"
+        config = self.folder / "case.toml"
         for text, words in [("[riemann]\nparticles = 'many'\n", ["line 2", "particles", "many"]),
                             ("[riemann]\nparticles = [1, 2]\n", ["line 2", "particles"]),
                             ("particles = \n", ["line 1"]),
@@ -246,99 +213,6 @@ class Command(unittest.TestCase):
             config.write_text(text)
             self.refused(seiche("run", "riemann", "--config", config, "--out", self.out), *words)
         self.refused(seiche("run", "riemann", "--config", self.out / "none.toml", "--out", self.out), "none.toml")
-
-    def test_a_killed_case_is_an_error_and_the_others_go_on(self):
-        run = subprocess.Popen([SEICHE, "run", "riemann", "bore_reflection", "--set", "particles=1000", "--set",
-                                "time_step=0.001", "--set", "time=2.6", "--jobs", "2", "--out", self.out],
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        victims = []
-        for _ in range(200):
-            victims = children_of(run)
-            if victims:
-                break
-            time.sleep(0.02)
-        self.assertTrue(victims, "no child process was seen")
-        os.kill(min(victims), signal.SIGKILL)
-        output, _ = run.communicate(timeout=120)
-        self.assertEqual(run.returncode, 3, output)
-        records = {name: self.record(name) for name in ("riemann", "bore_reflection")}
-        states = sorted(record["status"] for record in records.values())
-        self.assertIn("error", states)
-        errors = [record["error"] for record in records.values() if record["status"] == "error"]
-        self.assertTrue(any("signal 9" in error for error in errors), errors)
-        self.assertEqual([p.name for p in self.out.glob(".*")], [])
-
-    def test_resume_after_kill_redoes_only_what_is_not_finished(self):
-        seiche("run", "riemann", "--out", self.out)
-        stamp = (self.out / "riemann.json").stat().st_mtime_ns
-        run = subprocess.Popen([SEICHE, "run", *self.LONG, "--out", self.out / "other"], stdout=subprocess.DEVNULL)
-        time.sleep(0.3)
-        run.kill()
-        run.wait()
-        time.sleep(0.2)
-        self.assertFalse((self.out / "other" / "riemann.json").exists())
-        result = seiche("run", "riemann", "stationary_jump", "--resume", "--out", self.out)
-        self.assertIn(result.returncode, (0, 1), result.stdout)
-        self.assertIn("kept", result.stdout)
-        self.assertEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
-        self.assertTrue((self.out / "stationary_jump.json").exists())
-        # Another value is another run.
-        seiche("run", "riemann", "--set", "particles=44", "--resume", "--out", self.out)
-        self.assertNotEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
-
-    def killed_when(self, kept, *words):
-        """Kills a run once `kept(files)` holds of its checkpoints, and returns their names."""
-        run = subprocess.Popen([SEICHE, "run", *words, "--checkpoint-every", "0", "--out", str(self.out)],
-                               stdout=subprocess.DEVNULL)
-        files = []
-        for _ in range(6000):
-            files = sorted(p.name for p in self.out.glob(".checkpoints/*/*.checkpoint"))
-            if kept(files) or run.poll() is not None:
-                break
-            time.sleep(0.01)
-        self.assertIsNone(run.poll(), "the run ended before it could be killed")
-        children = children_of(run)
-        run.kill()
-        run.wait()
-        for _ in range(500):  # children die with their parent
-            if not any(pathlib.Path(f"/proc/{child}").exists() for child in children):
-                break
-            time.sleep(0.01)
-        self.assertEqual(list(self.out.glob("*.json")), [])
-        return files
-
-    def goes_on_after_a_kill(self, kept, *words):
-        """A run that is killed and resumed writes the same arrays as one that is left alone."""
-        whole = seiche("run", *words, "--out", self.out.parent / "whole")
-        self.assertIn(whole.returncode, (0, 1), whole.stdout + whole.stderr)
-        files = self.killed_when(kept, *words)
-        resumed = seiche("run", *words, "--resume", "--out", self.out)
-        self.assertEqual(resumed.returncode, whole.returncode, resumed.stdout + resumed.stderr)
-        for array in (self.out.parent / "whole").glob("*.h5"):
-            self.assertEqual(array.read_bytes(), (self.out / array.name).read_bytes(), files)
-        # Nothing is left beside the records.
-        self.assertEqual([p.name for p in self.out.glob(".*")], [])
-        return resumed.stdout
-
-    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=250"]
-    BREAKER = ["overturning_sph", "--set", "columns=60"]
-
-    def test_a_sweep_goes_on_after_the_parts_that_were_finished(self):
-        self.goes_on_after_a_kill(lambda files: len(files) >= 2, *self.SWEEP)
-
-    def test_particles_go_on_in_the_midst_of_a_run_to_the_last_bit(self):
-        self.goes_on_after_a_kill(lambda files: len(files) >= 3 and any("unfinished" in name for name in files),
-                                  *self.BREAKER)
-
-    def test_checkpoints_that_are_damaged_are_ignored_with_a_note(self):
-        self.killed_when(lambda files: len(files) >= 2, *self.SWEEP)
-        for path in self.out.glob(".checkpoints/*/*.checkpoint"):
-            path.write_bytes(path.read_bytes()[:-1])
-        # What reads the whole folder does not stumble over them.
-        self.assertEqual(seiche("run", "thacker", "--out", self.out).returncode, 0)
-        self.assertEqual(seiche("compare", self.out, self.out).returncode, 0)
-        self.assertIn("damaged checkpoints", seiche("run", *self.SWEEP, "--resume", "--out", self.out).stdout)
-        self.assertEqual([p.name for p in self.out.glob(".*")], [])
 
     def test_a_folder_that_cannot_be_written_is_status_3(self):
         self.out.parent.mkdir(exist_ok=True)
@@ -369,7 +243,7 @@ class Command(unittest.TestCase):
 
     def test_compare_names_an_error_that_grew_within_its_limit(self):
         seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
-        later = self.out.parent / "later"
+        later = self.folder / "later"
         shutil.copytree(self.out, later)
         record = self.record("riemann")
         (later / "riemann.json").write_text(sealed(record))
@@ -445,7 +319,7 @@ class Command(unittest.TestCase):
 
     def test_a_python_without_h5py_is_named(self):
         self.assertEqual(seiche("run", "riemann", "--out", self.out).returncode, 0)
-        python = self.out.parent / "python-without"
+        python = self.folder / "python-without"
         python.write_text("#!/bin/sh\nexec /usr/bin/python3 -c 'import sys, runpy; sys.modules[\"h5py\"] = None; "
                           "del sys.argv[0]; runpy.run_path(sys.argv[0], run_name=\"__main__\")' \"$@\"\n")
         python.chmod(0o755)
@@ -471,7 +345,7 @@ class Command(unittest.TestCase):
         document = json.loads(seiche(*words, "--format", "json").stdout)
         self.assertEqual(document["rows"], [row])
         self.assertAlmostEqual(document["scalars"]["F"], 1.13752301663104, delta=1e-14)
-        file = self.out.parent / "wave.h5"
+        file = self.folder / "wave.h5"
         result = seiche(*words, "--format", "hdf5", "--out", file)
         self.assertEqual(result.returncode, 0, result.stderr)
         import h5py

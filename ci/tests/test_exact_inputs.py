@@ -5,13 +5,12 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import h5py
 import numpy as np
 
-from submitting import SEICHE, seiche
+from submitting import SEICHE, Scratch, printed, seiche
 
 WAVE = ["--set", "amplitude=0.2,depth=1,gravity=1"]
 # What other solvers start from: the elevation of the bed (None: infinitely deep), where, and with which parameters.
@@ -40,7 +39,7 @@ def table_of(text):
 
 
 def exact(name, *words):
-    return table_of(seiche("exact", name, *words).stdout)
+    return table_of(printed("exact", name, *map(str, words)))
 
 
 def at(name, words, points, time):
@@ -77,13 +76,7 @@ def for_every_solution(check):
     return checks
 
 
-class Inputs(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-        self.out = self.folder / "out"
-
+class Inputs(Scratch):
     def written(self, name, form, *words):
         made = seiche("exact", name, "--write", form, "--out", self.out, *words)
         self.assertEqual(made.returncode, 0, made.stdout + made.stderr)
@@ -218,13 +211,13 @@ class Inputs(unittest.TestCase):
     @for_every_solution
     def test_csv_json_and_hdf5(self, name, inputs):
         words = [*QUICKER.get(name, []), *(["--grid", grid_of(inputs)] if inputs else [])]
-        printed = seiche("exact", name, *words).stdout
+        text = printed("exact", name, *words)
         file, = self.written(name, "csv", *words).values()
-        self.assertEqual(file.read_text(), printed)
+        self.assertEqual(file.read_text(), text)
         self.assertEqual(seiche("exact", name, *words, "--format", "hdf5", "--out", self.out / "h5").returncode, 0)
         table = json.loads(seiche("exact", name, *words, "--format", "json").stdout)
         with h5py.File(self.out / "h5") as hdf5:
-            for k, (column, values) in enumerate(table_of(printed).items()):
+            for k, (column, values) in enumerate(table_of(text).items()):
                 self.assertEqual(table["columns"][k]["name"], column)
                 np.testing.assert_array_equal(np.array([row[k] for row in table["rows"]], float), values)
                 np.testing.assert_array_equal(hdf5[column][:], values)

@@ -257,7 +257,8 @@ class Place:
         if not shutil.which("man"):
             (folder / "bin/man").write_text(MAN)
             (folder / "bin/man").chmod(0o755)
-        self.environment = {**os.environ, "HOME": str(folder / "home"), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
+        self.environment = {**os.environ, "HOME": str(folder / "home"), "PATH": f"{folder}/bin:{os.environ['PATH']}",
+                            "XDG_CACHE_HOME": str(checkout.parent / "cache")}
         self.environment.pop("PYTHONPATH", None)
 
     def run(self, *words, **options):

@@ -8,27 +8,30 @@ import shutil
 import signal
 import stat
 import subprocess
-import tempfile
 import time
 import unittest
 
 from sealing import sealed
+from submitting import SEICHE, Scratch, seiche
 
-SEICHE = os.environ["SEICHE"]
-SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
 QUICK = ["run", "riemann", "--set", "particles=40"]
 
 
-def seiche(*words, **options):
-    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
+def children_of(process):
+    found = []
+    for entry in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = entry.read_text().rsplit(")", 1)[1].split()
+        except OSError:
+            continue  # ended meanwhile
+        if int(fields[1]) == process.pid:
+            found.append(int(entry.parent.name))
+    return found
 
 
-class Interruptions(unittest.TestCase):
+class Interruptions(Scratch):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-        self.out = self.folder / "evidence"
+        super().setUp()
         self.json = self.out / "riemann.json"
 
     def run_once(self, *words, out=None):
@@ -200,6 +203,104 @@ class Interruptions(unittest.TestCase):
             config.write_text(text)
             for words in (["run", "riemann", "--out", self.out], ["score", "riemann", "--template"]):
                 self.ends(seiche(*words, "--config", config), 2, "deep.toml: ")
+
+
+class Killed(Scratch):
+    # A run long enough to be caught in the act.
+    LONG = ["riemann", "--set", "particles=4000", "--set", "time_step=0.00005", "--set", "time=5"]
+
+    def test_a_killed_case_is_an_error_and_the_others_go_on(self):
+        run = subprocess.Popen([SEICHE, "run", "riemann", "bore_reflection", "--set", "particles=1000", "--set",
+                                "time_step=0.001", "--set", "time=2.6", "--jobs", "2", "--out", self.out],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        victims = []
+        for _ in range(200):
+            victims = children_of(run)
+            if victims:
+                break
+            time.sleep(0.02)
+        self.assertTrue(victims, "no child process was seen")
+        os.kill(min(victims), signal.SIGKILL)
+        output, _ = run.communicate(timeout=120)
+        self.assertEqual(run.returncode, 3, output)
+        records = {name: self.record(name) for name in ("riemann", "bore_reflection")}
+        states = sorted(record["status"] for record in records.values())
+        self.assertIn("error", states)
+        errors = [record["error"] for record in records.values() if record["status"] == "error"]
+        self.assertTrue(any("signal 9" in error for error in errors), errors)
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+
+    def test_resume_after_kill_redoes_only_what_is_not_finished(self):
+        seiche("run", "riemann", "--out", self.out)
+        stamp = (self.out / "riemann.json").stat().st_mtime_ns
+        run = subprocess.Popen([SEICHE, "run", *self.LONG, "--out", self.out / "other"], stdout=subprocess.DEVNULL)
+        time.sleep(0.3)
+        run.kill()
+        run.wait()
+        time.sleep(0.2)
+        self.assertFalse((self.out / "other" / "riemann.json").exists())
+        result = seiche("run", "riemann", "stationary_jump", "--resume", "--out", self.out)
+        self.assertIn(result.returncode, (0, 1), result.stdout)
+        self.assertIn("kept", result.stdout)
+        self.assertEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
+        self.assertTrue((self.out / "stationary_jump.json").exists())
+        # Another value is another run.
+        seiche("run", "riemann", "--set", "particles=44", "--resume", "--out", self.out)
+        self.assertNotEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
+
+    def killed_when(self, kept, *words):
+        """Kills a run once `kept(files)` holds of its checkpoints, and returns their names."""
+        run = subprocess.Popen([SEICHE, "run", *words, "--checkpoint-every", "0", "--out", str(self.out)],
+                               stdout=subprocess.DEVNULL)
+        files = []
+        for _ in range(6000):
+            files = sorted(p.name for p in self.out.glob(".checkpoints/*/*.checkpoint"))
+            if kept(files) or run.poll() is not None:
+                break
+            time.sleep(0.01)
+        self.assertIsNone(run.poll(), "the run ended before it could be killed")
+        children = children_of(run)
+        run.kill()
+        run.wait()
+        for _ in range(500):  # children die with their parent
+            if not any(pathlib.Path(f"/proc/{child}").exists() for child in children):
+                break
+            time.sleep(0.01)
+        self.assertEqual(list(self.out.glob("*.json")), [])
+        return files
+
+    def goes_on_after_a_kill(self, kept, *words):
+        """A run that is killed and resumed writes the same arrays as one that is left alone."""
+        whole = seiche("run", *words, "--out", self.folder / "whole")
+        self.assertIn(whole.returncode, (0, 1), whole.stdout + whole.stderr)
+        files = self.killed_when(kept, *words)
+        resumed = seiche("run", *words, "--resume", "--out", self.out)
+        self.assertEqual(resumed.returncode, whole.returncode, resumed.stdout + resumed.stderr)
+        for array in (self.folder / "whole").glob("*.h5"):
+            self.assertEqual(array.read_bytes(), (self.out / array.name).read_bytes(), files)
+        # Nothing is left beside the records.
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+        return resumed.stdout
+
+    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=250"]
+    BREAKER = ["overturning_sph", "--set", "columns=60"]
+
+    def test_a_sweep_goes_on_after_the_parts_that_were_finished(self):
+        self.goes_on_after_a_kill(lambda files: len(files) >= 2, *self.SWEEP)
+
+    def test_particles_go_on_in_the_midst_of_a_run_to_the_last_bit(self):
+        self.goes_on_after_a_kill(lambda files: len(files) >= 3 and any("unfinished" in name for name in files),
+                                  *self.BREAKER)
+
+    def test_checkpoints_that_are_damaged_are_ignored_with_a_note(self):
+        self.killed_when(lambda files: len(files) >= 2, *self.SWEEP)
+        for path in self.out.glob(".checkpoints/*/*.checkpoint"):
+            path.write_bytes(path.read_bytes()[:-1])
+        # What reads the whole folder does not stumble over them.
+        self.assertEqual(seiche("run", "thacker", "--out", self.out).returncode, 0)
+        self.assertEqual(seiche("compare", self.out, self.out).returncode, 0)
+        self.assertIn("damaged checkpoints", seiche("run", *self.SWEEP, "--resume", "--out", self.out).stdout)
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
 
 
 if __name__ == "__main__":

@@ -1,21 +1,13 @@
 """junit.xml as CI systems read it: its form, its totals, and that it never says better than the exit status."""
 
 import math
-import os
-import pathlib
-import subprocess
 import tempfile
 import unittest
 
 from lxml import etree
 
 import junit
-
-SEICHE = os.environ["SEICHE"]
-
-
-def seiche(*words):
-    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120)
+from submitting import Scratch, seiche
 
 
 def filled(template, h, u):
@@ -24,12 +16,7 @@ def filled(template, h, u):
     return "\n".join([lines[0], *(f"{line.split(',')[0]},{h},{u}" for line in lines[1:])]) + "\n"
 
 
-class Junit(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.out = pathlib.Path(scratch.name) / "evidence"
-
+class Junit(Scratch):
     def shown(self):
         """Outcomes of the test cases of a file without faults."""
         self.assertEqual(junit.faults(self.out / "junit.xml"), [])

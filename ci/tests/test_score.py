@@ -9,7 +9,6 @@ import shutil
 import time
 import unittest
 
-import h5py
 import numpy as np
 
 from sealing import sealed

@@ -1,15 +1,14 @@
 """The atlas: one tile for every figure, table and stated result of the sources, filled by the records that claim it."""
-import csv
 import dataclasses
 import pathlib
 import tomllib
 
+from render import files
 from render.pages import tally
 from render.records import TIERS
 
 _REPORTS = pathlib.Path(__file__).resolve().parent.parent
 TILES = _REPORTS / "atlas.toml"
-RECORD = _REPORTS / "record"
 WORDS = ("reproduced", "reproduced by another method", "source contradicted", "reduced size", "picture only", "not yet")
 ORIGINS = {"stated": "Stated by the source", "chosen": "Chosen, the source is silent", "different": "Different from the source"}
 AS_DECLARED = ("pass", "declared fail")
@@ -138,21 +137,14 @@ def _illustrate(tile, record, drawn):
         tile.table = (record, own_tables[0])
 
 
-def _rows(path):
-    if not path.is_file():
-        return []
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def kept_sets(folder=RECORD):
+def kept_sets(folder=files.RECORD):
     """{(case, published set): tier, commit and day} of the baseline results, where every claim is as declared."""
     kept, folder = {}, pathlib.Path(folder)
     runs = {(row["tier"], row["case"], row["set"]): f", commit {row['commit']} of {row['date']}"
-            for row in _rows(folder / "long_runs.csv")}
+            for row in files.table(folder / "long_runs.csv")}
     for tier in TIERS:
         verdicts = {}
-        for row in _rows(folder / f"{tier}.csv"):
+        for row in files.table(folder / f"{tier}.csv"):
             if row["set"]:
                 verdicts.setdefault((row["case"], row["set"]), []).append(row["verdict"])
         kept.update({place: tier + runs.get((tier, *place), "") for place, found in verdicts.items()

@@ -1,9 +1,9 @@
 """Which lines the quick tier runs, as the last run of ci/checks/coverage left it: by room, and the files behind the others."""
-import csv
 import dataclasses
 import pathlib
 
-RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "coverage.csv"
+from render import files
+
 WANTED = 0.9        # of a room's lines
 
 
@@ -41,12 +41,9 @@ def room_of(file):
     return "/".join(parts[:depth])
 
 
-def read(path=RECORD):
-    """[(file, lines, ran)] of the record; none where there is no such file."""
-    if not path.is_file():
-        return []
-    with path.open(encoding="utf-8", newline="") as file:
-        return [(row["file"], int(row["lines"]), int(row["ran"])) for row in csv.DictReader(file)]
+def read(path=files.RECORD / "coverage.csv"):
+    """[(file, lines, ran)] of the record."""
+    return [(row["file"], int(row["lines"]), int(row["ran"])) for row in files.table(path)]
 
 
 def survey(rows):

@@ -1,9 +1,22 @@
-"""Files of an evidence folder, which may come from a stranger: only regular files in it, of a size that can be read."""
+"""Files of an evidence folder, which may come from a stranger: only regular files in it, of a size that can be read. Tables
+of the baseline, which are ours."""
+import csv
 import hashlib
 import pathlib
 import stat
 
 LARGEST_RECORD = 8 * 2**20      # [byte], sixty times the largest of ours; checked against the schema within a minute
+
+
+RECORD = pathlib.Path(__file__).resolve().parent.parent / "record"      # the baseline
+
+
+def table(path):
+    """Rows of a CSV file by their headings; none where there is no such file."""
+    if not pathlib.Path(path).is_file():
+        return []
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
 def is_regular(path):

@@ -1,10 +1,9 @@
 """Mutants: small random changes of the code, and whether a check noticed, as the last run of ci/mutate left it."""
-import csv
 import dataclasses
 import math
-import pathlib
 
-RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "mutation.csv"
+from render import files
+
 Z = 1.959964        # 95 % of a normal distribution lie within
 
 
@@ -40,12 +39,9 @@ class Room:
                       key=lambda row: (row["outcome"] == "equivalent", row["file"], int(row["line"])))
 
 
-def read(path=RECORD):
-    """Rows of the record; none where there is no such file."""
-    if not path.is_file():
-        return []
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
+def read():
+    """Rows of the record."""
+    return files.table(files.RECORD / "mutation.csv")
 
 
 def survey(rows):

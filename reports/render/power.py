@@ -1,21 +1,18 @@
 """What a case can tell apart, as `ci/tests/test_resolving_power.py --record` left it: a table for its page."""
 import collections
-import csv
 import functools
-import pathlib
 
-RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "resolving_power.csv"
+from render import files
+
 SIZED = ("amplitude", "datum", "shift", "dilation", "smoothed", "gravity")
 
 
 @functools.cache
-def read(path=RECORD):
-    """{case: [row]}; none where there is no such file."""
+def read():
+    """{case: [row]}"""
     cases = collections.defaultdict(list)
-    if path.is_file():
-        with path.open(encoding="utf-8", newline="") as file:
-            for row in csv.DictReader(file):
-                cases[row["case"]].append(row)
+    for row in files.table(files.RECORD / "resolving_power.csv"):
+        cases[row["case"]].append(row)
     return cases
 
 

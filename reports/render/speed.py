@@ -1,11 +1,9 @@
 """How fast the models are, beside what the machine can do, as the last run of ci/checks/benchmarks --table left it."""
 import collections
-import csv
-import pathlib
 import re
 
-RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "speed.csv"
-BUILD_TIME = RECORD.with_name("build_time.csv")     # written by ci/checks/time-build
+from render import files
+
 MACHINE = "machine"     # the program that measures the limits
 
 
@@ -28,21 +26,14 @@ def _numbers(row):
     return {"bytes_per_item": None} | numbers | {"benchmark": HOW_IT_RAN.sub("", row["benchmark"]), "not_counted": reason}
 
 
-def read(path=RECORD):
-    """Rows of the record with numbers as such, None where nothing was counted, and the word that says why it was not;
-    none where there is no such file."""
-    if not path.is_file():
-        return []
-    with path.open(encoding="utf-8", newline="") as file:
-        return [_numbers(row) for row in csv.DictReader(file)]
+def read(path=files.RECORD / "speed.csv"):
+    """Rows of the record with numbers as such, None where nothing was counted, and the word that says why it was not."""
+    return [_numbers(row) for row in files.table(path)]
 
 
-def build_time(path=BUILD_TIME):
-    """How long building and running take, step by step with the aim; none where there is no such file."""
-    if not path.is_file():
-        return []
-    with path.open(encoding="utf-8", newline="") as file:
-        return [row | {"seconds": _number(row["seconds"]), "aim": _number(row["aim"])} for row in csv.DictReader(file)]
+def build_time(path=files.RECORD / "build_time.csv"):
+    """How long building and running take, step by step with the aim, as ci/checks/time-build left it."""
+    return [row | {"seconds": _number(row["seconds"]), "aim": _number(row["aim"])} for row in files.table(path)]
 
 
 def survey(rows, build=()):

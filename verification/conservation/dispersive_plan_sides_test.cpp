@@ -51,7 +51,7 @@ double inflow_error(double spacing) {
   }};
   Flow flow(rectangular_lattice(
       {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
-  flow.advance_to((15 - start) / wave.speed(), 0.1 * spacing);
+  march(flow, (15 - start) / wave.speed(), 0.1 * spacing);
   Worst error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {
     const double distance = flow.x()[k] - 15;

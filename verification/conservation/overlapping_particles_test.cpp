@@ -45,7 +45,7 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
   const Particles first = jittered(staggered_disc(1, spacing), 0.1, 2);
   Flow flow(first, [](Point) { return Point{1.5, 4}; }, {.gravity = 9.81});
   Worst multiplier;
-  flow.advance_to(2, 0.02, [&] {
+  march(flow, 2, 0.02, [&] {
     flow.observe();
     for (const double lambda : flow.state().multipliers) multiplier.add(lambda, flow.time());
   });
@@ -92,7 +92,7 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
   Flow whole(with_mirrored(half, 1, -1), stretched);
   Flow above(half, stretched, {.walls = {floor}});
   Flow corner(quarter, stretched, {.walls = {floor, side}});
-  for (Flow* flow : {&whole, &above, &corner}) flow->advance_to(0.2, 0.02, [&] { flow->observe(); });
+  for (Flow* flow : {&whole, &above, &corner}) march(*flow, 0.2, 0.02, [&] { flow->observe(); });
   const auto same = [&](const std::string& text, const Flow& flow) {
     Worst apart;
     for (std::size_t k = 0; k < n; ++k) {
@@ -117,7 +117,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
   const Particles rows = jittered(
       staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}), 0.1, 5);
   Flow drop(rows, [](Point r) { return Point{0.5 + 0.2 * r.y, 0}; }, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
-  drop.advance_to(0.4, 0.01, [&] { drop.observe(); });
+  march(drop, 0.4, 0.01, [&] { drop.observe(); });
   claim_kept(check, "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
   check.that(
       "pushes", "The floor carries some of the weight.", "momentum across the floor that is not that of the fall",
@@ -133,7 +133,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
   }
   Flow still(stack, {}, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
   Worst moved;
-  still.advance_to(1, 0.01, [&] {
+  march(still, 1, 0.01, [&] {
     for (const double u : still.state().u) moved.add(u, still.time());
   });
   check.that("stack", "A stack on the floor rests.", "largest velocity", {moved.value()},

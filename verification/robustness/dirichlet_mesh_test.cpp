@@ -158,8 +158,6 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
   refusals.refused({"part", "= 0.5"}, [] { jittered(square(), 0.5, 1); });
   refusals.refused({"end - begin", "= -1"}, [] { layer_mesh({.begin = 1, .end = 0}); });
   refusals.refused({"no water", "-1.5"}, [] { layer_mesh({.elevation = [](double) { return -1.5; }}); });
-  Flow flow(square());
-  refusals.steps(flow);
 }
 
 TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robustness]") {

@@ -99,14 +99,6 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
               {.reach = [](double t) { return t; }});
   });
-  refusals.refused({"tau", "-0.1", "positive"}, [] {
-    Flow flow(rectangular_lattice(still_water()));
-    flow.advance(-0.1);
-  });
-  refusals.refused({"tau", "nan", "positive"}, [] {
-    Flow flow(rectangular_lattice(still_water()));
-    flow.advance(not_a_number);
-  });
   refusals.refused({"without terms", "at least one"}, [] { PolynomialBottom bottom({}); });
   refusals.refused({"y_power", "13", "[0, 12]"}, [] { PolynomialBottom bottom({{.coefficient = 1, .y_power = 13}}); });
 }

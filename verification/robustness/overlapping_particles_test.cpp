@@ -74,8 +74,6 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
   refusals.refused({"radius", "= 0", "positive"}, [] { staggered_disc(0, 0.1); });
   refusals.refused({"upper.y - lower.y", "= -1"}, [] { staggered({.lower = {0, 1}, .upper = {1, 0}}); });
   refusals.refused({"spacing = 1e-06", "at most 1e+07"}, [] { staggered_disc(1, 1e-6); });
-  Flow flow(block());
-  refusals.steps(flow);
 }
 
 TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robustness]") {

@@ -44,7 +44,6 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
     ParticleFlow flow(still_water(), {}, forcing);
   });
   refusals.refused({"piston"}, [] { ParticleFlow flow(still_water(), {Piston{}, Wall{}}); });
-  refusals.refused({"tau"}, [] { ParticleFlow(still_water()).advance(0); });
   refusals.refused({"celerity"}, [] { ParticleFlow(still_water()).advance(1); });
   refusals.refused({"particle"}, [] {
     const double u = shallow_water::velocity_change(9.81, 8, 1);
@@ -77,7 +76,7 @@ TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
               "goes on, with positive depths.");
   const double escape = 2 * shallow_water::celerity(9.81, 1);
   ParticleFlow flow(still_water(40), {Piston{[=](double) { return -0.99 * escape; }}, Wall{}});
-  flow.advance_to(0.5);
+  march(flow, 0.5);
   Smallest thinnest;
   for (std::size_t i = 0; i < flow.particles().size(); ++i) thinnest.add(flow.particles().depth(i));
   check.holds("Depths of all particles stay positive while the piston almost escapes.",

@@ -63,13 +63,6 @@ class Refusals {
   auto with(Use use) {
     return [=, this](const std::vector<std::string>& words, const Bad& bad) { refused(words, [&] { use(bad); }); };
   }
-  /// Steps of a flow that are none.
-  template <class Flow>
-  void steps(Flow& flow) {
-    for (const double tau : {0.0, -0.1, not_a_number, infinity}) {
-      refused({"tau", "positive and finite"}, [&] { flow.advance(tau); });
-    }
-  }
 
  private:
   Check& check_;

@@ -78,7 +78,6 @@ TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
               {.stabilisation = 0});
   });
   Flow flow(box(), {}, {ControlKind::mapped, 4, 8});
-  refusals.steps(flow);
   refusals.refused({"rate * tau", "= 1.2", "[0, 1]"}, [&] { flow.advance(0.3); });
   refusals.refused({"surface_rate * tau", "= 1.6"}, [&] { flow.advance(0.2); });
   const auto channel = refusals.with<SteppedChannel>([&](const SteppedChannel& c) { (void)stepped_channel_mesh(c); });
