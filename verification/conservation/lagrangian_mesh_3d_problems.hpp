@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 #include "verification/polynomial_bottom.hpp"
 

@@ -19,10 +19,10 @@ namespace plan_shoreline_test {
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
 using seiche::Largest;
+using seiche::march;
 using seiche::PolynomialBottom;
 using seiche::Worst;
 using seiche::plan_lattice::ShoreSide;
-using seiche::march;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
 constexpr double half_width = 10;
