@@ -32,7 +32,7 @@ inline double hump(double x, double at) {
   return std::exp(-(x - at) * (x - at));
 }
 
-inline Point sloshing(Point r) {
+inline Point sloshed(Point r) {
   return {0.05 * std::sin(r.x) * std::cosh(r.y + 1), -0.05 * std::cos(r.x) * std::sinh(r.y + 1)};
 }
 

@@ -88,7 +88,7 @@ free_lagrangian::Settings cell_settings(const Twin& twin, bool layer) {
 
 Seen dirichlet(const Twin& twin, bool layer) {
   const auto [mesh, order] = cells_of(twin, layer);
-  dirichlet_mesh::Flow flow(mesh, twin.field(layer ? sloshing : stirring), cell_settings(twin, layer), 0.2);
+  dirichlet_mesh::Flow flow(mesh, twin.field(layer ? sloshed : stirring), cell_settings(twin, layer), 0.2);
   take_steps(flow, 0.015625 * twin.time);
   return seen_of(flow, twin, order);
 }
@@ -97,7 +97,7 @@ Seen variable(const Twin& twin, variable_mass::Control control, bool layer) {
   const auto [mesh, order] = cells_of(twin, layer);
   control.rate /= twin.time;
   control.surface_rate /= twin.time;
-  variable_mass::Flow flow(mesh, {.velocity = twin.field(layer ? sloshing : stirring)}, control,
+  variable_mass::Flow flow(mesh, {.velocity = twin.field(layer ? sloshed : stirring)}, control,
                            cell_settings(twin, layer), 0.2);
   take_steps(flow, 0.015625 * twin.time);
   return seen_of(flow, twin, order);
@@ -129,7 +129,7 @@ Seen gauss(const Twin& twin, bool tank, gauss_particles::Stepping stepping) {
   }
   Flow flow(
       particles, std::make_unique<SplineSpace>(lattice.ground, lattice, SplineSpace::Settings{.density = twin.density}),
-      twin.field(tank ? sloshing : stirring),
+      twin.field(tank ? sloshed : stirring),
       {.gravity = tank ? twin.acceleration(1) : 0, .density = twin.density, .penalty = tank ? 0.01 : 0}, {}, stepping);
   take_steps(flow, 0.015625 * twin.time);
   return seen_of(flow, twin, order);

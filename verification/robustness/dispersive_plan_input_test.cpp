@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace seiche::verification::dispersive_plan_input_test {
@@ -99,8 +100,6 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
               {.reach = [](double t) { return t; }});
   });
-  refusals.refused({"without terms", "at least one"}, [] { PolynomialBottom bottom({}); });
-  refusals.refused({"y_power", "13", "[0, 12]"}, [] { PolynomialBottom bottom({{.coefficient = 1, .y_power = 13}}); });
 }
 
 TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]") {
