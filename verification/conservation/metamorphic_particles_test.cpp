@@ -25,7 +25,6 @@
 namespace seiche::verification::metamorphic_particles_test {
 
 using namespace metamorphic;
-using mechanics::Stepping;
 
 /// What flows of particles end with.
 Seen seen_of(const auto& flow, const Twin& twin, const std::vector<std::size_t>& order) {
