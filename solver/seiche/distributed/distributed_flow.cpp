@@ -18,7 +18,7 @@ namespace seiche::distributed {
 
 static_assert(mechanics::ConstrainedModel<DistributedModel<dispersive_shallow_water_2d::Model>>);
 static_assert(mechanics::ConstrainedModel<DistributedModel<lagrangian_mesh_3d::Model>>);
-static_assert(Model<Flow<PlanModel>> && Model<Flow<HexahedralModel>>);
+static_assert(seiche::Model<Flow<PlanModel>> && seiche::Model<Flow<HexahedralModel>>);
 
 namespace {
 
