@@ -22,7 +22,7 @@ int main() {
 
   std::puts("t,shoreline_x,shoreline_y,energy");
   for (int k = 0; k <= 60; ++k) {
-    flow.advance_to(0.25 * k, 0.02);
+    march(flow, 0.25 * k, stable_steps(flow, 0.02));
     std::printf("%g,%.6g,%.6g,%.9g\n", flow.time(), flow.x().back(), flow.y().back(), flow.energy());
   }
 }

@@ -70,7 +70,7 @@ Rest stay(const Settings& settings, double spacing, double time) {
   wcsph::Scene scene = wcsph::tank({.width = width, .depth = depth, .spacing = spacing}, settings);
   wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings);
   const double first = centre_of_mass(flow.totals());
-  flow.advance_to(time);
+  march(flow, time);
   const wcsph::Particles& p = flow.particles();
   const std::vector<double> pressure = flow.pressure();
   const double scale = settings.density * settings.gravity * depth;

@@ -125,7 +125,7 @@ Unrest watch(const Lake& lake, model::Kinetics kinetics, const model::Scheme& sc
   channel.kinetics = kinetics;
   model::Flow flow(channel, model::still_markers(channel, lake.markers), scheme);
   Unrest unrest;
-  flow.advance_to(time, tau, [&] {
+  march(flow, time, stable_steps(flow, tau), [&] {
     unrest.velocity.add(worst(flow.p()), flow.time());
     unrest.velocity.add(worst(flow.r()), flow.time());
     unrest.elevation.add(worst(flow.y()), flow.time());

@@ -116,7 +116,7 @@ Motion by_cells(const exact::Thacker& bowl, double gravity, double length, doubl
   };
   note();
   while (flow.time() < end * (1 - 1e-12)) {
-    flow.step(std::min(0.4 / flow.courant_number(1.0), end - flow.time()));
+    flow.advance(std::min(0.4 / flow.courant_number(1.0), end - flow.time()));
     note();
     progress(flow.time() / end);
   }

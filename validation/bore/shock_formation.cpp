@@ -48,7 +48,7 @@ Profile profile_of(const SetUp& s, long n) {
   particles::ParticleFlow flow(particles::uniform_stretches({{0, length, {depth, 0}}}, static_cast<std::size_t>(n)),
                                {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = s.gravity},
                                {.theta = 1.5});
-  flow.advance_to(time);
+  march(flow, time);
   return flow.measured_profile();
 }
 

@@ -166,7 +166,7 @@ Results break_on(const Run& run, long cells, const PressureBreakingReference* re
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   for (const double time : times) {
-    flow.advance_to(time, tau, [&] {
+    march(flow, time, tau, [&] {
       flow.observe();
       if (std::isnan(r.overturned) && goes_backwards(flow.markers())) r.overturned = flow.time();
     });

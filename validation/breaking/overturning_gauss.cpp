@@ -151,7 +151,7 @@ void turn_particles(Results& r, const SteepWave& wave, long cells) {
   Computed one{.model = "free particles", .size = cell_of(cells)};
   r.turned = std::numeric_limits<double>::quiet_NaN();
   for (const double time : r.times) {
-    flow.advance_to(time, step_of(wave, cells), [&] {
+    march(flow, time, step_of(wave, cells), [&] {
       flow.observe();
       if (std::isnan(r.turned) && goes_backwards(flow.markers())) r.turned = flow.time();
     });

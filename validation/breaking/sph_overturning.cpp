@@ -123,7 +123,7 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
     part.keep(state);
     const double watch = static_cast<double>(n) * interval;
     for (; next < times.size() && times[next] <= watch + 1e-9 * interval; ++next) {
-      flow.advance_to(times[next]);
+      march(flow, times[next]);
       const std::vector<Contour> curves = look();
       const Contour* main = wcsph::main_surface(curves);
       if (main == nullptr || main->x.size() < 2)
@@ -138,7 +138,7 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
       result.energy.push_back(wave_energy(flow, setup.wave) / first_energy);
       result.level.push_back(mean_level(flow, setup));
     }
-    if (watch > flow.time()) flow.advance_to(watch);
+    if (watch > flow.time()) march(flow, watch);
     look();
   }
   result.steps = flow.steps();

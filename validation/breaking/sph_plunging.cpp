@@ -76,7 +76,7 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
   for (part.resume(state); next < frames.size(); ++n) {
     part.keep(state);
     const double phase = static_cast<double>(n) / per_period;
-    flow.advance_to(setup.period * phase);
+    march(flow, setup.period * phase);
     watch(result, flow, setup, scene);
     if (phase < frames[next] - 1e-9) continue;
     ++next;

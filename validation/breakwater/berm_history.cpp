@@ -42,7 +42,7 @@ BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, 
   BermHistory& history = wave.history;
   BermGauge gauge(flow, berm);
   if (watch) watch(flow);
-  flow.advance_to(settings.time, settings.tau, [&] {
+  march(flow, settings.time, settings.tau, [&] {
     if (const auto reading = gauge.after_step()) {
       history.time.push_back(reading->time);
       history.front.push_back(reading->load.front / settings.height);

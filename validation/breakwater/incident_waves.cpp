@@ -52,7 +52,7 @@ TankHistory run_tank(const Berm& basin, const BermResolution& mesh, const Incide
   BermGauge gauge(flow, tank);
   TankHistory history;
   double between = 0;
-  flow.advance_to(waves.end, waves.tau, [&] {
+  march(flow, waves.end, waves.tau, [&] {
     if (const auto reading = gauge.after_step()) {
       history.time.push_back(reading->time);
       history.front.push_back(reading->load.front);

@@ -120,7 +120,7 @@ Collapse collapse(const Column& column, double last, bool with_frames) {
   constexpr int instants = 4;
   for (int k = 1; k <= instants; ++k) {
     const double T = last * k / instants;
-    flow.advance_to(T / column.unit(), column.tau(), [&] {
+    march(flow, T / column.unit(), column.tau(), [&] {
       flow.observe();
       keep();
     });

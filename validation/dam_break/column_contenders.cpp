@@ -52,7 +52,7 @@ template <class Flow, class Front>
 Racer racer_of(const std::shared_ptr<Flow>& flow, const ColumnFront& measured, double tau, Front front) {
   const auto history = std::make_shared<History>(History{measured});
   history->add(0, front(*flow));
-  return {[=](double time) { flow->advance_to(time, tau, [=] { history->add(flow->time(), front(*flow)); }); },
+  return {[=](double time) { march(*flow, time, tau, [=] { history->add(flow->time(), front(*flow)); }); },
           [=] { return Sight{.off = history->off(), .energy = flow->energy()}; }};
 }
 
@@ -139,7 +139,7 @@ Racer start_sph(const ColumnFront& measured, long across) {
   return {[=](double time) {
             const double interval = 0.02 / unit;
             while (flow->time() < time) {
-              flow->advance_to(std::min(time, flow->time() + interval));
+              march(*flow, std::min(time, flow->time() + interval));
               look();
             }
           },

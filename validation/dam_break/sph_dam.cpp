@@ -39,10 +39,10 @@ SphCollapse collapse(const SphDam& dam, const Watch& watch, const std::vector<do
   for (long n = 0; n <= samples; ++n) {
     const double T = last * static_cast<double>(n) / static_cast<double>(samples);
     for (; next < frames.size() && frames[next] <= T; ++next) {
-      flow.advance_to(frames[next] / unit);
+      march(flow, frames[next] / unit);
       if (on_frame) on_frame(next, flow);
     }
-    flow.advance_to(T / unit);
+    march(flow, T / unit);
     result.T.push_back(T);
     result.front.push_back((wcsph::front_position(flow.particles(), h) - scene.rear_wall) / a);
     result.height.push_back((wcsph::column_height(flow.particles(), h, scene.rear_wall + 3 * scene.spacing,

@@ -71,7 +71,7 @@ Rim outer_particles(const StretchingDrop& drop, std::span<const double> x, std::
 /// A flow in equal steps; `momentum` and `places` are read off it.
 template <class Flow, class Momentum, class PlacesOf>
 Racer racer_of(const std::shared_ptr<Flow>& flow, const Rim& rim, double tau, Momentum momentum, PlacesOf places) {
-  return {[flow, tau](double time) { flow->advance_to(time, tau); },
+  return {[flow, tau](double time) { march(*flow, time, tau); },
           [flow, rim, momentum, places] {
             const Places at = places(*flow);
             const auto [along, across] = momentum(*flow);
@@ -207,7 +207,7 @@ Racer start_sph(const StretchingDrop& drop, long spacings) {
                    settings);
   const Rim rim = outer_particles(drop, scene.particles.x, scene.particles.z, spacing);
   const auto flow = std::make_shared<Flow>(scene.particles, scene.spacing, settings);
-  return {[flow](double time) { flow->advance_to(time); },
+  return {[flow](double time) { march(*flow, time); },
           [flow, rim] {
             const wcsph::Particles& p = flow->particles();
             std::vector<Point> places(p.size());

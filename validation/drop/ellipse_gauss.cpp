@@ -158,7 +158,7 @@ Results compute(const Run& run) {
   for (long part = 1; part <= pressures; ++part) {
     double before = flow.time();
     double last_step = 0;
-    flow.advance_to(s.end * static_cast<double>(part) / pressures, s.tau, [&] {
+    march(flow, s.end * static_cast<double>(part) / pressures, s.tau, [&] {
       flow.observe();
       last_step = flow.time() - before;
       before = flow.time();
@@ -172,7 +172,7 @@ Results compute(const Run& run) {
   r.momentum = flow.ledger().largest_defect("momentum");
   r.angular_momentum = flow.ledger().largest_defect("angular");
   Flow linear = flow_in(std::make_unique<PolynomialSpace>(), s);
-  linear.advance_to(s.end, s.tau);
+  march(linear, s.end, s.tau);
   r.linear = errors_of(linear, s.drop);
   return r;
 }

@@ -135,7 +135,7 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
     drop.frames.push_back({flow.time(), {flow.x().begin(), flow.x().end()}, {flow.y().begin(), flow.y().end()}});
   };
   keep();
-  flow.advance_to(s.end, tau, [&] {
+  march(flow, s.end, tau, [&] {
     flow.observe();
     if (drop.frames.size() == 1 && 2 * flow.time() >= s.end - tau) keep();
   });

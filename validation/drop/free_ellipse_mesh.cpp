@@ -73,7 +73,7 @@ History advance_to_end(Flow& flow, double time, double tau) {
     history.energy_defect.add(flow.energy() - energy, flow.time());
   };
   observe();
-  flow.advance_to(time, tau, observe);
+  march(flow, time, tau, observe);
   return history;
 }
 

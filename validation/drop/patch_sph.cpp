@@ -103,7 +103,7 @@ Stretched stretch(const wcsph::Settings& settings, double spacing) {
   const wcsph::Totals first = flow.totals();
   for (long n = 1; n <= samples; ++n) {
     const double t = end * static_cast<double>(n) / static_cast<double>(samples);
-    flow.advance_to(t);
+    march(flow, t);
     const wcsph::Totals now = flow.totals();
     result.time.push_back(t);
     result.axis.push_back(long_axis(flow.particles()));

@@ -50,7 +50,7 @@ CrestTrack follow_crest(lagrangian_mesh_2d::Flow& flow, double time, double tau,
   };
   add();
   try {
-    flow.advance_to(time, tau, [&] {
+    march(flow, time, tau, [&] {
       add();
       if (after_step) after_step();
     });

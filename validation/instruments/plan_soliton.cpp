@@ -55,7 +55,7 @@ template <class Flow, class Crest>
 SolitonTravel travelled(Flow& flow, const PlanSolitonRun& run, const Crest& crest) {
   SolitonTravel result{.settled = run.settled};
   long steps = 0;
-  flow.advance_to(run.time, run.tau, [&] {
+  march(flow, run.time, run.tau, [&] {
     crest(result);
     if (++steps % 5 == 0) flow.observe();
   });

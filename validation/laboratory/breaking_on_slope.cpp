@@ -46,7 +46,7 @@ Along along_slope(const Wave& wave, double spacing) {
   const double toe = -depth / slope;
   dispersive::Flow flow =
       cnoidal_waves(flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -106, .to = toe});
-  flow.advance_to(30, flume.tau);
+  march(flow, 30, stable_steps(flow, flume.tau));
   std::vector<double> places;
   for (double x = 0; x < 10.5; x += 0.05) places.push_back(toe + x);
   constexpr long periods = 3;
@@ -58,7 +58,8 @@ Along along_slope(const Wave& wave, double spacing) {
     std::vector<Largest> top(places.size());
     std::vector<Largest> bottom(places.size());
     for (long k = 1; k <= instants; ++k) {
-      flow.advance_to(begin + wave.period * static_cast<double>(period * instants + k) / instants, flume.tau);
+      march(flow, begin + wave.period * static_cast<double>(period * instants + k) / instants,
+            stable_steps(flow, flume.tau));
       const std::vector<double> eta = flow.elevation_at(places);
       for (std::size_t i = 0; i < places.size(); ++i) {
         top[i].add(eta[i]);

@@ -171,7 +171,7 @@ std::vector<SubmittedGroup> gauge_records(Flow& flow, const Flume& flume, const 
   const double start = flow.time();
   const long samples = std::lround((end - start) / interval);
   for (long k = 1; k <= samples; ++k) {
-    flow.advance_to(start + static_cast<double>(k) * interval, flume.tau, {}, courant);
+    march(flow, start + static_cast<double>(k) * interval, stable_steps(flow, flume.tau, courant));
     note();
   }
   return records;

@@ -71,7 +71,7 @@ Submitted compute(const Run& run, double coarsening) {
   // The column ends at a whole number of spacings, as near to the gate as that may be.
   const double shift = GatedDam::gate - std::round(GatedDam::gate / spacing) * spacing;
   return gated_fronts([&](double time) {
-    if (time > 0) flow.advance_to(time);
+    if (time > 0) march(flow, time);
     const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin);
     return front_above(GatedDam::mark, fraction, 0.5 * spacing) + shift;
   });

@@ -48,7 +48,7 @@ Submitted compute(const BarWave& wave, const Run& run, double coarsening) {
                     .gamma = gamma_of(run.text("dispersion"))};
   dispersive::Flow flow =
       regular_waves(flume, {.depth = 0.4, .amplitude = wave.amplitude, .period = wave.period, .from = -80, .to = 0});
-  flow.advance_to(wave.steady - 2, flume.tau);
+  march(flow, wave.steady - 2, stable_steps(flow, flume.tau));
   return {{"gauges", gauge_records(flow, flume, gauges, gauges, 0.02, wave.steady + 7, wave.steady)}};
 }
 

@@ -61,7 +61,7 @@ Submitted compute(const Run& run, double coarsening) {
                          {.depth = 0.4572, .amplitude = amplitude, .period = static_cast<double>(period)});
   const long steps = std::lround(4 * static_cast<double>(period) / spacing);
   const auto length = static_cast<double>(period);
-  flow.advance_to(std::ceil(settled / length) * length, length / static_cast<double>(steps));
+  march(flow, std::ceil(settled / length) * length, length / static_cast<double>(steps));
   std::vector<Point> places;
   std::vector<double> abscissa;
   for (double k = 0; k <= 190; ++k) {

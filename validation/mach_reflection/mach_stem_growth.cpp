@@ -115,7 +115,7 @@ Development compute(const Run& run) {
   Development development;
   double shown = 0;
   for (double t = between_patterns; t < end + 1e-9; t += between_patterns) {
-    flow.advance_to(t, 0.5 * run.real("h"));
+    march(flow, t, 0.5 * run.real("h"));
     const SurfaceLattice surface = surface_of(flow);
     const ReflectionPattern pattern = pattern_at(t, surface, wave.amplitude());
     development.time.push_back(t);

@@ -99,7 +99,7 @@ PressureWaves::PressureWaves(PressureSource source, PressureRun run, const std::
   };
   sample();
   for (long k = 1; k <= samples; ++k) {
-    flow.advance_to(run.time * static_cast<double>(k) / static_cast<double>(samples), run.tau);
+    march(flow, run.time * static_cast<double>(k) / static_cast<double>(samples), stable_steps(flow, run.tau));
     sample();
     progress(static_cast<double>(k) / static_cast<double>(samples));
   }

@@ -129,7 +129,7 @@ int run(Flow& flow, const Options& options, Clock::time_point begin) {
   for (long part = 1; flow.time() < options.time * unit.time; ++part) {
     const double until =
         options.every > 0 ? std::min(options.time, static_cast<double>(part) * options.every) : options.time;
-    flow.advance_to(until * unit.time, options.step * unit.time, [&] {
+    march(flow, until * unit.time, options.step * unit.time, [&] {
       if (shore) watch_shore(flow, run_up);
     });
     if (options.every > 0) write();

@@ -114,7 +114,7 @@ MeshAtEnd computed(const Run& run, const std::shared_ptr<const Wave>& wave, long
   const double spacing = 1 / static_cast<double>(n);
   std::vector<double> y(flow.y().begin(), flow.y().end());
   std::vector<double> earlier_y;
-  flow.advance_to(run.real("time"), run.real("tau_over_h") * spacing, [&] {
+  march(flow, run.real("time"), run.real("tau_over_h") * spacing, [&] {
     earlier_y.swap(y);
     y.assign(flow.y().begin(), flow.y().end());
   });

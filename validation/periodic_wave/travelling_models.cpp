@@ -140,7 +140,7 @@ Followed follow_particles(const StokesWave& wave, long cells, const std::vector<
   const double kinetic = flow.energy();
   Followed followed{.size = cell};
   for (const double n : instants) {
-    flow.advance_to(n * period_of(wave), particles_courant * cell / wave.phase_speed());
+    march(flow, n * period_of(wave), particles_courant * cell / wave.phase_speed());
     std::vector<Point> surface = flow.markers();
     for (Point& marker : surface) {
       marker.x = length + std::remainder(marker.x, length);
@@ -169,7 +169,7 @@ Followed follow_mesh(const StokesWave& wave, long rows, const std::vector<double
   lagrangian_mesh_2d::Flow flow(mesh, [&](Point r) { return velocity_at(wave, r.x, r.y); });
   Followed followed{.size = h};
   for (const double n : instants) {
-    flow.advance_to(n * period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
+    march(flow, n * period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
     std::vector<Point> surface;
     for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
       if (std::abs(flow.surface_x()[i] - n * length) > 0.5 * length) continue;
@@ -198,10 +198,9 @@ Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long 
   Flow flow(channel, moved_markers(
                          channel, equal_labels(channel, 0, length, static_cast<std::size_t>(cells)), motion,
                          [&](double x) { return wave.excess_up_to(x); }, 0));
-  constexpr double no_courant_limit = 1e9;  // depths hardly change: tau alone decides
   Followed followed{.size = spacing};
   for (const double n : instants) {
-    flow.advance_to(n * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()), {}, no_courant_limit);
+    march(flow, n * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()));
     std::vector<Point> surface;
     for (std::size_t i = 0; i < flow.x().size(); ++i) surface.push_back({flow.x()[i], flow.y()[i]});
     followed.stations.push_back({flow.time(), std::move(surface), not_counted});
@@ -217,7 +216,7 @@ Followed follow_sph(const StokesWave& wave, long rows, const std::vector<double>
   const double length = wave.wavelength();
   Followed followed{.size = flow.spacing()};
   for (const double n : instants) {
-    flow.advance_to(n * period_of(wave));
+    march(flow, n * period_of(wave));
     followed.stations.push_back({flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), not_counted});
   }
   followed.seconds = processor_seconds() - began;

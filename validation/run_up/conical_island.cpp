@@ -125,7 +125,7 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
   const double energy = flow.energy();
   const double end = island.passage() + after_passage;
   try {
-    flow.advance_to(end, island.step(), [&] {
+    march(flow, end, island.step(), [&] {
       const Flow& now = flow.flow();
       passed.envelope.observe(now, flow.time());
       passed.time.push_back(flow.time());

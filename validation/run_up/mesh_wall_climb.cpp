@@ -115,7 +115,7 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
     if (after_step) after_step(flow);
   };
   try {
-    flow.advance_to(climb.end(), climb.tau, observe);
+    march(flow, climb.end(), climb.tau, observe);
   } catch (const Divergence& failure) {
     run.fold = {.time = failure.time(), .place = failure.place(), .what = failure.what()};
   }

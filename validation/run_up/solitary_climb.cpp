@@ -63,7 +63,7 @@ double SolitaryClimb::step(const dispersive::Flow& flow) const {
 }
 
 void SolitaryClimb::advance_to(dispersive::Flow& flow, double time) const {
-  flow.advance_to(time, tau_over_spacing * spacing, {}, courant);
+  march(flow, time, stable_steps(flow, tau_over_spacing * spacing, courant));
 }
 
 std::string SolitaryClimb::resolution() const {

@@ -158,7 +158,7 @@ Folded folded(Waves& waves, double amplitude, long rows) {
   held.settings.hourglass = 0.6;
   Folded both{amplitude, climb_wall(plain).flow, held.start()};
   try {
-    both.held.advance_to(both.plain.time(), held.tau);
+    march(both.held, both.plain.time(), held.tau);
   } catch (const Divergence&) {  // drawn as far as it comes
   }
   return both;

@@ -9,7 +9,7 @@ SerreHistory follow(dispersive_shallow_water_1d::Flow& flow, const SerreWave& wa
   const auto defect = [&](const std::string& name, double scale) {
     return flow.ledger().entry(name).largest_defect / scale;
   };
-  flow.advance_to(wave.time, tau, [&] {
+  march(flow, wave.time, stable_steps(flow, tau), [&] {
     flow.observe();
     const SerreErrors errors = errors_of(flow, wave);
     history.time.push_back(flow.time());

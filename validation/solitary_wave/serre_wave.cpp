@@ -86,9 +86,8 @@ double largest_surface_error(const Flow& flow, const SerreWave& wave) {
 
 Flow followed(const SerreWave& wave, double spacing, double tau, Scheme scheme) {
   // Depths hardly change: tau alone decides, however long compared with the stable step of the one-step scheme.
-  constexpr double no_courant_limit = 1e9;
   Flow flow = start(wave, spacing, scheme);
-  flow.advance_to(wave.time, tau, {}, no_courant_limit);
+  march(flow, wave.time, tau);
   return flow;
 }
 

@@ -55,7 +55,7 @@ ShoalRun followed(Flow& flow, const ShoalWave& wave, const Surface& surface) {
     run.energy_defect.add(flow.energy() / energy - 1, flow.time());
   };
   observe();
-  flow.advance_to(wave.time, wave.tau(), observe);
+  march(flow, wave.time, wave.tau(), observe);
   return run;
 }
 

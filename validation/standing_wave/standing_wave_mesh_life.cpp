@@ -149,7 +149,7 @@ Life live(const Values& values, const Setting& setting) {
   const double begin = flow.energy();
   life.amplitude.push_back(mode_amplitude(tank, flow));
   try {
-    flow.advance_to(values.real("time"), setting.tau, [&] {
+    march(flow, values.real("time"), setting.tau, [&] {
       if (!setting.rezone) flow.observe();  // what it keeps, from the beginning on
       life.time.push_back(flow.time());
       life.corner.push_back(flow.worst_corner().shape);

@@ -154,7 +154,7 @@ Settled by_cells(const Regime& regime, double gravity, long n, double time) {
   settings.left = shallow_water_finite_volume::End::inflow(regime.flow.at(0));
   settings.right = shallow_water_finite_volume::End::inflow(regime.flow.at(length));
   shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, discharge, regime.flow.bed());
-  flow.advance_to(time);
+  march(flow, time);
   Settled settled;
   settled.profile.edges = flow.edges();
   for (std::size_t i = 0; i < flow.cells(); ++i) settled.profile.means.push_back({flow.depth()[i], flow.velocity()[i]});

@@ -53,7 +53,7 @@ FlapWaves make_flap_waves(const Run& run, const FlapDesign& design, long layers,
   try {
     for (part.resume(state); n <= samples; ++n) {
       part.keep(state);
-      flow.advance_to(design.period * static_cast<double>(n) / samples_per_period);
+      march(flow, design.period * static_cast<double>(n) / samples_per_period);
       const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, settings.kernel);
       waves.time.push_back(flow.time());
       for (std::size_t k = 0; k < places.size(); ++k) {

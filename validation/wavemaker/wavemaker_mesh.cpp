@@ -81,7 +81,7 @@ Series make_waves(const Paddle& paddle, const Mesh& resolution, mechanics::Stepp
   Series series;
   const auto samples = std::lround(end / interval);
   for (long n = 1; n <= samples; ++n) {
-    flow.advance_to(static_cast<double>(n) * interval, resolution.tau);
+    march(flow, static_cast<double>(n) * interval, resolution.tau);
     series.time.push_back(flow.time());
     const std::vector<double> elevation = flow.elevation_at(gauges);
     for (std::size_t g = 0; g < gauges.size(); ++g) series.elevation[g].push_back(elevation[g]);

@@ -11,6 +11,7 @@
 #include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"
+#include "verification/timed_steps.hpp"
 
 namespace conservative_step_test {
 
@@ -195,7 +196,8 @@ TEST_CASE("implicit steps do not depend on when they begin nor on who counts the
     Composition suzuki(base, suzuki_weights());
     const auto step = [&](double length) { composed ? suzuki.step(state, length) : base.step(state, length); };
     if (to_a_time) {
-      equal_steps_to(state, begin + 4, 0.02, {}, step);
+      TimedSteps flow{state, step};
+      march(flow, begin + 4, 0.02);
     } else {
       for (int n = 0; n < 200; ++n) step(4.0 / 200);
     }

@@ -23,13 +23,10 @@ inline Defects defects_until(dispersive_shallow_water_1d::Flow& flow, double end
                              const std::function<void()>& after_step = {}) {
   const double energy = flow.energy();
   const long solves = flow.solves();
-  flow.advance_to(
-      end, tau,
-      [&] {
-        flow.observe();
-        if (after_step) after_step();
-      },
-      courant);
+  march(flow, end, stable_steps(flow, tau, courant), [&] {
+    flow.observe();
+    if (after_step) after_step();
+  });
   const mechanics::InvariantsLedger& ledger = flow.ledger();
   return {.energy = ledger.largest_defect("energy") / energy,
           .momentum = ledger.largest_defect("momentum") / ledger.entry("momentum_x").initial,

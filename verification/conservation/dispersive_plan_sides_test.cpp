@@ -59,7 +59,7 @@ InflowErrors inflow_errors(double spacing) {
   }};
   Flow flow(rectangular_lattice(
       {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
-  flow.advance_to((15 - start) / wave.speed(), 0.1 * spacing);
+  march(flow, (15 - start) / wave.speed(), 0.1 * spacing);
   Worst wave_error;
   Worst side_error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {

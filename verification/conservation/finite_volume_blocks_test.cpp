@@ -44,8 +44,8 @@ double differing_cells(Scheme scheme) {
   FiniteVolumeFlow longer = water(scheme, 0, 5000);
   FiniteVolumeFlow shorter = water(scheme, begin, begin + cells);
   for (long k = 0; k < steps; ++k) {
-    longer.step(tau);
-    shorter.step(tau);
+    longer.advance(tau);
+    shorter.advance(tau);
   }
   double differing = 0;
   for (std::size_t i = out_of_reach; i < cells - out_of_reach; ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
   constexpr std::size_t cells = 5000;
   constexpr long steps = 2000;
   FiniteVolumeFlow flow = water(Scheme::muscl_hll, 0, cells);
-  for (long k = 0; k < steps; ++k) flow.step(tau);
+  for (long k = 0; k < steps; ++k) flow.advance(tau);
   const auto roundoff = [&](double scale, const std::string& reason) {
     return Roundoff{6.0 * cells * steps, scale, reason};
   };

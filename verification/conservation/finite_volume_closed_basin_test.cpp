@@ -52,8 +52,8 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
     auto basin = dam_break(scheme, cells, End::wall(), End::wall());
     auto open = dam_break(scheme, cells, End::free(), End::inflow({1, 0}));
     for (long k = 0; k < steps; ++k) {
-      basin.step(0.04);
-      open.step(0.04);
+      basin.advance(0.04);
+      open.advance(0.04);
     }
     CHECK(basin.ledger().mass_left == 0);
     CHECK(basin.ledger().mass_right == 0);

@@ -46,7 +46,7 @@ void some(Check& check, const std::string& what, bool is, const std::string& how
 /// The flow at the end.
 template <class Flow>
 Flow kept(Check& check, const std::string& what, Flow flow, double tau, const std::vector<std::string>& invariants) {
-  flow.advance_to(50 * tau, tau, [&] { flow.observe(); });
+  march(flow, 50 * tau, tau, [&] { flow.observe(); });
   const Roundoff rounded{static_cast<double>(flow.steps()), 1,
                          "one rounding per step of a sum of order 1; sums are compensated"};
   for (const std::string& name : invariants) {

@@ -133,7 +133,7 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
   const double begin = flow.energy();
   Worst spilt;
   Worst drift;
-  flow.advance_to(end, tau, [&] {
+  march(flow, end, tau, [&] {
     const Mesh& mesh = flow.model().mesh();
     CompensatedSum area;
     for (std::size_t cell = 0; cell < mesh.cells(); ++cell) area.add(cell_area(mesh, flow.x(), flow.y(), cell));

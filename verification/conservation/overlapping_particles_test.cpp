@@ -59,7 +59,7 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
   const Particles first = jittered(staggered_disc(1, spacing), 0.1, 2);
   Flow flow(first, [](Point) { return Point{1.5, 4}; }, {.gravity = 9.81});
   Worst multiplier;
-  flow.advance_to(2, 0.02, [&] {
+  march(flow, 2, 0.02, [&] {
     flow.observe();
     for (const double lambda : flow.state().multipliers) multiplier.add(lambda, flow.time());
   });
@@ -89,7 +89,7 @@ TEST_CASE("masses in control volumes drift by the square of the step", "[conserv
   Convergence drifts;
   for (const int n : {5, 10, 20, 40, 80}) {
     Flow flow = moving_blob({});
-    flow.advance_to(0.2, 0.2 / n);
+    march(flow, 0.2, 0.2 / n);
     flow.observe();
     drifts.add(1.0 / n, flow.ledger().largest_defect("volume_worst"));
   }
@@ -127,7 +127,7 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
   Flow whole(with_mirrored(half, 1, -1), stretched);
   Flow above(half, stretched, {.walls = {floor}});
   Flow corner(quarter, stretched, {.walls = {floor, side}});
-  for (Flow* flow : {&whole, &above, &corner}) flow->advance_to(0.2, 0.02, [&] { flow->observe(); });
+  for (Flow* flow : {&whole, &above, &corner}) march(*flow, 0.2, 0.02, [&] { flow->observe(); });
   const auto same = [&](const std::string& id, const std::string& text, const Flow& flow) {
     Worst apart;
     for (std::size_t k = 0; k < n; ++k) {
@@ -152,7 +152,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
   const Particles rows = jittered(
       staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}), 0.1, 5);
   Flow drop(rows, [](Point r) { return Point{0.5 + 0.2 * r.y, 0}; }, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
-  drop.advance_to(0.4, 0.01, [&] { drop.observe(); });
+  march(drop, 0.4, 0.01, [&] { drop.observe(); });
   claim_kept(check, "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
   check.that(
       {.id = "pushes",
@@ -172,7 +172,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
   }
   Flow still(stack, {}, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
   Worst moved;
-  still.advance_to(1, 0.01, [&] {
+  march(still, 1, 0.01, [&] {
     for (const double u : still.state().u) moved.add(u, still.time());
   });
   check.that({.id = "stack", .text = "A stack on the floor rests.", .quantity = "largest velocity", .source = source},

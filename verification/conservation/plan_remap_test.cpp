@@ -351,8 +351,8 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   Worst spilt;
   bool whole = true;
   try {
-    flow.advance_to(island.passage() + 6, island.step(),
-                    [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
+    march(flow, island.passage() + 6, island.step(),
+          [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
   } catch (const Divergence&) {
     whole = false;
   }
@@ -382,7 +382,7 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
                    island.model_settings(), {.drift = 1e-6});
   long remembered = 0;
   long rezoned = 0;
-  flow.advance_to(island.passage() + 2, island.step(), [&] {
+  march(flow, island.passage() + 2, island.step(), [&] {
     const bool anew = flow.rezoned() > std::exchange(rezoned, flow.rezoned());
     if (anew && flow.flow().model().breaking().going_on() > 0) ++remembered;
   });
@@ -405,8 +405,8 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
   RezonedFlow flow = island.rezoned_flow();
   const double water = sum(flow.flow().model().first_volumes());
   Worst spilt;
-  flow.advance_to(island.passage(), island.step(),
-                  [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
+  march(flow, island.passage(), island.step(),
+        [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
   const std::string resolution =
       fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());
@@ -459,8 +459,8 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
   RezonedFlow flow = island.rezoned_flow();
   const double begin = flow.energy();
   Worst drift;
-  flow.advance_to(island.passage(), island.step(),
-                  [&] { drift.add((flow.energy() + flow.lost()) / begin - 1, flow.time()); });
+  march(flow, island.passage(), island.step(),
+        [&] { drift.add((flow.energy() + flow.lost()) / begin - 1, flow.time()); });
   const std::string resolution =
       fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   check.that({.id = "booked",

@@ -143,7 +143,7 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
   for (const std::size_t columns : {20, 40, 80}) {
     Flow flow(moved_water(columns, 0.5));
     std::vector<double> time, shore, swing;
-    flow.advance_to(period, 2 / static_cast<double>(columns), [&] {
+    march(flow, period, 2 / static_cast<double>(columns), [&] {
       time.push_back(flow.time() / period);
       shore.push_back(flow.x()[0] + half_width);
       swing.push_back(0.5 * std::cos(2 * std::numbers::pi * time.back()));

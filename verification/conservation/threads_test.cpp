@@ -186,7 +186,7 @@ void particles_of_sph(Check& check) {
         {.width = a, .height = 2 * a, .tank_length = 4 * a, .wall_height = 3.5 * a, .spacing = a / 16}, settings);
     same_for_threads(check, "WCSPH, " + name, [&scene = scene, &settings = settings](int) {
       Flow flow(scene.particles, scene.spacing, settings);
-      for (int step = 0; step < 60; ++step) flow.advance();
+      for (int step = 0; step < 60; ++step) flow.advance(flow.stable_step());
       const Particles& p = flow.particles();
       return joined(p.x, p.z, p.u, p.w, p.density, p.identity);
     });
@@ -208,7 +208,7 @@ void volumes(Check& check) {
     same_for_threads(check, "Finite volumes, " + std::string(name(scheme)), [&](int) {
       FiniteVolumeFlow flow({.scheme = scheme, .manning = 0.02}, 0, cells, depth, discharge,
                             scheme == Scheme::muscl_hll ? std::optional(bed) : std::nullopt);
-      for (int k = 0; k < 5; ++k) flow.step(0.05);
+      for (int k = 0; k < 5; ++k) flow.advance(0.05);
       const auto books = flow.ledger();
       return joined(flow.depth(), flow.discharge(),
                     Numbers{books.mass_left, books.mass_right, books.impulse_left, books.impulse_right,

@@ -114,7 +114,8 @@ Oscillation run(KernelName kernel, double smoothing, double xsph, const Layer& l
     oscillation.amplitude.push_back(sum / norm / omega);
   };
   record();
-  flow.advance_to(3.25 * 2 * std::numbers::pi / omega, record);
+  march(
+      flow, 3.25 * 2 * std::numbers::pi / omega, [&](double) { return flow.stable_step(); }, record);
   oscillation.steps = flow.steps();
   return oscillation;
 }

@@ -68,7 +68,7 @@ Envelope envelope(const Channel& waves) {
                           .absorption = rate},
                          {.depth = depth, .amplitude = amplitude, .period = waves.period});
   constexpr double settled = 36;  // waves have come everywhere, for all periods a whole number of them
-  flow.advance_to(settled, waves.period / static_cast<double>(waves.steps()));
+  march(flow, settled, waves.period / static_cast<double>(waves.steps()));
   std::vector<Point> places;
   constexpr int count = 24;
   for (int i = 0; i < count; ++i) {

@@ -29,7 +29,7 @@ double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_
   settings.scheme = scheme;
   settings.theta = 2;
   FiniteVolumeFlow flow(settings, 0, length, depth, discharge);
-  flow.advance_to(0.9, 0.4);
+  march(flow, 0.9);
   const auto reference = validation::cell_averages(wave, edges, 0.9);
   double total = 0;
   for (std::size_t i = 0; i < cells; ++i) total += std::abs(flow.depth()[i] - reference[i].depth);

@@ -61,7 +61,7 @@ Result run(double h) {
             std::make_unique<SplineSpace>(LatticePlan{.degree = 3, .cell_x = h}),
             [](Point r) { return Motion(0).velocity(r); }, {.gravity = 0, .penalty = 0},
             {.body_force = [](Point r, double t) { return Motion(t).force(r); }});
-  flow.advance_to(1, tau, [&] { flow.observe(); });
+  march(flow, 1, tau, [&] { flow.observe(); });
   // The projection of the last step belongs to its middle.
   const double length = 1 / static_cast<double>(flow.steps());
   const Motion middle(1 - length / 2);

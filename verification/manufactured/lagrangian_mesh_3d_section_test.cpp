@@ -60,8 +60,8 @@ double difference(const Slope& slope, Stepping stepping, double tau) {
                                        .elevation = [](double x, double) { return hump(x); },
                                        .bottom = slope.bottom()}),
                     {}, {.stepping = stepping}, {.tolerance = 1e-15});
-  plane.advance_to(duration, tau);
-  water.advance_to(duration, tau);
+  march(plane, duration, tau);
+  march(water, duration, tau);
   const space::Mesh& mesh = water.model().mesh();
   Worst off;
   for (std::size_t l = 0; l <= layers; ++l) {

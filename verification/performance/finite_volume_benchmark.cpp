@@ -56,7 +56,7 @@ void finite_volume_steps(benchmark::State& state, Scheme scheme) {
   settings.scheme = scheme;
   FiniteVolumeFlow flow(settings, 0, 100, depth, std::vector<double>(cells, 0.0));
   const double tau = 0.2 / flow.courant_number(1);
-  for (auto _ : state) flow.step(tau);
+  for (auto _ : state) flow.advance(tau);
   state.SetItemsProcessed(state.iterations() * state.range(0));
   performance::show(state, static_cast<double>(cells) * work_of(scheme, cells));
   benchmark::DoNotOptimize(flow.depth().data());

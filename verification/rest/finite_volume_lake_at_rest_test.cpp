@@ -31,7 +31,7 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
       depth[i] = std::max(0.0, 0.8 - (bed.primitive(a + dx) - bed.primitive(a)) / dx);
     }
     FiniteVolumeFlow flow({}, 0, 10, depth, std::vector<double>(cells, 0.0), bed);
-    for (int k = 0; k < 10000; ++k) flow.step(0.005);
+    for (int k = 0; k < 10000; ++k) flow.advance(0.005);
     Worst fastest;
     Worst moved;
     for (std::size_t i = 0; i < cells; ++i) {

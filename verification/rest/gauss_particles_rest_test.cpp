@@ -58,7 +58,7 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   check.source(source);
   for (const bool shift : {false, true}) {
     Flow flow = still(false, 20, 6, 0.01, shift);
-    flow.advance_to(10, 0.03, [&] { flow.observe(); });
+    march(flow, 10, 0.03, [&] { flow.observe(); });
     check.holds(std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
                     (shift ? "is shifted at random." : "stays."),
                 {highest_marker(flow)},
@@ -87,7 +87,7 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   Flow flow = still(true, 20, 12, 0.01, false);
   flow.advance(0.03);
   const double first = seiche::worst(flow.model().projected()) * 2 / 0.03;
-  flow.advance_to(10, 0.03, [&] { flow.observe(); });
+  march(flow, 10, 0.03, [&] { flow.observe(); });
   check.that(
       {.id = "uneven-bounded",
        .text = "Over an uneven bottom, with the penalty, the surface moves by less than a steady push of the first "

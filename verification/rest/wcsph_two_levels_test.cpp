@@ -136,7 +136,7 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
                    1});
 
   Flow rest(levels(high, Lattice::square, followed).particles, dx, followed);
-  rest.advance_to(0.5);
+  march(rest, 0.5);
   check.that(
       {.id = "rest",
        .text = "Equal levels stay at rest, without a gate.",

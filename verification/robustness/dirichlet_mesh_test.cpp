@@ -187,12 +187,6 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
                    [] { layer_mesh({.begin = 1, .end = 0}); });
   refusals.refused("A surface below the bottom.", {"no water", "-1.5"},
                    [] { layer_mesh({.elevation = [](double) { return -1.5; }}); });
-  Flow flow(square());
-  for (const auto& [id, length] : {std::pair{"zero", 0.0}, {"negative", -0.1}, {"nan", not_a_number}}) {
-    const double tau = length;
-    refusals.refused(std::string("A step that is not positive and finite: ") + id + ".", {"tau", "positive and finite"},
-                     [&] { flow.advance(tau); });
-  }
 }
 
 TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robustness]") {

@@ -127,14 +127,6 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
               {.reach = [](double t) { return t; }});
   });
-  refusals.refused("A step that is not positive.", {"tau", "-0.1", "positive"}, [] {
-    Flow flow(rectangular_lattice(still_water()));
-    flow.advance(-0.1);
-  });
-  refusals.refused("A step that is not a number.", {"tau", "nan", "positive"}, [] {
-    Flow flow(rectangular_lattice(still_water()));
-    flow.advance(not_a_number);
-  });
   refusals.refused("A polynomial bottom without terms.", {"without terms", "at least one"},
                    [] { PolynomialBottom bottom({}); });
   refusals.refused("A power that is too high.", {"y_power", "13", "[0, 12]"},

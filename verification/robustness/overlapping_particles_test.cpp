@@ -103,12 +103,6 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
   });
   refusals.refused("A spacing that would fill the memory.", {"spacing = 1e-06", "at most 1e+07"},
                    [] { staggered_disc(1, 1e-6); });
-  Flow flow(block());
-  for (const auto& [id, length] : {std::pair{"zero", 0.0}, {"negative", -0.1}, {"nan", not_a_number}}) {
-    const double tau = length;
-    refusals.refused(std::string("A step that is not positive and finite: ") + id + ".", {"tau", "positive and finite"},
-                     [&] { flow.advance(tau); });
-  }
 }
 
 TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robustness]") {

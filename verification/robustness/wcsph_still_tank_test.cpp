@@ -58,7 +58,7 @@ Rest settle(Settings settings, double spacing, double time, bool full) {
                  : tank({.width = width, .depth = depth, .spacing = spacing}, settings).particles,
             spacing, settings);
   const Totals start = flow.totals();
-  flow.advance_to(time);
+  march(flow, time);
   Rest rest;
   const Particles& p = flow.particles();
   const std::vector<double> pressure = flow.pressure();

@@ -18,6 +18,7 @@ namespace seiche::distributed {
 
 static_assert(mechanics::ConstrainedModel<DistributedModel<dispersive_shallow_water_2d::Model>>);
 static_assert(mechanics::ConstrainedModel<DistributedModel<lagrangian_mesh_3d::Model>>);
+static_assert(seiche::Model<Flow<PlanModel>> && seiche::Model<Flow<HexahedralModel>>);
 
 namespace {
 
@@ -152,11 +153,6 @@ void Flow<Kind>::advance(double tau) {
   } else {
     stepper_.step(state_, tau);
   }
-}
-
-template <class Kind>
-void Flow<Kind>::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
 /// As plan_lattice::follow, which looks at the last two nodes of the lattice's first row.

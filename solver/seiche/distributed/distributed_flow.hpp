@@ -8,10 +8,11 @@
 ///     flow.write("fields.h5");
 ///
 /// The same steps as the model's own Flow, to the tolerance of the solver, for any number of processes. All of them
-/// call every function that is not const, and `energy` and `volume_defect`.
+/// call every function that is not const, and `energy`, `volume_defect` and `invariants`.
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/model.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/plan_lattice/lattice_flow.hpp"
@@ -64,8 +66,8 @@ class Flow {
 
   /// One step of length tau > 0.
   void advance(double tau);
-  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+  void arrive(double time) { state_.time = time; }
+  [[nodiscard]] double stable_step() const { return std::numeric_limits<double>::infinity(); }
 
   [[nodiscard]] double time() const { return state_.time; }
   [[nodiscard]] long steps() const { return state_.steps; }
@@ -83,6 +85,9 @@ class Flow {
 
   [[nodiscard]] double energy() const;         ///< kinetic and potential of the whole, zero for still water
   [[nodiscard]] double volume_defect() const;  ///< largest of all cells
+  [[nodiscard]] std::vector<Invariant> invariants() const {
+    return {{"energy", energy(), 0}, {"volume_worst", volume_defect(), 0}};
+  }
   /// Largest difference of a number at a node between the processes that hold it: 0.
   [[nodiscard]] double rim_difference();
   /// x, y, z, u, v, w of the surface's nodes into one HDF5 file (fields_file.hpp).

@@ -48,6 +48,10 @@ const InvariantsLedger::Entry& InvariantsLedger::entry(const std::string& name) 
   throw std::invalid_argument(fmt::format("invariant = {}; allowed: {}", name, names));
 }
 
+void InvariantsLedger::book(const std::string& name, double amount) {
+  book(static_cast<std::size_t>(&entry(name) - entries_.data()), amount);
+}
+
 double InvariantsLedger::largest_defect(const std::string& begins) const {
   Worst worst;
   bool found = false;
@@ -64,13 +68,6 @@ Extent extent(Input values) {
   CompensatedSum sum;
   for (const double v : values) sum.add(v);
   return {.largest = values.empty() ? 0 : worst(values), .sum = sum.value()};
-}
-
-void book_energy(InvariantsLedger& ledger, double amount) {
-  const auto& entries = ledger.entries();
-  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
-  if (energy == entries.end()) throw std::logic_error("the ledger has no entry \"energy\" to book to");
-  ledger.book(static_cast<std::size_t>(energy - entries.begin()), amount);
 }
 
 double total_mass(std::span<const double> mass) {

@@ -14,6 +14,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/model.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::mechanics {
@@ -36,6 +37,8 @@ class InvariantsLedger {
   std::size_t watch(std::string name, double initial);
   /// What entered from outside since the last record: work, impulse, inflow.
   void book(std::size_t index, double amount) { entries_.at(index).booked.add(amount); }
+  /// To the first entry of that name. Throws std::invalid_argument where there is none.
+  void book(const std::string& name, double amount);
   /// One value per entry, in the order of watch, after a step; the solver's residual beside them. Throws
   /// std::invalid_argument when the number of values differs.
   void record(Input values, double solver_residual = 0);
@@ -86,12 +89,21 @@ class InvariantsWatch {
     ledger_.record(values_, extent(residual).largest);
   }
 
+  /// As they are now, whether there is a record of it or not.
+  [[nodiscard]] std::vector<Invariant> invariants(const State& state) const {
+    std::vector<Invariant> now;
+    observe(state, [&](const std::string& name, double value) {
+      now.push_back({.name = name, .value = value, .booked = ledger_.entries()[now.size()].booked.value()});
+    });
+    return now;
+  }
+
   [[nodiscard]] InvariantsLedger& ledger() { return ledger_; }
   [[nodiscard]] const InvariantsLedger& ledger() const { return ledger_; }
 
  private:
   template <class Keep>
-  void observe(const State& state, const Keep& keep) {
+  void observe(const State& state, const Keep& keep) const {
     const Input q = state.q;
     const Input u = state.u;
     if constexpr (requires { model_.mass(); }) keep("mass", model_.mass());
@@ -104,9 +116,9 @@ class InvariantsWatch {
       keep("energy", model_.kinetic_energy(q, u) + model_.potential_energy(q));
     }
     if constexpr (HasConstraintValues<Model>) {
-      constraints_.resize(constraint_count(model_));
-      model_.constraint_values(q, constraints_);
-      const Extent volumes = extent(constraints_);
+      std::vector<double> constraints(constraint_count(model_));
+      model_.constraint_values(q, constraints);
+      const Extent volumes = extent(constraints);
       keep("volume_total", volumes.sum);
       keep("volume_worst", volumes.largest);
     }
@@ -120,14 +132,7 @@ class InvariantsWatch {
   const Model& model_;
   InvariantsLedger ledger_;
   std::vector<double> values_;
-  std::vector<double> constraints_;
 };
-
-// Energy that leaves or enters by a known amount, in the ledger of a run.
-
-/// Books an amount [J/m, as the model's energy] that has come to the entry "energy", negative where it was lost.
-/// Throws std::logic_error for a ledger without that entry.
-void book_energy(InvariantsLedger& ledger, double amount);
 
 // Momenta and energy of point masses in a plane: q = (x of all, y of all), u = (velocities along x, along y).
 

@@ -1,9 +1,9 @@
-/// What flows of point masses in a plane share, q = (x of all, y of all), u = (velocities along x, along y): the start,
-/// steps to a time, and a ledger in which what a stabilisation takes from the energy, or a feedback of the drift does
+/// What flows of point masses in a plane share, q = (x of all, y of all), u = (velocities along x, along y): the start
+/// and a ledger in which what a stabilisation takes from the energy, or a feedback of the drift does
 /// to it, is booked.
 #pragma once
 
-#include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -14,6 +14,7 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/model.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
@@ -28,10 +29,8 @@ class PlaneFlow {
 
   /// One step of length tau > 0. A step that fails leaves the state as it was.
   virtual void advance(double tau) = 0;
-  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {}) {
-    equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
-  }
+  void arrive(double time) { state_.time = time; }
+  [[nodiscard]] static double stable_step() { return std::numeric_limits<double>::infinity(); }
 
   [[nodiscard]] double time() const { return state_.time; }
   [[nodiscard]] long steps() const { return state_.steps; }
@@ -59,12 +58,8 @@ class PlaneFlow {
   }
 
   /// Mass, momenta, energy with what was booked, constraints since the beginning: takes a record.
-  void observe() {
-    const double booked = work_.value() - loss_.value();
-    book_energy(watch_->ledger(), booked - booked_);
-    booked_ = booked;
-    watch_->record(state_);
-  }
+  void observe() { watch_->record(state_); }
+  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
   [[nodiscard]] const InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  protected:
@@ -80,11 +75,17 @@ class PlaneFlow {
     watch_ = std::make_unique<InvariantsWatch<Model>>(*model_, state_);
   }
 
+  /// What a step took by stabilisation, and what the feedback did.
+  void book(double loss, double work) {
+    loss_.add(loss);
+    work_.add(work);
+    watch_->ledger().book("energy", work - loss);
+  }
+
   std::unique_ptr<Model> model_;
   State state_;
   std::unique_ptr<InvariantsWatch<Model>> watch_;
   CompensatedSum loss_, work_;
-  double booked_ = 0;            // of the ledger's energy
   std::vector<double> impulse_;  // of the multipliers
 };
 
@@ -103,9 +104,10 @@ class OneStepFlow : public PlaneFlow<Model> {
     auto& impulse = this->impulse_;
     impulse = this->state_.multipliers;
     for (double& value : impulse) value *= tau / 2;
-    this->loss_.add(this->model_->stabilisation_loss(impulse));
     // The multipliers work by tau lambda.(G u) = 2 mu.target - the loss.
-    for (std::size_t s = 0; s < drift_.size(); ++s) this->work_.add(-2 * feedback_ / tau * impulse[s] * drift_[s]);
+    CompensatedSum work;
+    for (std::size_t s = 0; s < drift_.size(); ++s) work.add(-2 * feedback_ / tau * impulse[s] * drift_[s]);
+    this->book(this->model_->stabilisation_loss(impulse), work.value());
   }
 
  protected:

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "seiche/mechanics/constrained_model.hpp"
@@ -44,13 +43,5 @@ void require_step(double tau);
 
 /// Index of the first entry that is not finite; size() if there is none. One vectorised pass when all are finite.
 std::size_t first_not_finite(Input values);
-
-// Equal steps to a given time.
-
-/// Equal steps of at most tau until `time`, which is hit exactly: advance(length) takes one, after_step (or none) is
-/// called after each. Only the last time is set, to what rounding took from it: the steps are those of a loop of
-/// advance(length), byte for byte. Throws std::invalid_argument for a time before the state's, and for tau.
-void equal_steps_to(State& state, double time, double tau, const std::function<void()>& after_step,
-                    const std::function<void(double length)>& advance);
 
 }  // namespace seiche::mechanics

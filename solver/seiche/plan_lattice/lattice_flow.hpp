@@ -16,6 +16,7 @@
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/model.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::plan_lattice {
@@ -68,10 +69,7 @@ class LatticeFlow {
     }
     if (tau > stable_step_) ++beyond_stability_;
   }
-  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {}) {
-    mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
-  }
+  void arrive(double time) { state_.time = time; }
 
   /// No shorter step of the one-step scheme is unstable on the first lattice: 2/omega of a mode faster than all of its.
   [[nodiscard]] double stable_step() const { return stable_step_; }
@@ -107,6 +105,7 @@ class LatticeFlow {
     if (window_.reach) throw std::logic_error("what a moving window holds is not conserved");
     watch_->record(state_);
   }
+  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  protected:

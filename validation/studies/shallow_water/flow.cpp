@@ -211,7 +211,7 @@ class CellRun : public Flow {
   [[nodiscard]] double max_courant() const override { return flow_.largest_courant(); }
 
  private:
-  void step(double tau) override { flow_.step(tau); }
+  void step(double tau) override { flow_.advance(tau); }
   [[nodiscard]] double largest_step(double courant) const override { return courant / flow_.courant_number(1.0); }
 
   cells::FiniteVolumeFlow flow_;

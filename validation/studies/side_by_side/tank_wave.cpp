@@ -17,7 +17,7 @@ namespace {
 /// A flow in equal steps; `surface` reads its surface.
 template <class Flow, class Surface>
 Racer racer_of(const std::shared_ptr<Flow>& flow, const TankWave& wave, double tau, Surface surface) {
-  return {[flow, tau](double time) { flow->advance_to(time, tau); },
+  return {[flow, tau](double time) { march(*flow, time, tau); },
           [flow, &wave, surface] {
             return Sight{.off = wave.off(surface(*flow), flow->time()), .energy = flow->energy()};
           }};
@@ -109,7 +109,7 @@ Racer start_particles(const TankWave& wave, long cells) {
 Racer start_in_box(const TankWave& wave, long rows) {
   const auto flow = std::make_shared<wcsph::Flow>(start_sph(wave.water, 1 / static_cast<double>(rows)));
   const double share = wave.length / wave.water.period;  // of the box, whose parts are mirror images
-  return {[flow](double time) { flow->advance_to(time); },
+  return {[flow](double time) { march(*flow, time); },
           [flow, &wave, share] {
             return Sight{.off = wave.off(surface_of(*flow, wave.water, 0, wave.length), flow->time()),
                          .energy = share * flow->totals().energy()};
@@ -120,8 +120,7 @@ Racer start_dispersive(const TankWave& wave, const DispersiveStart& start, long 
   using dispersive_shallow_water_1d::Flow;
   const double spacing = 1 / static_cast<double>(markers);
   const auto flow = std::make_shared<Flow>(start(spacing));
-  constexpr double no_courant_limit = 1e9;  // depths hardly change: tau alone decides
-  return {[flow, spacing](double time) { flow->advance_to(time, 0.25 * spacing, {}, no_courant_limit); },
+  return {[flow, spacing](double time) { march(*flow, time, 0.25 * spacing); },
           [flow, &wave] {
             return Sight{.off = wave.off(joined(flow->x(), flow->y()), flow->time()), .energy = flow->energy()};
           }};

@@ -108,7 +108,7 @@ SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long 
   const double begin = processor_seconds();
   const auto parts = static_cast<long>(std::ceil(time / interval));
   for (long part = 1; part <= parts; ++part) {
-    flow.advance_to(time * static_cast<double>(part) / static_cast<double>(parts), tau, [&] {
+    march(flow, time * static_cast<double>(part) / static_cast<double>(parts), tau, [&] {
       energies.add((flow.energy() + flow.stabilisation_loss() - flow.drift_work() - energy) / kinetic);
       masses.add(flow.water().mass() - mass);
     });

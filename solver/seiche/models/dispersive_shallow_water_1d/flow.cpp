@@ -62,33 +62,13 @@ void Flow::step_and_lose(double tau) {
     friction_.add(lost.friction);
     breaking_.add(lost.breaking);
     friction_impulse_.add(lost.friction_impulse);
+    watch_->ledger().book("energy", -lost.friction - lost.breaking);
+    watch_->ledger().book("momentum_x", -lost.friction_impulse);
   }
 }
 
 Losses Flow::lost() const {
   return {friction_.value(), breaking_.value(), friction_impulse_.value()};
-}
-
-void Flow::advance_to(double time, double tau, const std::function<void()>& after_step, double courant) {
-  mechanics::require_step(tau);
-  require_positive("courant", courant);
-  if (!(time >= state_.time && std::isfinite(time))) {
-    throw std::invalid_argument(
-        fmt::format("time = {:g}; allowed: finite, at least the present {:g}", time, state_.time));
-  }
-  // Equal steps: the last one is not a sliver, which would also spoil the order of the scheme.
-  while (state_.time < time) {
-    const double rest = time - state_.time;
-    const double longest = std::min(tau, courant * stable_step());
-    const double steps = std::ceil(rest / longest - 1e-9);
-    if (steps <= 1) {
-      advance(rest);
-      state_.time = time;
-    } else {
-      advance(rest / steps);
-    }
-    if (after_step) after_step();
-  }
 }
 
 double Flow::stable_step() const {
@@ -157,18 +137,6 @@ Flow::Crest Flow::crest() const {
 
 double Flow::energy() const {
   return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
-}
-
-void Flow::observe() {
-  const Losses now = lost();
-  mechanics::InvariantsLedger& ledger = watch_->ledger();
-  const auto book = [&](const std::string& name, double amount) {
-    ledger.book(static_cast<std::size_t>(&ledger.entry(name) - ledger.entries().data()), amount);
-  };
-  book("energy", booked_.friction - now.friction + booked_.breaking - now.breaking);
-  book("momentum_x", booked_.friction_impulse - now.friction_impulse);
-  booked_ = now;
-  watch_->record(state_);
 }
 
 }  // namespace seiche::dispersive_shallow_water_1d

@@ -9,13 +9,12 @@
 /// not finite.
 #pragma once
 
-#include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/model.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 
@@ -34,8 +33,7 @@ class Flow {
 
   /// One step of length tau > 0. A throw leaves the state, what was lost and what breaks as they were.
   void advance(double tau);
-  /// Steps of min(tau, courant * stable_step()) until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {}, double courant = 0.3);
+  void arrive(double time) { state_.time = time; }
 
   /// Longest stable step of the one-step scheme: 2/omega of the fastest mode, 2 sqrt(alpha H/g) with the smallest depth
   /// H (over markers that are not tips) seen in the last step. Conservative steps are stable beyond it but may not
@@ -76,18 +74,18 @@ class Flow {
   [[nodiscard]] Losses lost() const;
   /// Mass, momentum, energy, volumes since the beginning; what friction and breaking took is booked. Costs several
   /// passes: `observe` takes a record.
-  void observe();
+  void observe() { watch_->record(state_); }
+  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  private:
+  void step_and_lose(double tau);
+
   std::unique_ptr<Model> model_;
   mechanics::State state_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
-  void step_and_lose(double tau);
-
   CompensatedSum friction_, breaking_, friction_impulse_;
-  Losses booked_ = {};  // in the ledger
   long beyond_stability_ = 0;
 };
 

@@ -551,21 +551,21 @@ RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Schem
   if (flow_->model().has_driven_sides()) throw std::invalid_argument("a rezoned lattice with driven sides");
 }
 
-void RezonedFlow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::State clock{.q = {}, .u = {}, .time = this->time(), .steps = steps()};
-  mechanics::equal_steps_to(clock, time, tau, after_step, [&](double length) {
-    advance(length);
-    clock.time = this->time();
-    clock.steps = steps();
-  });
+std::vector<Invariant> RezonedFlow::invariants() const {
+  std::vector<Invariant> all = flow_->invariants();
+  const auto energy = std::find_if(all.begin(), all.end(), [](const Invariant& i) { return i.name == "energy"; });
+  energy->value += base_;
+  energy->booked -= lost_;
+  return all;
 }
 
-void RezonedFlow::advance(double length) {
-  const double strained = std::ceil(rate_of_strain() * length / settings_.strain);
-  double step = length / std::clamp(strained, 1.0, static_cast<double>(most_parts));
-  double left = length;
+void RezonedFlow::advance(double tau) {
+  mechanics::require_step(tau);
+  const double strained = std::ceil(rate_of_strain() * tau / settings_.strain);
+  double step = tau / std::clamp(strained, 1.0, static_cast<double>(most_parts));
+  double left = tau;
   bool failed = false;
-  for (int halvings = 0; left > 1e-9 * length;) {
+  for (int halvings = 0; left > 1e-9 * tau;) {
     follow(failed);
     try {
       flow_->advance(std::min(step, left));

@@ -124,13 +124,18 @@ class RezonedFlow {
   RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
               RezoneSettings rezone);
 
-  /// As Flow, but for steps that are divided. Throws Divergence with the time since the beginning.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+  /// A step of Flow, divided where it must be. Throws std::invalid_argument for tau; Divergence with the time since the
+  /// beginning, and the flow is then as it was at that time.
+  void advance(double tau);
+  void arrive(double time) { begin_ += time - this->time(); }
 
   /// As it is now; its time counts from the last rezoning.
   [[nodiscard]] const Flow& flow() const { return *flow_; }
   [[nodiscard]] double time() const { return begin_ + flow_->time(); }
   [[nodiscard]] long steps() const { return steps_ + flow_->steps(); }
+  [[nodiscard]] double stable_step() const { return flow_->stable_step(); }
+  /// What rezoning took from the energy is booked; of the rest the values alone are of the whole run.
+  [[nodiscard]] std::vector<Invariant> invariants() const;
   /// Times the lattice was rezoned.
   [[nodiscard]] long rezoned() const { return rezoned_; }
   /// Kinetic and potential, zero for still water.
@@ -145,7 +150,6 @@ class RezonedFlow {
   [[nodiscard]] double displaced() const { return displaced_; }
 
  private:
-  void advance(double length);
   [[nodiscard]] double rate_of_strain() const;
   void follow(bool anyway);
   void rezone(const ShoreFollowing::Places& places);

@@ -49,14 +49,13 @@ void Flow::advance(double tau) {
   } else {
     projected_step_.step(state_, tau);
   }
+  const double entered = model_.work() - model_.penalty_loss();
+  watch_.ledger().book("energy", entered - booked_);
+  booked_ = entered;
   const SpaceFacts& facts = model_.space().facts();
   residual_.add(facts.residual, state_.time);
   free_.add(static_cast<double>(facts.free_particles), state_.time);
   beyond_.add(static_cast<double>(facts.beyond_walls), state_.time);
-}
-
-void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
 std::vector<Point> Flow::markers() const {
@@ -69,13 +68,6 @@ std::vector<Point> Flow::markers() const {
 
 double Flow::energy() const {
   return model_.kinetic_energy(state_.q, state_.u) + model_.potential_energy(state_.q);
-}
-
-void Flow::observe() {
-  const double entered = model_.work() - model_.penalty_loss();
-  mechanics::book_energy(watch_.ledger(), entered - booked_);
-  booked_ = entered;
-  watch_.record(state_);
 }
 
 }  // namespace seiche::gauss_particles

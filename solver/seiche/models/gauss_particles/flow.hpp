@@ -46,8 +46,7 @@ class Flow {
 
   /// One step, 0 < tau <= 2/sqrt(pi g/h) with h the shortest length that the space resolves.
   void advance(double tau);
-  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+  void arrive(double time) { state_.time = time; }
 
   /// Longest stable step with the lattice of the last step; infinite without gravity or without a lattice.
   [[nodiscard]] double stable_step() const;
@@ -68,7 +67,8 @@ class Flow {
   [[nodiscard]] double energy() const;
   /// Mass, momenta and energy since the beginning; work of forces and loss by the penalty are booked. Costs several
   /// passes: `observe` takes a record.
-  void observe();
+  void observe() { watch_.record(state_); }
+  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_.invariants(state_); }
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_.ledger(); }
 
   /// Largest over all steps: the residual of the normal equations, particles in free flight, particles beyond walls.

@@ -56,10 +56,6 @@ void Flow::advance(double tau) {
   if (tau > stable_step_) ++beyond_stability_;
 }
 
-void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
-}
-
 Flow::Walls Flow::walls_now() const {
   Walls walls{.time = state_.time, .y = {}};
   const Mesh& mesh = model_->mesh();
@@ -147,10 +143,6 @@ Flow::Crest Flow::crest() const {
 
 double Flow::energy() const {
   return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
-}
-
-void Flow::observe() {
-  watch_->record(state_);
 }
 
 void Flow::keep_upright(double drift) {

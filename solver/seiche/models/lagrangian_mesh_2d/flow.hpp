@@ -63,8 +63,7 @@ class Flow {
 
   /// One step of length tau > 0. A throw leaves the state as it was, or as it was rezoned.
   void advance(double tau);
-  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+  void arrive(double time) { state_.time = time; }
 
   /// Longest stable step of the one-step scheme for a uniform layer: 2/omega of the fastest mode of the undeformed
   /// mesh; infinite without gravity or a bottom.
@@ -108,7 +107,9 @@ class Flow {
   [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
   [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
   /// Mass, momenta, energy, areas since the beginning. Costs several passes: `observe` takes a record.
-  void observe();
+  void observe() { watch_->record(state_); }
+  /// Booked are those since the last rezoning.
+  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  private:

@@ -203,6 +203,7 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
   require_finite("start", start);
   require_positive("end - start", end - start);
   require_positive("gravity", settings.gravity);
+  require_within("courant", settings.courant, 1e-6, 1);
   require_within("viscosity", settings.viscosity, 1e-3, 1);
   require_within("theta", settings.theta, 1, 2);
   require_not_negative("manning", settings.manning);
@@ -262,7 +263,7 @@ double FiniteVolumeFlow::courant_limit() const {
   return settings_.scheme == Scheme::lax_friedrichs ? std::sqrt(settings_.viscosity) : 1.0;
 }
 
-void FiniteVolumeFlow::step(double tau) {
+void FiniteVolumeFlow::advance(double tau) {
   require_positive("tau", tau);
   const double courant = courant_number(tau);
   // A hair above the limit is the rounding of a step that was chosen to meet it.
@@ -275,7 +276,7 @@ void FiniteVolumeFlow::step(double tau) {
   fill_ghosts(now_.from(0), n_, true, true);
   const std::size_t strips = reports_.size();
   linear::share_out(strips, n_ > linear::worth_threads,
-                    [&](std::size_t k) { advance(n_ * k / strips, n_ * (k + 1) / strips, tau, reports_[k]); });
+                    [&](std::size_t k) { advance_strip(n_ * k / strips, n_ * (k + 1) / strips, tau, reports_[k]); });
   for (const Report& report : reports_) {
     if (!report.broken) continue;
     throw Divergence(fmt::format("cell {} of scheme {}: depth {} (tau = {:g})", *report.broken, name(settings_.scheme),
@@ -287,26 +288,6 @@ void FiniteVolumeFlow::step(double tau) {
   largest_courant_ = std::max(largest_courant_, courant);
   time_ += tau;
   ++steps_;
-}
-
-long FiniteVolumeFlow::advance_to(double time, double courant) {
-  require_finite("time", time);
-  require_within("courant", courant, 1e-6, courant_limit());
-  require_not_negative("time from now on", time - time_);
-  const long before = steps_;
-  const double interval = time - time_;
-  while (time_ < time) {
-    const double per_second = courant_number(1);
-    const double largest = per_second > 0 ? courant / per_second : time - time_;
-    // Steps that shrink to a millionth of a millionth of the interval will never arrive.
-    if (!(largest > 1e-12 * interval)) {
-      throw Divergence("admissible time step shrinks to nothing", time_, steps_, start_);
-    }
-    const bool last = largest >= time - time_;
-    step(last ? time - time_ : largest);
-    if (last) time_ = time;
-  }
-  return steps_ - before;
 }
 
 /// Beyond an end of the channel.
@@ -329,7 +310,7 @@ void FiniteVolumeFlow::fill_ghosts(const CellsView& cells, std::size_t n, bool l
 }
 
 /// From the present state of the cells and of their neighbours to the next of [begin, end).
-void FiniteVolumeFlow::advance(std::size_t begin, std::size_t end, double tau, Report& report) {
+void FiniteVolumeFlow::advance_strip(std::size_t begin, std::size_t end, double tau, Report& report) {
   Strip strip;  // NOLINT(cppcoreguidelines-pro-type-member-init): no number is read before it is written
   strip.begin = begin;
   strip.end = end;
@@ -442,6 +423,12 @@ double FiniteVolumeFlow::momentum_defect() const {
   double defect = momentum() - initial_momentum_;
   for (std::size_t k = 2; k < booked_.size(); ++k) defect -= booked_[k].value();
   return defect;
+}
+
+std::vector<Invariant> FiniteVolumeFlow::invariants() const {
+  double impulse = 0;
+  for (std::size_t k = 2; k < booked_.size(); ++k) impulse += booked_[k].value();
+  return {{"mass", mass(), booked_[0].value() + booked_[1].value()}, {"momentum_x", momentum(), impulse}};
 }
 
 }  // namespace seiche::shallow_water_finite_volume

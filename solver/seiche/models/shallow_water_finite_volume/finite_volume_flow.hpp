@@ -21,6 +21,7 @@
 /// Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, section 7.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -29,6 +30,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bottom_profile.hpp"
+#include "seiche/model.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_finite_volume {
@@ -75,6 +77,7 @@ class FiniteVolumeFlow {
   struct Settings {
     Scheme scheme = Scheme::muscl_hll;
     double gravity = 9.81;
+    double courant = 0.4;      ///< of stable_step(), in (0, 1]
     double viscosity = 0.9;    ///< nu of Lax-Friedrichs, in [0.001, 1]
     double theta = 1.5;        ///< limiter of muscl_hll, in [1, 2]
     double manning = 0;        ///< Manning's n [s/m^(1/3)], semi-implicit
@@ -92,11 +95,11 @@ class FiniteVolumeFlow {
 
   /// One step of length tau [s]. Throws std::invalid_argument if the first step exceeds courant_limit();
   /// seiche::Divergence when a later one does, or when a depth turns negative or a number non-finite.
-  void step(double tau);
+  void advance(double tau);
 
-  /// Steps of courant dx/max(|u| + c), the last one cut to end at `time`. Returns how many. Throws like step().
-  long advance_to(double time, double courant = 0.4);
-
+  void arrive(double time) { time_ = time; }
+  /// That of the Courant number of the settings, or of the limit where that is smaller.
+  [[nodiscard]] double stable_step() const { return std::min(settings_.courant, courant_limit()) / courant_number(1); }
   /// max(|u| + c) tau/dx of the present state and of what flows in.
   [[nodiscard]] double courant_number(double tau) const { return fastest_ * tau / dx_; }
   /// Largest Courant number of a stable step: 1; sqrt(viscosity) for Lax-Friedrichs.
@@ -119,6 +122,7 @@ class FiniteVolumeFlow {
   /// What the ledger does not explain: present minus initial minus booked.
   [[nodiscard]] double mass_defect() const;
   [[nodiscard]] double momentum_defect() const;
+  [[nodiscard]] std::vector<Invariant> invariants() const;
 
  private:
   struct Cells {  // with ghosts
@@ -145,7 +149,7 @@ class FiniteVolumeFlow {
   }
   static double sum(std::span<const double> values);
   void fill_ghosts(const CellsView& cells, std::size_t n, bool left, bool right) const;
-  void advance(std::size_t begin, std::size_t end, double tau, Report& report);
+  void advance_strip(std::size_t begin, std::size_t end, double tau, Report& report);
   void stage(Strip& strip, std::size_t number, std::size_t first, std::size_t last, const CellsView& from,
              const CellsView& to, double tau, Report& report);
   void book(double tau);

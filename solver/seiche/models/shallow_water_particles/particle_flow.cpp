@@ -213,18 +213,6 @@ void ParticleFlow::advance(double tau) {
   detect_jumps();
 }
 
-void ParticleFlow::advance_to(double end_time, double longest) {
-  require_finite("time", end_time);
-  while (time() < end_time) {
-    const double left = end_time - time();
-    const double tau = std::min(longest, step_limit(scheme_.courant, false).tau);
-    // The last two steps share what is left: no step is a rounding error long.
-    const double step = left <= tau ? left : (left < 2 * tau ? 0.5 * left : tau);
-    advance(step);
-    if (left <= tau) break;
-  }
-}
-
 double ParticleFlow::mass() const {
   CompensatedSum sum;
   for (const double m : now_.mass) sum.add(m);

@@ -15,7 +15,7 @@
 /// is handed from one particle to the next" holds for momentum as well as for mass (hand_over.hpp, collision.hpp).
 ///
 ///     ParticleFlow flow(equal_widths(...), {Wall{}, Vacuum{}});
-///     while (flow.time() < 3) flow.advance(flow.largest_step().tau);
+///     march(flow, 3);
 ///
 /// Long rows (linear/worth_threads.hpp) take all threads, unless a bed or a body force is to be asked; results are the
 /// same bits for any number.
@@ -34,6 +34,7 @@
 #include <string_view>
 #include <vector>
 
+#include "seiche/model.hpp"
 #include "seiche/models/shallow_water_particles/collision.hpp"
 #include "seiche/models/shallow_water_particles/dry_front.hpp"
 #include "seiche/models/shallow_water_particles/edge_values.hpp"
@@ -83,10 +84,11 @@ class ParticleFlow {
   /// Throws seiche::Divergence when edges cross or a value is not finite after the step.
   void advance(double tau);
 
-  /// Steps of at most `longest` and at most largest_step() until `time`, which is hit exactly.
-  void advance_to(double time, double longest = std::numeric_limits<double>::infinity());
+  void arrive(double time) { time_.add(time - time_.value()); }
 
   /// Largest step at the scheme's Courant number.
+  [[nodiscard]] double stable_step() const { return step_limit(scheme_.courant, false).tau; }
+  /// The same, and who limits it.
   [[nodiscard]] StepLimit largest_step() const { return step_limit(scheme_.courant, true); }
 
   [[nodiscard]] const Particles& particles() const { return now_; }
@@ -105,6 +107,9 @@ class ParticleFlow {
   [[nodiscard]] double mass_defect() const { return mass() - ledger_.initial_mass - ledger_.booked_mass(); }
   [[nodiscard]] double momentum_defect() const {
     return momentum() - ledger_.initial_momentum - ledger_.booked_impulse();
+  }
+  [[nodiscard]] std::vector<Invariant> invariants() const {
+    return {{"mass", mass(), ledger_.booked_mass()}, {"momentum_x", momentum(), ledger_.booked_impulse()}};
   }
 
   /// Energy sum of m u^2/2 + g h^2 w/2 + g m z [m^4/s^2]; a particle that holds a jump counts with its two states,

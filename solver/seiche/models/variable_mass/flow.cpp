@@ -86,8 +86,9 @@ void Flow::take(double tau) {
   state_.q.swap(next_);
   state_.u.swap(next_u_);
   model_->set_masses(convection_.next_masses());
-  loss_.add(pressure.roughness(impulse_));
-  for (std::size_t s = 0; s < target.size(); ++s) work_.add(impulse_[s] * target[s]);
+  CompensatedSum work;
+  for (std::size_t s = 0; s < target.size(); ++s) work.add(impulse_[s] * target[s]);
+  book(pressure.roughness(impulse_), work.value());
   for (double& value : impulse_) value /= 2;
   parts_->keep_multipliers(state_, impulse_, tau);
   iterations_ += iterations;

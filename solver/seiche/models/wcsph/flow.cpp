@@ -218,6 +218,15 @@ Totals Flow::totals() const {
           .potential = rounded(potential)};
 }
 
+std::vector<Invariant> Flow::invariants() const {
+  const Totals sums = totals();
+  return {{"mass", sums.mass, 0},
+          {"momentum_x", sums.momentum[0], 0},
+          {"momentum_z", sums.momentum[1], 0},
+          {"angular_momentum", sums.angular_momentum, 0},
+          {"energy", sums.energy(), 0}};
+}
+
 long Flow::outside(double left, double right, double bottom, double top) const {
   const Particles& p = particles();
   long count = 0;

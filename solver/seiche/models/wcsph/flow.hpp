@@ -14,7 +14,7 @@
 /// continuous time, by the steps to their order.
 ///
 ///     Flow flow(dam.particles(), dam.spacing, {.sound_speed = 15, .viscosity = ArtificialViscosity{0.3}});
-///     flow.advance_to(0.25);
+///     march(flow, 0.25);
 ///
 /// Evaluation: particles are kept sorted in tiles, so that few consecutive ones (a cluster, one SIMD register) share a
 /// list of candidates within 2h and a skin. Every particle gathers its own sums: no write conflicts, the same bytes
@@ -32,10 +32,10 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
+#include "seiche/model.hpp"
 #include "seiche/models/wcsph/corrections.hpp"
 #include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
@@ -84,13 +84,14 @@ class Flow {
   Flow& operator=(Flow&&) noexcept = default;
   ~Flow() = default;
 
-  /// One step of length tau, or of the rule's length when none is given; returns it.
-  /// Throws seiche::Divergence with time, step and place: values not finite, density outside [0.5, 1.5] rho_0, a step
-  /// below 1e-3 of the acoustic one, too many neighbours. particles() then still holds the last good state.
-  double advance();
-  double advance(double tau);
-  /// Steps of the rule until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, const std::function<void()>& after_step = {});
+  /// One step of length tau > 0. Throws std::invalid_argument for tau and seiche::Divergence, with time, step and
+  /// place: values not finite, density outside [0.5, 1.5] rho_0, too many neighbours. particles() then still holds the
+  /// last good state.
+  void advance(double tau);
+  void arrive(double time) { time_ = time; }
+  /// Length of the next step by the rule. Evaluates the rates that this step begins with. Throws seiche::Divergence
+  /// where it is below 1e-3 of the acoustic one.
+  [[nodiscard]] double stable_step();
 
   /// Everything that decides how it goes on; see flow_state.hpp.
   [[nodiscard]] FlowState state() const;
@@ -112,13 +113,13 @@ class Flow {
   /// Right-hand sides at the present state, for checks.
   [[nodiscard]] Rates rates();
   [[nodiscard]] Totals totals() const;
+  /// Of a free body: what walls, paddles, gravity and viscosity do is not booked.
+  [[nodiscard]] std::vector<Invariant> invariants() const;
   [[nodiscard]] const Extremes& extremes() const { return extremes_; }
   /// Fluid particles outside the rectangle: left the domain. Nothing is deleted.
   [[nodiscard]] long outside(double left, double right, double bottom, double top) const;
 
  private:
-  /// One step of the rule's length, at most `longest`; returns it.
-  double advance_at_most(double longest);
   void check_start() const;
   /// See FlowState.
   [[nodiscard]] std::vector<double> parameters(double time) const;
@@ -129,8 +130,6 @@ class Flow {
   void fill_level();
   void evaluate(double time, bool limited);
   void evaluate_level(bool limited);
-  [[nodiscard]] double step_by_rule() const;
-  void finish_step(double tau);
   /// Where paddles are at one instant.
   struct PaddlePoses {
     std::vector<Pose> pose, rate;
@@ -162,6 +161,7 @@ class Flow {
   Extremes extremes_;
   double time_ = 0;
   long steps_ = 0;
+  bool level_known_ = false;  ///< whether rates_ are those of the present state
 };
 
 }  // namespace seiche::wcsph

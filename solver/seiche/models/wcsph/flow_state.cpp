@@ -128,6 +128,7 @@ void Flow::adopt(const FlowState& state) {
   particles_.x = state.particles.x;
   particles_.z = state.particles.z;
   particles_.density = state.particles.density;
+  level_known_ = false;
   half_travel_ = state.half_travel;
   extremes_ = state.extremes;
 }

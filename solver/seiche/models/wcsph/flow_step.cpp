@@ -55,52 +55,15 @@ SEICHE_SIMD_CLONES Survey survey(const StateBlock& state, std::size_t count, dou
 
 }  // namespace
 
-double Flow::advance() {
-  return advance_at_most(std::numeric_limits<double>::infinity());
-}
-
-double Flow::advance(double tau) {
+void Flow::advance(double tau) {
   require_positive("tau", tau);
-  fill_level();
-  evaluate_level(false);
-  finish_step(tau);
-  return tau;
-}
-
-void Flow::advance_to(double time, const std::function<void()>& after_step) {
-  require_finite("time", time);
-  while (time_ < time) {
-    const double remaining = time - time_;
-    if (advance_at_most(remaining) == remaining) time_ = time;
-    if (after_step) after_step();
+  if (!level_known_) {
+    fill_level();
+    evaluate_level(false);
   }
-}
-
-double Flow::advance_at_most(double longest) {
-  fill_level();
-  evaluate_level(true);
-  const double tau = std::min(step_by_rule(), longest);
-  finish_step(tau);
-  return tau;
-}
-
-double Flow::step_by_rule() const {
-  double tau = settings_.courant / rates_.largest_limit();
-  if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity);
-      laminar && laminar->kinematic_viscosity > 0) {
-    tau = std::min(tau, viscous_courant * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
-  }
-  const double acoustic = settings_.courant * smoothing_ / settings_.sound_speed;
-  if (!(tau >= shortest_step * acoustic)) {
-    throw Divergence(fmt::format("step {:.3g} is below a thousandth of the acoustic one, {:.3g},", tau, acoustic),
-                     time_, steps_, particles_.x[rates_.most_limited()]);
-  }
-  return tau;
-}
-
-/// From rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)). What is in the middle of the
-/// step is in the records alone.
-void Flow::finish_step(double tau) {
+  level_known_ = false;
+  // Rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)). What is in the middle of the step is
+  // in the records alone.
   // Step 1: to the middle. Lists that do not last so far are made anew, wide enough.
   double used = fill_moved(0.5 * tau);
   if (used > reserve_) {
@@ -113,6 +76,23 @@ void Flow::finish_step(double tau) {
   commit(tau);
   // Step 3: what is done now and then.
   rearrange(tau);
+}
+
+double Flow::stable_step() {
+  fill_level();
+  evaluate_level(true);
+  level_known_ = true;
+  double tau = settings_.courant / rates_.largest_limit();
+  if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity);
+      laminar && laminar->kinematic_viscosity > 0) {
+    tau = std::min(tau, viscous_courant * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
+  }
+  const double acoustic = settings_.courant * smoothing_ / settings_.sound_speed;
+  if (!(tau >= shortest_step * acoustic)) {
+    throw Divergence(fmt::format("step {:.3g} is below a thousandth of the acoustic one, {:.3g},", tau, acoustic),
+                     time_, steps_, particles_.x[rates_.most_limited()]);
+  }
+  return tau;
 }
 
 void Flow::moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count, StateBlock& to) const {
