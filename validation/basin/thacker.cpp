@@ -262,12 +262,8 @@ void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const Values& v
 
 void show(const Motion& motion, const Values& values, evidence::Exhibit& exhibit) {
   const exact::Thacker bowl = bowl_of(values);
-  for (const Shoreline& shoreline : shorelines) {
-    exhibit.measure("shoreline_error_" + shoreline.side, shoreline.error(motion, bowl).value());
-  }
   exhibit.measure("edge_error", motion.edge_error.value());
   exhibit.measure("velocity_error", motion.velocity_error.value());
-  exhibit.measure("mass_defect", motion.mass_defect);
   exhibit.measure("period", bowl.period());
   exhibit.measure("angular_frequency", bowl.angular_frequency());
   draw_shorelines(exhibit, motion, bowl, values.text("scheme"));

@@ -209,9 +209,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                 "Root mean square over the cells inside; grey lines have slopes 1 and 2.");
   study.draw(r.tabulated, figure.panel({.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));
   study.tabulate(r.tabulated, exhibit);
-  exhibit.measure("corner_pressure", r.finest.corner);
-  exhibit.measure("corner_pressure_exact", r.exact.pressure(0, 0) / r.height);
-  exhibit.measure("rms", r.finest.rms);
 }
 
 }  // namespace

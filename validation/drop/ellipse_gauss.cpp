@@ -88,9 +88,6 @@ struct Results {
   Errors splines, linear;
   std::vector<double> pressure_time, pressure;  ///< at the middle of the drop
   Worst pressure_error;                         ///< relative
-  double energy = 0;                            ///< largest defect over the kinetic energy
-  double momentum = 0;                          ///< largest defect of the momentum
-  double angular_momentum = 0;                  ///< largest defect
   [[nodiscard]] double beside_linear() const { return splines.rms / linear.rms; }
 };
 
@@ -145,7 +142,6 @@ Results compute(const Run& run) {
                           LatticePlan{.degree = static_cast<int>(run.integer("degree")), .cell_x = run.real("cell")},
                           SplineSpace::Settings{.inner_fraction = 0.4}),
                       s);
-  const double kinetic = flow.energy();
   const auto keep = [&] {
     Frame frame{.time = flow.time()};
     for (const Point& marker : flow.markers()) {
@@ -159,7 +155,6 @@ Results compute(const Run& run) {
     double before = flow.time();
     double last_step = 0;
     flow.advance_to(s.end * static_cast<double>(part) / pressures, s.tau, [&] {
-      flow.observe();
       last_step = flow.time() - before;
       before = flow.time();
     });
@@ -168,16 +163,15 @@ Results compute(const Run& run) {
     run.progress(0.09 * static_cast<double>(part));
   }
   r.splines = errors_of(flow, s.drop);
-  r.energy = flow.ledger().largest_defect("energy") / kinetic;
-  r.momentum = flow.ledger().largest_defect("momentum");
-  r.angular_momentum = flow.ledger().largest_defect("angular");
   Flow linear = flow_in(std::make_unique<PolynomialSpace>(), s);
   linear.advance_to(s.end, s.tau);
   r.linear = errors_of(linear, s.drop);
   return r;
 }
 
-void claim_accuracy(const SetUp& s, const Claims<Results>& claims) {
+void claims(const Values& values, const Claims<Results>& all) {
+  const SetUp s = set_up(values);
+  const Claims<Results> claims = all.at(fmt::format("{:g} particles, tau = {:g}", s.particles(), s.tau));
   const double strain = s.gradient.norm() / std::numbers::sqrt2;
   claims.check(
       "places", "The particle positions agree with the exact drop.", "rms distance from the exact places [radius]",
@@ -199,33 +193,6 @@ void claim_accuracy(const SetUp& s, const Claims<Results>& claims) {
                Bound{0.1 / std::sqrt(s.particles()),
                      "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over "
                      "all particles"});
-}
-
-void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
-  const exact::DropInstant end = s.drop.at(s.end);
-  const AffineDrop::Invariants first = s.drop.invariants(s.drop.at(0));
-  const double inertia = std::numbers::pi / 4 * end.deformation.squaredNorm();
-  const auto kept = [&](const std::string& id, const std::string& what, double Results::*member, double scale,
-                        const std::string& of_scale) {
-    claims.from("Frank (1994), chapter 6, proposition 4")
-        .check(id, "The " + what + " is conserved to round-off.", "largest defect", member,
-               Roundoff{.operations = std::ceil(s.end / s.tau),
-                        .scale = scale,
-                        .reason = "one rounded velocity per step; scale: " + of_scale});
-  };
-  kept("energy", "energy", &Results::energy, 1, "the kinetic energy, over which it is taken");
-  kept("momentum", "momentum", &Results::momentum, std::sqrt(2 * first.kinetic_energy * first.area),
-       "sqrt(2 K M), above the sum of m |u|");
-  kept("angular_momentum", "angular momentum", &Results::angular_momentum,
-       std::sqrt(2 * first.kinetic_energy * inertia),
-       "sqrt(2 K I) with the moment of inertia at the end, above the sum of m |r| |u|");
-}
-
-void claims(const Values& values, const Claims<Results>& all) {
-  const SetUp s = set_up(values);
-  const Claims<Results> claims = all.at(fmt::format("{:g} particles, tau = {:g}", s.particles(), s.tau));
-  claim_accuracy(s, claims);
-  claim_invariants(s, claims);
 }
 
 void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
@@ -272,13 +239,7 @@ void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw_frames(exhibit, r);
   draw_pressure(exhibit, r);
-  exhibit.measure("rms", r.splines.rms);
   exhibit.measure("rms_linear_fields", r.linear.rms);
-  exhibit.measure("surface", r.splines.surface);
-  exhibit.measure("pressure_error", r.pressure_error.value());
-  exhibit.measure("energy_defect", r.energy);
-  exhibit.measure("momentum_defect", r.momentum);
-  exhibit.measure("angular_momentum_defect", r.angular_momentum);
 }
 
 }  // namespace

@@ -344,8 +344,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   estimate("growth_rate", r.growth);
   estimate("distance_at_end", r.distance_at_end);
   if (std::isfinite(r.quarter_time())) exhibit.measure("quarter_incoherent_time", r.quarter_time());
-  exhibit.measure("energy_defect", r.energy.value());
-  exhibit.measure("angular_momentum_defect", r.angular_momentum.value());
 }
 
 }  // namespace

@@ -27,30 +27,15 @@ constexpr double judged_edge = 0.75;
 
 /// At the end, largest components of nodes and root-mean-square vectors over the mass.
 struct DoubleShearErrors {
-  double position = 0;
   double interior = 0;  ///< position in the middle half of the square, each way
   double rms_position = 0;
-  double rms_velocity = 0;
   double rms_lambda = 0;  ///< mean of the last two steps, in the middle of cells
   double slip = 0;        ///< largest displacement along the top edge
   double shape = 0;       ///< distance of the top edge's nodes from the exact curve, root mean square
 };
 
 lagrangian_mesh_2d::Flow double_shear_flow(const DoubleShearRun& run);
-/// In equal steps of at most tau_over_h times the spacing.
-void advance_to_end(lagrangian_mesh_2d::Flow& flow, const DoubleShearRun& run);
-DoubleShearErrors errors_at_end(const lagrangian_mesh_2d::Flow& flow, const DoubleShearRun& run);
-/// All three.
+/// At the end, in equal steps of at most tau_over_h times the spacing.
 DoubleShearErrors double_shear_errors(const DoubleShearRun& run);
-
-/// Displacement of the top edge's nodes along the edge, by label.
-struct EdgeSlip {
-  std::vector<double> label;
-  std::vector<double> slip;
-};
-EdgeSlip edge_slip(const lagrangian_mesh_2d::Flow& flow, const DoubleShearRun& run);
-/// Its leading term: a surface node feels the pressure gradient half a cell below the surface, so that
-/// slip'' = (h/2) p_XY, slip = 2 h P X (1 - cos t).
-double expected_slip(const DoubleShearRun& run, double label);
 
 }  // namespace seiche::validation

@@ -24,7 +24,6 @@ struct PlanManufacturedErrors {
   double position = 0;  ///< in plan
   double elevation = 0;
   double velocity = 0;  ///< horizontal
-  double volume = 0;    ///< largest change of a cell's volume over the cells' mean, of all steps
 };
 
 /// Nodes with equally spaced labels, exact velocities made to keep the volumes.

@@ -91,8 +91,9 @@ Experiment experiment(const Values& values) {
       .model = "weakly compressible SPH",
       .order = 1,
       .coarsenings = {1, 2},
-      .miss = "cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 "
-              "was measured"};
+      .miss =
+          "cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 "
+          "was measured"};
 }
 
 }  // namespace

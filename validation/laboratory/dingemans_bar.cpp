@@ -72,8 +72,9 @@ Experiment experiment(const Values& /*values*/) {
           .files = {"dingemans_1994_bar/bed.csv"},
           .compute = compute,
           .model = "dispersive shallow water, improved dispersion",
-          .miss = "as in the same test at half the scale: what was measured behind the bar carries a fifth less energy "
-                  "than before it, and this model loses none"};
+          .miss =
+              "as in the same test at half the scale: what was measured behind the bar carries a fifth less energy "
+              "than before it, and this model loses none"};
 }
 
 }  // namespace

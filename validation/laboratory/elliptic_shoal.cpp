@@ -101,8 +101,9 @@ Experiment experiment(const Values& values) {
                  .files = {"berkhoff_1982_elliptic_shoal/bathymetry.asc"},
                  .model = basin_model,
                  .coarsenings = {1, 2},
-                 .miss = "cause unknown: waves of y = 0 are a tenth higher than measured over the shoal and a tenth "
-                         "lower four metres behind the focus"};
+                 .miss =
+                     "cause unknown: waves of y = 0 are a tenth higher than measured over the shoal and a tenth "
+                     "lower four metres behind the focus"};
   if (values.tier() != Tier::quick) one.compute = compute;
   return one;
 }

@@ -72,9 +72,13 @@ Experiment experiment(const Values& /*values*/) {
     }
     if (frame < 19.6) known(highest(frame, window));
   }
-  return {.source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water",
-          .miss = "the waves start with the heights and places that the literature uses, up to 7 mm and 2 % from the "
-                  "frame at 18.5 s; viscosity, some per cent per metre in 0.05 m of water, does not lower them"};
+  return {.source = source,
+          .parts = {part},
+          .compute = compute,
+          .model = "dispersive shallow water",
+          .miss =
+              "the waves start with the heights and places that the literature uses, up to 7 mm and 2 % from the "
+              "frame at 18.5 s; viscosity, some per cent per metre in 0.05 m of water, does not lower them"};
 }
 
 }  // namespace

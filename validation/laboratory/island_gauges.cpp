@@ -136,11 +136,12 @@ Experiment experiment(const Values& values) {
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
       .model = "dispersive shallow water in plan",
       .coarsenings = {1, 2},
-      .miss = wave.letter < 3
-                  ? "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls "
-                    "below its level and stays there, where the model has what the island sends back"
-                  : "the wave breaks on the island: the model's roller takes less from it than the experiment's bore "
-                    "lost"};
+      .miss =
+          wave.letter < 3
+              ? "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls "
+                "below its level and stays there, where the model has what the island sends back"
+              : "the wave breaks on the island: the model's roller takes less from it than the experiment's bore "
+                "lost"};
   if (values.tier() != Tier::quick) one.compute = compute;
   return one;
 }

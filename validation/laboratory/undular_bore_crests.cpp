@@ -61,10 +61,8 @@ Experiment experiment(const Values& /*values*/) {
     part.readings.push_back(misfit(depth, {}));
     for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));
   }
-  return {.source = source,
-          .parts = {part},
-          .compute = compute,
-          .model = "dispersive shallow water, improved dispersion"};
+  return {
+      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water, improved dispersion"};
 }
 
 }  // namespace

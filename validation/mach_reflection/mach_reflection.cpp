@@ -244,13 +244,11 @@ void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& 
 }
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
-  evidence::Table table{.id = "reflections",
-                        .title = "What is measured, and what others have",
-                        .caption =
-                            "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
-                            "Miles and for finite angles.",
-                        .columns = table_columns(
-                            {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"})};
+  evidence::Table& table =
+      add_table(exhibit, "reflections", "What is measured, and what others have",
+                "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
+                "Miles and for finite angles.",
+                {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"});
   for (const Configuration& one : all) {
     const ReflectionRun& what = one.finest().run;
     const MachReflection miles(what.amplitude, what.angle);
@@ -266,7 +264,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
                             digits(value.limit), digits(theory(miles)[k]), digits(theory(finite)[k])});
     }
   }
-  exhibit.table(std::move(table));
 }
 
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {

@@ -89,12 +89,10 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& pairs, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "models",
-                        .title = "Two models on the same lattices",
-                        .caption = "Growth: of a_w in the last fifth of the run.",
-                        .columns = table_columns({"a [depth]", "psi_i [deg]", "model", "run", "a_i [depth]",
-                                                  "a_w/a_i [1]", "growth [1]", "a_r/a_i [1]", "psi_r [deg]",
-                                                  "stem angle [deg]", "iterations [1]", "processor time [s]"})};
+  evidence::Table& table =
+      add_table(exhibit, "models", "Two models on the same lattices", "Growth: of a_w in the last fifth of the run.",
+                {"a [depth]", "psi_i [deg]", "model", "run", "a_i [depth]", "a_w/a_i [1]", "growth [1]", "a_r/a_i [1]",
+                 "psi_r [deg]", "stem angle [deg]", "iterations [1]", "processor time [s]"});
   auto& history =
       exhibit.figure("history", "Amplitude at the wall by two models", "Over the measured incident amplitude.");
   for (const Pair& pair : pairs) {
@@ -116,13 +114,8 @@ void show(const Results& pairs, const Values& /*values*/, evidence::Exhibit& exh
       panel.line(fmt::format("{}, {}", name, r.growth_flag()), r.time, ratio);
       sections.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]", .title = name})
           .plan("elevation", r.surface.lattice());
-      const std::string suffix = fmt::format("_{}_{}", name, pair.configuration.id());
-      exhibit.measure("a_w_over_a_i" + suffix, r.wall_ratio().value);
-      exhibit.measure("a_r_over_a_i" + suffix, r.reflected_ratio().value);
-      exhibit.measure("psi_r" + suffix, r.reflected_angle().value);
     }
   }
-  exhibit.table(std::move(table));
 }
 
 }  // namespace

@@ -169,17 +169,12 @@ void judge_waves(const Values& values, const Submitted& submitted, const SolverF
     resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
   }
   if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / way.back());
-  record.check({.id = "decay",
-                .text = "A wavelength takes next to nothing from the height.",
-                .quantity = "decay of the fundamental in a wavelength",
-                .source = attenuation_source},
+  record.check({"decay", "A wavelength takes next to nothing from the height.",
+                "decay of the fundamental in a wavelength", "1", attenuation_source},
                {.value = rates.decay, .resolution = resolution},
                Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
-  record.check({.id = "phase",
-                .text = "The speed of the wave agrees with the exact celerity.",
-                .quantity = "lead of the phase in a wavelength",
-                .unit = "wavelengths",
-                .source = attenuation_source},
+  record.check({"phase", "The speed of the wave agrees with the exact celerity.", "lead of the phase in a wavelength",
+                "wavelengths", attenuation_source},
                {.value = rates.lead, .resolution = resolution},
                Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
 }

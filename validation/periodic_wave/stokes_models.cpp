@@ -190,16 +190,19 @@ void claim_orders(const Claims<Results>& all, const Values& values) {
 void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
   const auto ends = [&](const std::string& id, const std::string& text, const std::string& quantity,
                         const std::string& unit, std::vector<double> Ladder::*numbers, double expected) {
-    claims.check(
-        {.id = id, .text = text, .quantity = quantity, .unit = unit, .source = serre_source},
-        [numbers](const Results& r) -> Measurement {
-          const std::vector<double> values = reversed(r.dispersive.*numbers);
-          return {.value = values.front(), .uncertainty = fine_limit(reversed(r.dispersive.size), values).uncertainty};
-        },
-        Uncertainty{.expected = expected,
-                    .useful = 0.1 * std::abs(expected),
-                    .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
-                              "what the equations do"});
+    claims.from(serre_source)
+        .check(
+            id, text, fmt::format("{} [{}]", quantity, unit),
+            [numbers](const Results& r) -> Measurement {
+              const std::vector<double> values = reversed(r.dispersive.*numbers);
+              return {.value = values.front(),
+                      .uncertainty = fine_limit(reversed(r.dispersive.size), values).uncertainty};
+            },
+            Uncertainty{.expected = expected,
+                        .useful = 0.1 * std::abs(expected),
+                        .reason =
+                            "both exact waves are known to round-off; of use where the spacing matters a tenth of "
+                            "what the equations do"});
   };
   ends("dispersive-error",
        "The error of the dispersive model against the Euler equations converges to the error of its equations.",
@@ -267,11 +270,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                    .figure("cost", "Error against processor time",
                            "Rms error of the surface after one period, over the height; coarse to fine.")
                    .panel({.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
-  evidence::Table table{.id = "models",
-                        .title = "Error and processor time",
-                        .caption = "After one period; of the mesh, a third of the time for three waves.",
-                        .columns = table_columns({"model", "size of", "size [depth]", "rms error [height]",
-                                                  "phase [wavelengths]", "time [s]"})};
+  evidence::Table& table =
+      add_table(exhibit, "models", "Error and processor time",
+                "After one period; of the mesh, a third of the time for three waves.",
+                {"model", "size of", "size [depth]", "rms error [height]", "phase [wavelengths]", "time [s]"});
   for (const Shown& model : models) {
     const Ladder& ladder = model.ladder;
     cost.points(model.name, ladder.seconds, ladder.error, model.role);
@@ -283,7 +285,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure(model.id + "_phase", ladder.lead.back());
   }
   exhibit.measure("equations_apart", equations_apart(r.waves));
-  exhibit.table(std::move(table));
   auto& profile = exhibit.figure("profile", "The wave after one period", "The finest of each, and the exact wave.")
                       .panel({.x = "(x - c t)/L", .y = "elevation"});
   const std::vector<double> at = evenly(-0.5, 0.5, 401);

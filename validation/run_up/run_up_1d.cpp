@@ -119,7 +119,6 @@ struct Results {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto& [climb, theory] = set_up(values);
-  claim_energy(claims.of(&Results::up), climb);
   claims.at(climb.resolution())
       .only_if(theory.nonbreaking(), "the wave breaks on its way up")
       .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
@@ -148,7 +147,7 @@ Results compute(const Run& run) {
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
   const double begin = processor_seconds();
-  r.up = run_up(climb, {.ledger = true, .after_step = note, .latest = run.real("time")});
+  r.up = run_up(climb, {.after_step = note, .latest = run.real("time")});
   r.seconds = processor_seconds() - begin;
   return r;
 }
@@ -164,7 +163,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("steps", static_cast<double>(r.up.steps));
   exhibit.measure("seconds", r.seconds);
   exhibit.measure("amplitude_over_backwash_limit", climb.amplitude / backwash_limit(climb.cot_slope));
-  show_energy(r.up, exhibit);
   draw_shoreline(exhibit, r.history, theory, theory.law());
   draw_profiles(exhibit, r.surfaces, climb.cot_slope);
 }

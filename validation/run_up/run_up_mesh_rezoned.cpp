@@ -182,11 +182,9 @@ void claim_loads(const Climb& climb, const io::Table& table, const Claims<Result
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const double exact = entry(table, "A", loads[k].column, climb);
     claims.check(
-        {.id = loads[k].id + "-" + climb.id(),
-         .text = fmt::format("{}: the largest {} agrees with the Euler equations.", climb.title(), loads[k].name),
-         .quantity = loads[k].name,
-         .unit = loads[k].unit,
-         .source = source},
+        loads[k].id + "-" + climb.id(),
+        fmt::format("{}: the largest {} agrees with the Euler equations.", climb.title(), loads[k].name),
+        fmt::format("{} [{}]", loads[k].name, loads[k].unit),
         [climb, k](const Results& all) {
           return find(all, climb.id()).finest([k](const Reached& one) { return one.loads.at(k); }, 2);
         },
@@ -286,12 +284,11 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "runup",
-                        .title = "Run-up on rezoned meshes",
-                        .caption =
-                            "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned and "
-                            "what part of the wave's energy that took.",
-                        .columns = table_columns({"wave"})};
+  evidence::Table& table =
+      add_table(exhibit, "runup", "Run-up on rezoned meshes",
+                "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned and "
+                "what part of the wave's energy that took.",
+                {"wave"});
   for (const long part : parts) {
     table.columns.emplace_back(fmt::format("{} rows", values.integer("rows") * part / parts.back()), "depth");
   }
@@ -307,7 +304,6 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
     row.emplace_back(rounded(one.on.back().taken, 1e6));
     table.rows.push_back(std::move(row));
   }
-  exhibit.table(std::move(table));
 }
 
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
@@ -336,8 +332,6 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
     panel.points(one.climb.title(), one.spacings(),
                  one.each([&](const Reached& on) { return std::abs(on.runup / exact - 1); }),
                  one.climb.wall() ? Role::computed : Role::peer);
-    exhibit.measure("runup_" + one.climb.id(), one.on.back().runup);
-    exhibit.measure("taken_" + one.climb.id(), one.on.back().taken);
   }
   slope_guide(panel, 2, all.front().spacings(),
               std::abs(all.front().on.back().runup / exact_runup(values, all.front().climb) - 1));

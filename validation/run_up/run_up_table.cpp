@@ -156,12 +156,8 @@ double off_other_authors(const std::vector<Row>& rows, std::size_t variant) {
 }
 
 void claim_measurements(const Claims<Results>& claims) {
-  const auto claim = [](const std::string& id, const std::string& text) -> evidence::Claim {
-    return {.id = id,
-            .text = text,
-            .quantity = "rms of R/R_measured - 1",
-            .source = "Hall and Watts (1953), in Frank (1994)"};
-  };
+  const auto measured_at = claims.from("Hall and Watts (1953), in Frank (1994)");
+  const std::string quantity = "rms of R/R_measured - 1";
   const auto off = [](std::size_t variant, bool on_steep) {
     return [variant, on_steep](const Results& r) { return off_measured(r.rows, variant, on_steep); };
   };
@@ -170,29 +166,30 @@ void claim_measurements(const Claims<Results>& claims) {
       .useful = 0.15,
       .reason =
           "scatter of such experiments and of their interpolation, 5 % (assumed); the model's own from the spacings"};
-  claims.check(claim("measurements-green-naghdi",
-                     "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with the "
-                     "measurements."),
-               off(green_naghdi, true), scatter);
-  claims.known_failure(
-      claim("measurements",
-            "With the kinetic energy of Frank (1994), maximum run-up on steep slopes agrees with the measurements."),
-      off(consistent, true), scatter,
-      {.value = 0.122,
-       .width = 0.005,
-       .reason = "it stays below the measurements, the more the higher the wave, at last by a "
-                 "quarter, as the thesis's own column does"});
-  claims.check(claim("measurements-mild",
-                     "On milder slopes the model with the thesis's kinetic energy agrees with the measurements."),
-               off(consistent, false), scatter);
-  claims.known_failure(
-      claim("measurements-mild-green-naghdi",
-            "With the Green-Naghdi kinetic energy, maximum run-up on milder slopes agrees with the measurements."),
-      off(green_naghdi, false), scatter,
-      {.value = 0.111,
-       .width = 0.001,
-       .reason = "no friction: the Euler equations, which have none either, lie as far above the measurements (claims "
-                 "mild-euler and mild-friction), and the two waves that break on their way up lose energy besides"});
+  measured_at.check("measurements-green-naghdi",
+                    "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with the "
+                    "measurements.",
+                    quantity, off(green_naghdi, true), scatter);
+  measured_at
+      .fails({.value = 0.122,
+              .width = 0.005,
+              .reason = "it stays below the measurements, the more the higher the wave, at last by a "
+                        "quarter, as the thesis's own column does"})
+      .check("measurements",
+             "With the kinetic energy of Frank (1994), maximum run-up on steep slopes agrees with the measurements.",
+             quantity, off(consistent, true), scatter);
+  measured_at.check("measurements-mild",
+                    "On milder slopes the model with the thesis's kinetic energy agrees with the measurements.",
+                    quantity, off(consistent, false), scatter);
+  measured_at
+      .fails({.value = 0.111,
+              .width = 0.001,
+              .reason =
+                  "no friction: the Euler equations, which have none either, lie as far above the measurements (claims "
+                  "mild-euler and mild-friction), and the two waves that break on their way up lose energy besides"})
+      .check("measurements-mild-green-naghdi",
+             "With the Green-Naghdi kinetic energy, maximum run-up on milder slopes agrees with the measurements.",
+             quantity, off(green_naghdi, false), scatter);
   claims.check(
       "other-authors",
       "Over the whole table Green and Naghdi's kinetic energy brings the model nearer to the other computations.",
@@ -207,27 +204,15 @@ std::variant<double, std::string> cell(double value) {
 }
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::size_t levels) {
-  evidence::Table table{
-      .id = "runup",
-      .title = "Run-up on plane slopes",
-      .caption =
-          "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
-          "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
-          "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
-      .columns = {{"cot", "1"},
-                  {"A", "depth"},
-                  {"thesis", "depth"},
-                  {"halved", "depth"},
-                  {"V/4, h = 1/4", "depth"},
-                  {"off the thesis", "%"},
-                  {fmt::format("V/4, h = 1/{:g}", 1 / runup_spacing(levels - 1)), "depth"},
-                  {"V/6", "depth"},
-                  {"Green-Naghdi", "depth"},
-                  {"measured", "depth"},
-                  {"law", "depth"},
-                  {"others", "depth"},
-                  {"by", ""}},
-      .atlas = {"frank-table-runup"}};
+  evidence::Table& table = add_table(
+      exhibit, "runup", "Run-up on plane slopes",
+      "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
+      "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
+      "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
+      {"cot [1]", "A [depth]", "thesis [depth]", "halved [depth]", "V/4, h = 1/4 [depth]", "off the thesis [%]",
+       fmt::format("V/4, h = 1/{:g} [depth]", 1 / runup_spacing(levels - 1)), "V/6 [depth]", "Green-Naghdi [depth]",
+       "measured [depth]", "law [depth]", "others [depth]", "by"},
+      {"frank-table-runup"});
   for (const Row& row : rows) {
     const double value = row.computed[as_in_thesis][0];
     table.rows.push_back({row.cot_slope, row.amplitude, row.printed, cell(row.printed_half), cell(value),
@@ -235,7 +220,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::siz
                           cell(row.computed[consistent].back()), cell(row.computed[green_naghdi].back()),
                           cell(row.measured), row.law, row.calculated, row.calculated_by});
   }
-  exhibit.table(std::move(table));
 }
 
 struct Series {

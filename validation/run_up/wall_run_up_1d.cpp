@@ -144,7 +144,6 @@ SolitaryClimb climb_of(const Values& values) {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const SolitaryClimb climb = climb_of(values);
-  claim_energy(claims.of(&Results::up), climb);
   const auto compared = claims.of(&Results::comparison)
                             .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
                                             climb.spacing, climb.tau_over_spacing));
@@ -156,10 +155,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   Results r{.climb = climb_of(run), .up = {}, .time = {}, .level = {}, .comparison = {}};
   const double arrival = r.climb.time_to(0);
-  r.up = run_up(r.climb, {.ledger = true, .after_step = [&](const dispersive::Flow& flow) {
-                            r.time.push_back(flow.time() - arrival);
-                            r.level.push_back(flow.y().back());
-                          }});
+  r.up = run_up(r.climb, {.after_step = [&](const dispersive::Flow& flow) {
+                  r.time.push_back(flow.time() - arrival);
+                  r.level.push_back(flow.y().back());
+                }});
   run.progress(0.2);
   r.comparison = compare(run);
   return r;
@@ -170,7 +169,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("time_of_maximum", r.up.time);
   exhibit.measure("delay_of_maximum", r.up.time - r.climb.time_to(0));
   exhibit.measure("su_mirie", WallRunup::su_mirie(r.climb.amplitude));
-  show_energy(r.up, exhibit);
   measure_comparison(exhibit, r.comparison);
   exhibit
       .figure("wall", "Water level at the wall",

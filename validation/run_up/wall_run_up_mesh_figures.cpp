@@ -225,18 +225,6 @@ void claims(const Values& values, const Claims<Results>& all) {
 
 /// Numbers that no claim is about, wave by wave.
 void show_numbers(const std::vector<Curve>& curves, const Values& values, evidence::Exhibit& exhibit) {
-  for (const Curve& curve : curves) {
-    for (const Climbed& point : curve.points) {
-      exhibit.measure(fmt::format("runup_rows_{}_a_{:.2f}", curve.rows, point.amplitude), point.runup);
-    }
-  }
-  const io::Table exact = values.table("wall_runup_exact");
-  for (std::size_t k = 0; k < exact.rows(); ++k) {
-    const double amplitude = exact.column("a")[k];
-    const Climbed* point = curves.back().at(amplitude);
-    if (point == nullptr || amplitude > highest_claimed + 1e-9) continue;
-    exhibit.measure(fmt::format("runup_a_{:g}_less_exact", amplitude), point->runup - exact.column("R")[k]);
-  }
   const io::Table exact_loads = values.table("wall_load_exact");
   for (const Load& load : compared_loads) {
     for (std::size_t k = 0; k < exact_loads.rows(); ++k) {
@@ -250,12 +238,11 @@ void show_numbers(const std::vector<Curve>& curves, const Values& values, eviden
 }
 
 void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "runup",
-                        .title = "Largest run-up on a vertical wall",
-                        .caption =
-                            "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
-                            "2A + A^2/2 + 3A^3/4.",
-                        .columns = table_columns({"A [depth]"})};
+  evidence::Table& table =
+      add_table(exhibit, "runup", "Largest run-up on a vertical wall",
+                "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
+                "2A + A^2/2 + 3A^3/4.",
+                {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.emplace_back("exact", "depth");
   table.columns.emplace_back("series", "depth");
@@ -275,7 +262,6 @@ void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence
     row.emplace_back(rounded(exact::WallRunup::su_mirie(amplitude)));
     table.rows.push_back(std::move(row));
   }
-  exhibit.table(std::move(table));
 }
 
 void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Table& exact_loads,

@@ -92,12 +92,6 @@ Flow followed(const SerreWave& wave, double spacing, double tau, Scheme scheme) 
   return flow;
 }
 
-double largest_shift(const Flow& one, const Flow& other) {
-  Worst largest;
-  for (std::size_t i = 0; i < one.x().size(); ++i) largest.add(one.x()[i] - other.x()[i]);
-  return largest.value();
-}
-
 std::string title(Scheme scheme) {
   std::string text = scheme.stepping == Stepping::one_step            ? "one-step"
                      : scheme.stepping == Stepping::one_step_feedback ? "one-step, feedback"

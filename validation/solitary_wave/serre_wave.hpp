@@ -48,9 +48,6 @@ double largest_surface_error(const dispersive_shallow_water_1d::Flow& flow, cons
 dispersive_shallow_water_1d::Flow followed(const SerreWave& wave, double spacing, double tau,
                                            dispersive_shallow_water_1d::Scheme scheme);
 
-/// Largest distance between corresponding markers of two flows along the channel [m].
-double largest_shift(const dispersive_shallow_water_1d::Flow& one, const dispersive_shallow_water_1d::Flow& other);
-
 /// "one-step", "conservative, Suzuki", ...: how figures call a scheme.
 std::string title(dispersive_shallow_water_1d::Scheme scheme);
 

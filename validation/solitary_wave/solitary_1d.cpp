@@ -9,9 +9,7 @@ are in depths, times in $\sqrt{\text{depth}/g}$. The channel is level and period
 wide when at rest. The wave starts at a third of the channel.
 
 **What is compared.** After the time `time`: elevation and velocity at the markers with the exact ones, and the place of
-the crest. Three refinements: cells and steps together, cells alone, steps alone. In time also against the limit of
-small steps on the same cells, which shows the orders of the compositions. During the run: crest, energy, momentum, cell
-volumes.
+the crest, cells and steps refined together. During the run: crest, energy, cell volumes.
 
 Schemes: **one-step** (Frank's, one solve per step), **one-step with feedback** (volumes do not drift),
 **conservative** (implicit, a few solves). Compositions raise them to fourth order in time.
@@ -24,13 +22,15 @@ and steps. What the latter buys is in the histories: energy and every cell's vol
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/figure.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/solitary_wave/serre_history.hpp"
 #include "validation/solitary_wave/serre_wave.hpp"
 
 namespace seiche::validation::cases::solitary_1d {
@@ -39,10 +39,50 @@ namespace {
 using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
 using dispersive_shallow_water_1d::Stepping;
-using dispersive_shallow_water_1d::TimeComposition;
+
+// What happens to Serre's wave on its way: crest, and the largest defects of what should be kept.
+
+/// One entry per step. Defects are the largest so far, relative to the wave's energy and to a cell at rest.
+struct SerreHistory {
+  std::vector<double> time;
+  std::vector<double> crest;  ///< over the amplitude
+  std::vector<double> phase;  ///< crest less the exact crest [m]
+  std::vector<double> energy, volume;
+};
+
+/// Follows the flow until wave.time by steps of at most tau.
+SerreHistory follow(dispersive_shallow_water_1d::Flow& flow, const SerreWave& wave, double spacing, double tau) {
+  SerreHistory history;
+  const double energy = flow.energy();
+  const auto defect = [&](const std::string& name, double scale) {
+    return flow.ledger().entry(name).largest_defect / scale;
+  };
+  flow.advance_to(wave.time, tau, [&] {
+    flow.observe();
+    const SerreErrors errors = errors_of(flow, wave);
+    history.time.push_back(flow.time());
+    history.crest.push_back(errors.crest / wave.amplitude);
+    history.phase.push_back(errors.phase);
+    history.energy.push_back(defect("energy", energy));
+    history.volume.push_back(defect("volume_worst", wave.depth * spacing));
+  });
+  return history;
+}
+
+/// A line without the entries that are exactly zero, which a logarithmic axis cannot show.
+void draw_defects(evidence::Panel& panel, const std::string& label, const SerreHistory& history,
+                  std::vector<double> SerreHistory::*quantity) {
+  std::vector<double> time;
+  std::vector<double> defect;
+  for (std::size_t k = 0; k < history.time.size(); ++k) {
+    if ((history.*quantity)[k] <= 0) continue;
+    time.push_back(history.time[k]);
+    defect.push_back((history.*quantity)[k]);
+  }
+  panel.line(label, time, defect, evidence::Role::computed);
+}
 
 const std::string source = "Serre (1953); Frank (1994), chapter 3";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Scheme one_step{};
 const Scheme conservative{.stepping = Stepping::conservative};
 
@@ -85,33 +125,19 @@ void claim_second_order(const Claims<Refinement>& claims, const std::string& id,
 /// The run that the parameters describe.
 struct OwnRun {
   Flow flow;
-  SerreHistory history;
   SerreErrors errors;
 };
 
 struct Results {
   SerreWave wave;
   OwnRun own;
-  std::vector<SerreHistory> histories;        ///< of all steppings
-  std::array<Refinement, 2> together, steps;  ///< of the plain schemes
-  Refinement cells;                           ///< alone, at very short steps
-  std::vector<double> tau;                    ///< steps, against the limit of small ones
-  std::vector<std::vector<double>> in_time;   ///< largest error of a marker, of the schemes in time
-  std::vector<double> halved, energy;         ///< ever smaller steps, and the one-step scheme's energy defect
-
-  [[nodiscard]] double energy_ratio(std::size_t k) const { return energy[k] / energy[k + 1]; }
+  std::vector<SerreHistory> histories;  ///< of all steppings
+  std::array<Refinement, 2> together;   ///< of the plain schemes
 };
 
 const std::array plain{one_step, conservative};
 constexpr std::array<const char*, 2> plain_ids{"one-step", "conservative"};
 constexpr std::array steppings{Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
-const std::array schemes_in_time{one_step, conservative, Scheme{.composition = TimeComposition::triple_jump},
-                                 Scheme{.composition = TimeComposition::suzuki},
-                                 Scheme{.stepping = Stepping::conservative, .composition = TimeComposition::suzuki}};
-
-bool composed(Scheme scheme) {
-  return scheme.composition != TimeComposition::none;
-}
 
 Scheme scheme_of(const Values& values) {
   return {.stepping = dispersive_shallow_water_1d::stepping_named(values.text("scheme")),
@@ -122,33 +148,7 @@ std::string resolution(const Values& values) {
   return fmt::format("{}, h = {:g}, tau = {:g}", title(scheme_of(values)), values.real("h"), values.real("tau"));
 }
 
-/// Everything is kept that the scheme should keep, in the run of the parameters.
-void claim_kept(const Claims<OwnRun>& claims, const Values& values) {
-  const double h = values.real("h");
-  const auto claim = [&](const Claims<OwnRun>& applies, const std::string& id, const std::string& text,
-                         std::vector<double> SerreHistory::*defect, double scale, const std::string& reason) {
-    applies.check(
-        id, text, "largest relative defect",
-        [defect](const OwnRun& own) -> Measurement {
-          return {.value = (own.history.*defect).back(),
-                  .told = {.operations = static_cast<double>(own.flow.solves())}};
-        },
-        // Steps are no shorter than a quarter of a cell takes, and take less than a hundred solves.
-        Roundoff{.operations = Amount::told_by_run(100 * values.real("time") / std::min(values.real("tau"), 0.25 * h)),
-                 .scale = scale,
-                 .reason = reason + ", once per solve"});
-  };
-  claim(claims, "momentum", "Momentum is kept: the bottom is level.", &SerreHistory::momentum, 1,
-        "the rounded momentum");
-  const auto kept = claims.only_if(scheme_of(values).stepping == Stepping::conservative,
-                                   "only the conservative scheme keeps it to round-off");
-  claim(kept, "energy", "Energy of the solitary wave is conserved to round-off.", &SerreHistory::energy, 1,
-        "the rounded energy");
-  claim(kept, "volume", "The volume of every cell is conserved to round-off.", &SerreHistory::volume,
-        values.real("length") / h, "a rounded coordinate, up to the channel's length, over the width of a cell");
-}
-
-void claim_orders(const Claims<Results>& claims) {
+void claims(const Values& /*values*/, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < plain.size(); ++k) {
     const auto together = claims.of([k](const Results& r) -> const Refinement& { return r.together.at(k); });
     const std::string id = plain_ids.at(k);
@@ -158,66 +158,6 @@ void claim_orders(const Claims<Results>& claims) {
                        &Refinement::largest);
     claim_second_order(together, id + "-velocity", "The velocity, " + name + ",", &Refinement::velocity);
   }
-  claim_second_order(claims.of(&Results::cells), "cells", "The elevation with the cells alone refined",
-                     &Refinement::l2);
-  for (std::size_t k = 0; k < schemes_in_time.size(); ++k) {
-    const std::string name = title(schemes_in_time.at(k));
-    const bool fourth = composed(schemes_in_time.at(k));
-    std::string id = name;
-    std::erase(id, ',');
-    std::replace(id.begin(), id.end(), ' ', '-');
-    claims.from(fourth ? "Yoshida (1990), Suzuki (1990)" : source)
-        .check(
-            "time-" + id, fmt::format("The error in time of {} is of order {}.", name, fourth ? 4 : 2),
-            "observed order of the largest error of a marker",
-            [k](const Results& r) { return evidence::observed_order(r.tau, r.in_time.at(k), 1e-12); },
-            Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
-                  "smooth motion; below 1e-12 the rounding of coordinates up to 60 counts"});
-  }
-}
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_kept(claims.at(resolution(values)).of(&Results::own), values);
-  claim_orders(claims);
-  for (std::size_t k = 0; k < plain.size(); ++k) {
-    claims.at(fmt::format("tau = {:g}", 4 * values.real("tau")))
-        .from("discrete dispersion: sin and tan of half the phase advanced per step, Frank (1994), formula 13")
-        .check(
-            fmt::format("phase-{}", plain_ids.at(k)),
-            k == 0 ? "Long steps make the one-step wave lead."
-                   : "The crest lags the exact crest with long steps (conservative scheme).",
-            "crest ahead of the exact one",
-            [k](const Results& r) {
-              const double phase = r.steps.at(k).phase.front();
-              return std::isnan(phase) ? nan : phase > 0 ? 1.0 : 0.0;
-            },
-            Qualitative{.detector = "sign of the crest's phase error, cells eight times finer",
-                        .reason = "the one-step scheme raises frequencies, the conservative one lowers them",
-                        .expected = k == 0});
-  }
-  const std::vector<double> halved = fractions(values.real("tau") / 2, 4);
-  claims.at(fmt::format("tau = {:g} .. {:g}", halved.front(), halved.back()))
-      .from("Frank (1994), chapter 1: second order")
-      .check(
-          "energy-ratio", "The energy error falls by four with each halving of the step (one-step scheme).",
-          "ratio farthest from four",
-          [](const Results& r) {
-            Worst off;
-            for (std::size_t k = 0; k + 1 < r.energy.size(); ++k) {
-              off.add(r.energy_ratio(k) - 4, static_cast<double>(k));
-            }
-            return r.energy_ratio(static_cast<std::size_t>(off.where()));
-          },
-          Bound{.limit = 1,
-                .reason = "steps up to h/5; of longer ones the fourth-order part, of opposite sign, takes off more",
-                .expected = 4});
-}
-
-OwnRun follow_one(const Values& values, const SerreWave& wave) {
-  OwnRun own{.flow = start(wave, values.real("h"), scheme_of(values)), .history = {}, .errors = {}};
-  own.history = follow(own.flow, wave, values.real("h"), values.real("tau"));
-  own.errors = errors_of(own.flow, wave);
-  return own;
 }
 
 Results compute(const Run& run) {
@@ -227,7 +167,10 @@ Results compute(const Run& run) {
   const auto errors = [&](double spacing, double step, Scheme scheme) {
     return errors_of(followed(wave, spacing, step, scheme), wave);
   };
-  Results r{.wave = wave, .own = follow_one(run, wave)};
+  Flow own = start(wave, h, scheme_of(run));
+  own.advance_to(wave.time, tau);
+  const SerreErrors own_errors = errors_of(own, wave);
+  Results r{.wave = wave, .own = {std::move(own), own_errors}};
   run.progress(0.05);
   for (const Stepping stepping : steppings) {
     Flow flow = start(wave, h, {.stepping = stepping});
@@ -239,23 +182,6 @@ Results compute(const Run& run) {
       r.together.at(k).add(spacing, errors(spacing, tau * spacing / h, plain.at(k)));
     }
   }
-  run.progress(0.5);
-  for (const double spacing : fractions(2 * h, 4)) r.cells.add(spacing, errors(spacing, tau / 20, one_step));
-  for (std::size_t k = 0; k < plain.size(); ++k) {
-    for (const double step : fractions(4 * tau, 3)) r.steps.at(k).add(step, errors(h / 8, step, plain.at(k)));
-  }
-  run.progress(0.7);
-  r.tau = fractions(4 * tau, 4);
-  const Flow limit = followed(wave, h, r.tau.back() / 5, {.composition = TimeComposition::suzuki});
-  for (const Scheme scheme : schemes_in_time) {
-    auto& error = r.in_time.emplace_back();
-    for (const double step : r.tau) error.push_back(largest_shift(followed(wave, h, step, scheme), limit));
-  }
-  r.halved = fractions(tau / 2, 4);
-  for (const double step : r.halved) {
-    Flow flow = start(wave, h, one_step);
-    r.energy.push_back(follow(flow, wave, h, step).energy.back());
-  }
   return r;
 }
 
@@ -264,11 +190,9 @@ void draw_together(evidence::Exhibit& exhibit, const Results& r, const Values& v
                     .figure("refined_together", "Cells and steps refined together",
                             "Relative L2 error of the elevation at the end.")
                     .panel({.x = "h, tau in proportion", .y = "relative L2 error", .log_x = true, .log_y = true});
-  evidence::Table table{.id = "refinement",
-                        .title = "Cells and steps refined together",
-                        .caption = "Errors at the end of the run.",
-                        .columns = table_columns({"scheme", "h [1]", "tau [1]", "L2, elevation [1]",
-                                                  "max, elevation [1]", "L2, velocity [1]", "phase [1]"})};
+  evidence::Table& table = add_table(
+      exhibit, "refinement", "Cells and steps refined together", "Errors at the end of the run.",
+      {"scheme", "h [1]", "tau [1]", "L2, elevation [1]", "max, elevation [1]", "L2, velocity [1]", "phase [1]"});
   for (std::size_t k = 0; k < plain.size(); ++k) {
     const Refinement& e = r.together.at(k);
     for (std::size_t i = 0; i < e.size.size(); ++i) {
@@ -278,31 +202,6 @@ void draw_together(evidence::Exhibit& exhibit, const Results& r, const Values& v
     panel.points(title(plain.at(k)), e.size, e.l2, Role::computed);
   }
   slope_guide(panel, 2, r.together.back().size, 1.5 * r.together.back().l2.back());
-  exhibit.table(std::move(table));
-}
-
-void draw_alone(evidence::Exhibit& exhibit, const Results& r) {
-  auto& panel = exhibit
-                    .figure("refined_alone", "Cells alone, steps alone",
-                            "Relative L2 error of the elevation; the other of h and tau is small.")
-                    .panel({.x = "h or tau", .y = "relative L2 error", .log_x = true, .log_y = true});
-  panel.points("cells alone", r.cells.size, r.cells.l2, Role::computed);
-  for (std::size_t k = 0; k < plain.size(); ++k) {
-    panel.points("steps alone, " + title(plain.at(k)), r.steps.at(k).size, r.steps.at(k).l2, Role::computed);
-  }
-  slope_guide(panel, 2, r.cells.size, 0.6 * r.cells.l2.back());
-}
-
-void draw_orders_in_time(evidence::Exhibit& exhibit, const Results& r) {
-  auto& panel = exhibit
-                    .figure("orders_in_time", "Orders in time",
-                            "Largest error of a marker against the limit of small steps on the same cells.")
-                    .panel({.x = "tau", .y = "largest error of a marker", .log_x = true, .log_y = true});
-  for (std::size_t k = 0; k < schemes_in_time.size(); ++k) {
-    panel.points(title(schemes_in_time.at(k)), r.tau, r.in_time[k], Role::computed);
-  }
-  slope_guide(panel, 2, r.tau, 0.2 * r.in_time[1].back());
-  slope_guide(panel, 4, r.tau, 0.5 * r.in_time.back().back());
 }
 
 void draw_histories(evidence::Exhibit& exhibit, const Results& r) {
@@ -355,18 +254,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("l2_velocity", own.errors.velocity);
   exhibit.measure("phase_error", own.errors.phase);
   exhibit.measure("crest", own.errors.crest);
-  exhibit.measure("energy_defect", own.history.energy.back());
-  exhibit.measure("momentum_defect", own.history.momentum.back());
-  exhibit.measure("volume_defect", own.history.volume.back());
   exhibit.measure("solves_per_step", static_cast<double>(own.flow.solves()) / static_cast<double>(own.flow.steps()));
-  for (std::size_t k = 0; k + 1 < r.energy.size(); ++k) {
-    exhibit.measure(fmt::format("energy_ratio_{}", k + 1), r.energy_ratio(k));
-  }
   draw_wave(exhibit, r, values);
   draw_histories(exhibit, r);
   draw_together(exhibit, r, values);
-  draw_alone(exhibit, r);
-  draw_orders_in_time(exhibit, r);
 }
 
 }  // namespace
@@ -381,7 +272,7 @@ Case solitary_1d() {
   c.parameters = {
       real("amplitude", 0.2, "depth", {1e-4, 1}, "crest above still water"),
       real("h", 0.25, "depth", {0.01, 1}, "width of the cells at rest; refined from 2h"),
-      real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.4}, "step; varied with h and alone"),
+      real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.4}, "step; varied with h"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
              "of the run whose measures are kept"),
       choice("composition", std::string("none"), {"none", "triple_jump", "suzuki"}, "of that scheme in time"),

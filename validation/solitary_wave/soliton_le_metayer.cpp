@@ -288,11 +288,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("cells_and_work", "Error against cells and work", "The same, free of any machine.");
   auto& by_cells = figure.panel({.x = "cells", .y = "error/a", .log_x = true, .log_y = true});
   auto& by_work = figure.panel({.x = "markers x solves", .y = "error/a", .log_x = true, .log_y = true});
-  evidence::Table table{.id = "runs",
-                        .title = "Runs",
-                        .caption = "Steps of least work for each scheme; processor time of this machine.",
-                        .columns = table_columns({"scheme", "cells", "tau [s]", "error/a [1]", "between markers [1]",
-                                                  "markers x solves", "processor time [s]"})};
+  evidence::Table& table = add_table(
+      exhibit, "runs", "Runs", "Steps of least work for each scheme; processor time of this machine.",
+      {"scheme", "cells", "tau [s]", "error/a [1]", "between markers [1]", "markers x solves", "processor time [s]"});
   const auto draw = [&](const std::string& label, const Curve& curve, const std::vector<double>& error) {
     by_cells.line(label, curve.cells, error, Role::computed);
     by_work.line(label, curve.work, error, Role::computed);
@@ -319,7 +317,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   }
   by_cells.points("Basilisk", cells, errors, Role::peer);
   by_time.points("Basilisk", std::vector{peer_seconds}, std::vector{peer[3].error}, Role::peer);
-  exhibit.table(std::move(table));
 }
 
 }  // namespace

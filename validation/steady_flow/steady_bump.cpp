@@ -38,7 +38,7 @@ disturbance of its own.
 #include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
-#include "validation/studies/shallow_water/profile_curves.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::steady_bump {
 namespace {
@@ -333,11 +333,9 @@ void draw(evidence::Exhibit& exhibit, const Settling& r, const Regime& regime) {
 }
 
 void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "resolutions-" + regime.name,
-                        .title = "Refinement, " + regime.name,
-                        .caption = "Mean errors after the flow has settled.",
-                        .columns = table_columns(
-                            {"N", "particles: L1(h) [m]", "particles: L1(q)/q", "cells: L1(h) [m]", "cells: L1(q)/q"})};
+  evidence::Table& table = add_table(
+      exhibit, "resolutions-" + regime.name, "Refinement, " + regime.name, "Mean errors after the flow has settled.",
+      {"N", "particles: L1(h) [m]", "particles: L1(q)/q", "cells: L1(h) [m]", "cells: L1(q)/q"});
   const bool jumps = regime.name == "jump";
   if (jumps) {
     for (const char* name : {"particles, at the jump: L1(h)", "L1(q)/q", "below it: L1(q)/q"}) {
@@ -352,7 +350,6 @@ void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exh
       table.rows.back().emplace_back(mean->value());
     }
   }
-  exhibit.table(std::move(table));
   const auto keep = [&](const std::string& name, double value) { exhibit.measure(name + "_" + regime.name, value); };
   const Errors& finest = r.errors.back();
   keep("cell_l1_h", finest.depth.value());
