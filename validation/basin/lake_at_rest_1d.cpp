@@ -107,9 +107,7 @@ std::vector<NamedScheme> schemes(const std::string& chosen) {
 
 /// Largest values at any step.
 struct Unrest {
-  Worst velocity;
-  Worst elevation;
-  Worst displacement;
+  Worst velocity, elevation, displacement;
   long steps = 0;
 
   void include(const Unrest& other) {
@@ -158,8 +156,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
     if (lake.channel.periodic()) continue;
     const bool shore = lake.channel.right == model::End::tip;
     const std::vector<double> x = evenly(-length, shore ? 2 : 0, 881);
-    std::vector<double> bed;
-    std::vector<double> surface;
+    std::vector<double> bed, surface;
     for (const double at : x) {
       bed.push_back(lake.channel.bottom->elevation(at));
       surface.push_back(bed.back() > 0 ? bed.back() : 0.0);

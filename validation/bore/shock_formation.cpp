@@ -75,8 +75,7 @@ SetUp set_up(const Values& values) {
 
 struct Results {
   SetUp set_up;
-  std::vector<double> sizes;
-  std::vector<double> positions;
+  std::vector<double> sizes, positions;
   Profile finest;
 
   /// @throws std::invalid_argument where a position is not a number

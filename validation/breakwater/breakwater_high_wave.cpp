@@ -355,8 +355,7 @@ WatchedWave run_high(const SetUp& s, const Run& run) {
   std::optional<MomentumBalance> balance;
   std::vector<MomentumBalance::Step> steps;
   double first_energy = 0;
-  Worst energy;
-  Worst fastest;
+  Worst energy, fastest;
   BermWave wave = run_berm_wave(s.berm, s.mesh.columns(s.berm), s.mesh.rows, small.mode,
                                 {.height = s.height, .time = end, .tau = s.tau, .hourglass = run.real("hourglass")},
                                 [&](const Flow& flow) {

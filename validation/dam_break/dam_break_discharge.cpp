@@ -51,8 +51,7 @@ std::vector<Setting> settings(const Values& values) {
 
 /// Discharge through the dam, by particles.
 struct Discharge {
-  std::vector<double> time;
-  std::vector<double> value;
+  std::vector<double> time, value;
 };
 
 struct Results {

@@ -186,9 +186,7 @@ void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& ex
     bool floor;
   };
   for (const Side& side : {Side{"x/H on the floor", true}, Side{"y/H at the wall", false}}) {
-    std::vector<double> place;
-    std::vector<double> computed;
-    std::vector<double> exact;
+    std::vector<double> place, computed, exact;
     const Mesh& mesh = r.finest.mesh;
     for (std::size_t k = 0; k < mesh.nodes(); ++k) {
       if ((side.floor ? mesh.y[k] : mesh.x[k]) != 0) continue;

@@ -70,8 +70,7 @@ std::string text_of(const Counting& count, const ColumnFront& data, double farth
 
 /// How far the front falls back behind where it has been.
 double largest_retreat(const std::vector<double>& X) {
-  Largest reached;
-  Largest retreat;
+  Largest reached, retreat;
   for (const double x : X) {
     reached.add(x);
     retreat.add(reached.value() - x);
@@ -104,8 +103,7 @@ FrontFit front_fit(Curve computed, const ColumnFront& data, double farthest, std
   FrontFit fit{.points = count.used.size()};
   Normal n;
   constexpr int iterations = 60;  // of Gauss and Newton: a smooth problem of two unknowns
-  std::vector<double> weighted_s;
-  std::vector<double> weighted_r;
+  std::vector<double> weighted_s, weighted_r;
   double variance = 0;
   for (int k = 0; k < iterations; ++k) {
     n = {};

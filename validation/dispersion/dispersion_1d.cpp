@@ -176,8 +176,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
   const auto error_of = [&](double k, double of) { return std::abs(of / airy.phase_speed(k) - 1); };
   const auto add = [&](const std::string& label, const auto& speed_of, double k_last, Role role) {
     const std::vector<double> k = evenly(0.02, k_last, 500);
-    std::vector<double> speeds;
-    std::vector<double> errors;
+    std::vector<double> speeds, errors;
     for (const double at : k) {
       speeds.push_back(speed_of(at));
       errors.push_back(error_of(at, speeds.back()));
@@ -197,9 +196,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
   }
   std::size_t next = 0;
   for (const Family& family : families()) {
-    std::vector<double> k;
-    std::vector<double> speeds;
-    std::vector<double> errors;
+    std::vector<double> k, speeds, errors;
     for (const StandingBox& box : family.boxes()) {
       k.push_back(box.wavenumber);
       speeds.push_back(found[next++].measured / box.wavenumber);

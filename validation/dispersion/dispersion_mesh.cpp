@@ -87,9 +87,7 @@ constexpr double amplitude = 1e-6;
 
 /// Frequencies measured in tanks.
 std::vector<double> frequencies(const std::vector<MeshTank>& tanks, double periods) {
-  std::vector<double> measured =
-      each(tanks, [&](const MeshTank& tank) { return smallest_wave_frequency(tank, periods, amplitude); });
-  return measured;
+  return each(tanks, [&](const MeshTank& tank) { return smallest_wave_frequency(tank, periods, amplitude); });
 }
 
 double deviation(const MeshTank& tank, double measured) {
@@ -309,9 +307,7 @@ void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
                                          .y_max = 0.03});
   const auto add = [&](const std::string& label, const auto& law, double k_last, Role role) {
     const std::vector<double> k = evenly(0.02, k_last, 400);
-    std::vector<double> speeds;
-    std::vector<double> from_airy;
-    std::vector<double> from_boussinesq;
+    std::vector<double> speeds, from_airy, from_boussinesq;
     for (const double at : k) {
       speeds.push_back(law.phase_speed(at));
       from_airy.push_back(std::abs(speeds.back() / airy.phase_speed(at) - 1));
@@ -328,10 +324,7 @@ void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
   }
   const std::vector<MeshTank> tanks = tanks_of_figure();
   for (const Family& family : families) {
-    std::vector<double> k;
-    std::vector<double> speeds;
-    std::vector<double> from_airy;
-    std::vector<double> from_boussinesq;
+    std::vector<double> k, speeds, from_airy, from_boussinesq;
     for (std::size_t i = 0; i < tanks.size(); ++i) {
       if (tanks[i].rows != family.rows) continue;
       k.push_back(tanks[i].wavenumber);

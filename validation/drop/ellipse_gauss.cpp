@@ -201,8 +201,7 @@ void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
   for (const Frame& frame : r.frames) {
     auto& panel =
         figure.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     const Eigen::Matrix2d deformation = r.set_up.drop.at(frame.time).deformation;
     for (int k = 0; k <= 200; ++k) {
       const double angle = 2 * std::numbers::pi * k / 200;
@@ -210,8 +209,7 @@ void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
       x.push_back(place.x());
       y.push_back(place.y());
     }
-    std::vector<double> marker_x;
-    std::vector<double> marker_y;
+    std::vector<double> marker_x, marker_y;
     for (std::size_t k = 0; k < frame.x.size(); k += drawn) {
       marker_x.push_back(frame.x[k]);
       marker_y.push_back(frame.y[k]);
@@ -226,8 +224,7 @@ void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
                     .figure("pressure", "The pressure at the middle",
                             "Fitted to the reactions of single steps, and Dirichlet's.", {"frank-ellipse"})
                     .panel({.x = "t", .y = "p(0, 0)/density"});
-  std::vector<double> time;
-  std::vector<double> exact;
+  std::vector<double> time, exact;
   for (int k = 0; k <= 100; ++k) {
     time.push_back(r.set_up.end * k / 100);
     exact.push_back(r.set_up.drop.at(time.back()).central_pressure);

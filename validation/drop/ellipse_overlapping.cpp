@@ -119,8 +119,7 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
         return Point{u.x(), u.y()};
       },
       s.settings);
-  Mean given;
-  Mean taken;
+  Mean given, taken;
   for (std::size_t k = 0; k < drop.first.size(); ++k) {
     const Vector2d u = s.gradient * drop.label(k);
     given.add(u.norm());
@@ -220,8 +219,7 @@ Results compute(const Run& run) {
 }
 
 void draw_outline(evidence::Panel& panel, const AffineDrop& drop, double time) {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   const Matrix2d deformation = drop.at(time).deformation;
   for (int k = 0; k <= 200; ++k) {
     const double angle = 2 * std::numbers::pi * k / 200;
@@ -247,8 +245,7 @@ void draw_drops(const Results& r, evidence::Exhibit& exhibit) {
                                   {"frank-overlapping"});
   for (const auto& [n, drop] : r.coarser) {
     const Places& end = drop.frames.back();
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (std::size_t k = 0; k < drop.first.size(); ++k) {
       if (drop.label(k).norm() < 1 - drop.first.spacing) continue;
       x.push_back(end.x[k]);

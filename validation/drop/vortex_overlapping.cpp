@@ -193,8 +193,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 
 /// Slope of the logarithm of the distances, from twice the first one until they reach 0.1.
 double growth_rate(const std::vector<double>& distances, double tau) {
-  std::vector<double> time;
-  std::vector<double> logarithm;
+  std::vector<double> time, logarithm;
   for (std::size_t n = 0; n < distances.size() && distances[n] < last_distance; ++n) {
     if (distances[n] < 2 * distances.front()) continue;
     time.push_back(tau * static_cast<double>(n));

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "seiche/require.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 
@@ -147,9 +148,7 @@ void RunupEnvelope::observe(const Flow& flow, double time) {
 }
 
 std::vector<double> RunupEnvelope::runup() const {
-  std::vector<double> all;
-  for (const Largest& one : highest_) all.push_back(one.value());
-  return all;
+  return each(highest_, [&](const Largest& one) { return one.value(); });
 }
 
 double RunupEnvelope::at(double angle) const {

@@ -71,10 +71,8 @@ DoubleShearErrors double_shear_errors(const DoubleShearRun& run) {
   flow.advance_to(run.time, run.tau_over_h * run.spacing());
   const lagrangian_mesh_2d::Mesh& mesh = flow.model().mesh();
   DoubleShearErrors errors;
-  Mean position;
-  Mean shape;
-  Worst interior;
-  Worst slip;
+  Mean position, shape;
+  Worst interior, slip;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const DoubleShear::Sample s = run.motion.at(mesh.x[k], mesh.y[k], flow.time());
     const double dx = flow.x()[k] - s.x;

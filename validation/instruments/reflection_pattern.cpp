@@ -9,6 +9,7 @@
 
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -24,8 +25,7 @@ double quantile(const std::vector<double>& sorted, double fraction) {
 }
 
 evidence::Measurement median_height(const std::vector<Crest>& crests) {
-  std::vector<double> heights;
-  for (const Crest& crest : crests) heights.push_back(crest.height);
+  const std::vector<double> heights = each(crests, [&](const Crest& crest) { return crest.height; });
   std::sort(heights.begin(), heights.end());
   return {.value = quantile(heights, 0.5),
           .uncertainty = 0.5 * (quantile(heights, 0.84) - quantile(heights, 0.16)),
@@ -33,8 +33,7 @@ evidence::Measurement median_height(const std::vector<Crest>& crests) {
 }
 
 StraightLine line_through(const std::vector<Crest>& crests) {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   for (const Crest& crest : crests) {
     x.push_back(crest.x);
     y.push_back(crest.y);

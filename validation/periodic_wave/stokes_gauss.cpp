@@ -219,15 +219,13 @@ void draw_profile(evidence::Figure& figure, const WaveRun& r) {
   auto& panel = figure.panel({.x = "(x - c t)/L", .y = "y", .title = r.set_up.name()});
   const double length = r.set_up.length;
   const double at = r.set_up.crest() + r.wave.phase_speed() * r.end;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   for (std::size_t k = 0; k < r.markers.size(); k += drawn) {
     const double place = (r.markers[k].x - at) / length;
     x.push_back(place - std::round(place));
     y.push_back(r.markers[k].y);
   }
-  std::vector<double> exact_x;
-  std::vector<double> exact_y;
+  std::vector<double> exact_x, exact_y;
   for (int k = 0; k <= 400; ++k) {
     exact_x.push_back(k / 400.0 - 0.5);
     exact_y.push_back(r.wave.elevation(length * exact_x.back()));

@@ -291,8 +291,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   std::vector<double> exact = each(at, [&](const double x) { return r.waves.euler.elevation(x * r.waves.length()); });
   profile.line("exact", at, exact, Role::exact);
   for (const Shown& model : models) {
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (const Point& point : model.ladder.surface) {
       const double place = point.x / r.waves.length() - 1;
       if (std::abs(place) > 0.5) continue;

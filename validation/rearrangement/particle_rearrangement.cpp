@@ -64,8 +64,7 @@ struct Results {
 void draw_channel(evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("channel", "A channel of constant cross-section",
                                 "Section along the channel and across it.", {"bzz-fig-1"});
-  std::vector<double> x;
-  std::vector<double> h;
+  std::vector<double> x, h;
   for (int k = 0; k <= 100; ++k) {
     x.push_back(0.1 * k);
     h.push_back(1 + 0.15 * std::sin(0.9 * x.back()));
@@ -81,8 +80,7 @@ void draw_channel(evidence::Exhibit& exhibit) {
 void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parabola) {
   std::vector<double> depth;
   for (std::size_t i = 0; i < parabola.size(); ++i) depth.push_back(parabola.depth(i));
-  std::vector<double> x;
-  std::vector<double> h;
+  std::vector<double> x, h;
   for (int k = 0; k <= 200; ++k) {
     x.push_back(-1 + 0.01 * k);
     h.push_back(parabola_depth(x.back()));

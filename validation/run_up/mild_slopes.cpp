@@ -90,8 +90,7 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
           "energy as by the Euler equations.",
           "rms of R/R_Euler - 1",
           [](const MildSlopes& r) -> Measurement {
-            Mean off;
-            Mean uncertain;
+            Mean off, uncertain;
             for (const EulerRunup& one : r.euler) {
               off.add(one.green_naghdi / one.runup - 1);
               uncertain.add(one.uncertainty / one.runup);

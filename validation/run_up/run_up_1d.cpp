@@ -49,14 +49,12 @@ SetUp set_up(const Values& values) {
 }
 
 struct History {
-  std::vector<double> time;
-  std::vector<double> shoreline;
+  std::vector<double> time, shoreline;
 };
 
 struct Surface {
   double time = 0;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
 };
 
 Surface surface_of(const Flow& flow) {
@@ -77,8 +75,7 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
   const std::span shown_time = std::span(history.time).subspan(static_cast<std::size_t>(first));
   panel.line("model", shown_time, std::span(history.shoreline).subspan(static_cast<std::size_t>(first)),
              Role::computed);
-  std::vector<double> time;
-  std::vector<double> elevation;
+  std::vector<double> time, elevation;
   const double end = std::min(shown_time.back(), 0.999 * theory.breaking_time());
   for (const double t : evenly(shown_time.front(), end, 201)) {
     time.push_back(t);
@@ -95,8 +92,7 @@ void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfa
     const double lowest = -0.3;
     auto& panel = figure.panel(
         {.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:.1f}", one.time), .y_min = lowest});
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       if (one.x[i] < -2 * cot_slope - 5) continue;
       x.push_back(one.x[i]);

@@ -290,8 +290,7 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
                             "Runs through run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and "
                             "of run-up, 0.8183 cot^(-10/9).")
                     .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
-  std::vector<double> limit;
-  std::vector<double> up_limit;
+  std::vector<double> limit, up_limit;
   for (const double cot_slope : mapped_slopes) {
     limit.push_back(backwash_limit(cot_slope));
     up_limit.push_back(0.8183 / 0.479 * limit.back());
@@ -299,8 +298,7 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
   panel.line("breaks running back", mapped_slopes, limit, Role::exact);
   panel.line("breaks running up", mapped_slopes, up_limit, Role::guide);
   const auto points = [&](const std::string& label, Role role, const auto& is) {
-    std::vector<double> cot_slope;
-    std::vector<double> amplitude;
+    std::vector<double> cot_slope, amplitude;
     for (const Mapped& one : map) {
       if (!is(one.fate)) continue;
       cot_slope.push_back(one.wave.cot_slope);

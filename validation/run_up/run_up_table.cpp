@@ -140,8 +140,7 @@ bool measured(const Row& row) {
 
 /// rms of R/R_measured - 1 with the finest spacing; the shoreline makes its numerical error one of first order.
 Measurement off_measured(const std::vector<Row>& rows, std::size_t variant, bool on_steep) {
-  std::vector<double> spacing;
-  std::vector<double> distance;
+  std::vector<double> spacing, distance;
   for (std::size_t level = rows.front().computed[variant].size(); level-- > 0;) {
     spacing.push_back(runup_spacing(level));
     distance.push_back(rms(
@@ -240,8 +239,7 @@ const std::vector<Series> computed_series{
 const Series law_series{"run-up law", Role::peer, [](const Row& row) { return row.law; }};
 
 struct Points {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
 };
 /// R/A of a series where it has entries.
 template <class Abscissa>

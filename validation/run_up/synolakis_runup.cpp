@@ -40,8 +40,7 @@ double exact_runup() {
 
 /// Run-up of the wave A = 0.019 with spacings 1/2, 1/4, ... and one of the tips.
 struct Sequence {
-  std::vector<double> spacing;
-  std::vector<double> runup;
+  std::vector<double> spacing, runup;
 
   [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
 };
@@ -160,9 +159,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                     .panel({.x = "A [depth]", .y = "R [depth]", .log_x = true, .log_y = true});
   const io::Table table = values.table("synolakis_1987_runup");
   panel.points("laboratory", table.column("A_over_d"), table.column("R_over_d"), Role::data);
-  std::vector<double> a;
-  std::vector<double> height;
-  std::vector<double> law;
+  std::vector<double> a, height, law;
   for (const auto& [amplitude, runup] : all.runup) {
     a.push_back(amplitude);
     height.push_back(runup);

@@ -37,8 +37,7 @@ const std::string source = "Su and Mirie (1980); Serre (1953)";
 /// One height with the spacing and twice and four times that.
 struct Converged {
   double amplitude = 0;
-  std::vector<double> spacing;
-  std::vector<double> runup;
+  std::vector<double> spacing, runup;
 
   [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
 };
@@ -56,8 +55,7 @@ Converged converge(const Values& values, double amplitude) {
 
 /// All heights of the table of exact values.
 struct Comparison {
-  std::vector<double> amplitude;
-  std::vector<double> euler;
+  std::vector<double> amplitude, euler;
   std::vector<Converged> heights;
 
   [[nodiscard]] double serre(std::size_t k) const { return heights.at(k).limit().extrapolated; }
@@ -101,15 +99,12 @@ void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
-  std::vector<double> su_mirie;
-  std::vector<double> byatt_smith;
+  std::vector<double> su_mirie, byatt_smith;
   for (const double a : fine) {
     su_mirie.push_back(WallRunup::su_mirie(a) / a);
     byatt_smith.push_back(WallRunup::byatt_smith(a) / a);
   }
-  std::vector<double> euler;
-  std::vector<double> serre;
-  std::vector<double> gap;
+  std::vector<double> euler, serre, gap;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
     euler.push_back(all.euler[k] / all.amplitude[k]);
     serre.push_back(all.serre(k) / all.amplitude[k]);

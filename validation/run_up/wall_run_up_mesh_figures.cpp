@@ -121,8 +121,7 @@ Results compute(const Run& run) {
 
 /// Of the values that all meshes give for one wave, as half-width for the finest; NaN where one of them folds.
 double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member) {
-  std::vector<double> size;
-  std::vector<double> value;
+  std::vector<double> size, value;
   for (const Curve& curve : curves) {
     size.push_back(1 / static_cast<double>(curve.rows));
     value.push_back(curve.value(amplitude, member));
@@ -300,8 +299,7 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
                  Role::exact);
     curves_on(panel, compared_loads[load].member);
   };
-  std::vector<double> still_series;
-  for (const double a : fine) still_series.push_back(exact::WallLoad::still_series(a));
+  const std::vector<double> still_series = each(fine, [&](const double a) { return exact::WallLoad::still_series(a); });
   auto& loads = exhibit.figure("pressure", "Largest pressure on the wall",
                                "At y = 0, taken as the still-water level, and at the bottom, where it is 1 at rest; "
                                "exact values of the Euler equations.",

@@ -225,8 +225,7 @@ void draw_runup(const std::vector<Told>& all, const io::Table& exact, evidence::
   const std::vector<std::string> shown{"frank", "coarse", "hourglass_1", "barrier_hourglass", "all", "rezoned"};
   for (const std::string& name : shown) {
     const Told& told = find(all, name);
-    std::vector<double> amplitude;
-    std::vector<double> runup;
+    std::vector<double> amplitude, runup;
     for (const Fate& fate : told.fates) {
       if (!fate.reached) break;
       amplitude.push_back(fate.amplitude);

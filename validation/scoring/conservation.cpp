@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -91,8 +92,8 @@ void draw(const History& history, evidence::Record& record) {
   const std::vector<double>& t = history.at("t");
   for (const std::string& name : conserved_names()) {
     if (!shown(name)) continue;
-    std::vector<double> change;
-    for (const double value : history.at(name)) change.push_back(value / history.at(name).front() - 1);
+    const std::vector<double> change =
+        each(history.at(name), [&](const double value) { return value / history.at(name).front() - 1; });
     panel.line(name, t, change);
   }
 }

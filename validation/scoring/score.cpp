@@ -17,6 +17,7 @@
 #include "seiche/samples.hpp"
 #include "validation/case/submission.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -35,8 +36,7 @@ void draw(evidence::Panel& panel, const WantedTable& wanted, const WantedQuantit
     for (int k = 0; k <= samples; ++k) x.push_back(std::lerp(from, to, static_cast<double>(k) / samples));
     std::sort(x.begin(), x.end());
   }
-  std::vector<double> known;
-  std::vector<double> y;
+  std::vector<double> known, y;
   for (const double at : x) {
     const double value = quantity.reference({group.value, at});
     if (std::isnan(value)) continue;
@@ -216,8 +216,7 @@ class QuantityScore {
 
   void measure_curve() {
     const std::vector<double> x = table_.points(group_.value);
-    std::vector<double> y;
-    for (const double at : x) y.push_back(quantity_.reference({group_.value, at}));
+    const std::vector<double> y = each(x, [&](const double at) { return quantity_.reference({group_.value, at}); });
     leave_gaps_out(x, y);
     const Curve submitted{group_.abscissa, group_.values.at(quantity_.column.name)};
     try {

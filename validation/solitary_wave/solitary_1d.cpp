@@ -31,6 +31,7 @@ and steps. What the latter buys is in the histories: energy and every cell's vol
 #include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/solitary_wave/serre_wave.hpp"
 
 namespace seiche::validation::cases::solitary_1d {
@@ -72,8 +73,7 @@ SerreHistory follow(dispersive_shallow_water_1d::Flow& flow, const SerreWave& wa
 /// A line without the entries that are exactly zero, which a logarithmic axis cannot show.
 void draw_defects(evidence::Panel& panel, const std::string& label, const SerreHistory& history,
                   std::vector<double> SerreHistory::*quantity) {
-  std::vector<double> time;
-  std::vector<double> defect;
+  std::vector<double> time, defect;
   for (std::size_t k = 0; k < history.time.size(); ++k) {
     if ((history.*quantity)[k] <= 0) continue;
     time.push_back(history.time[k]);
@@ -231,8 +231,7 @@ void draw_wave(evidence::Exhibit& exhibit, const Results& r, const Values& value
   const exact::SerreSolitary exact = wave.exact();
   const double reach = std::min(wave.length() / 2, 12.0);
   const std::vector<double> fine = evenly(-reach, reach, 241);
-  std::vector<double> elevation;
-  for (const double s : fine) elevation.push_back(exact.elevation(s));
+  const std::vector<double> elevation = each(fine, [&](const double s) { return exact.elevation(s); });
   surface.line("exact", fine, elevation, Role::exact);
   std::vector<double> place, height, difference;
   for (std::size_t i = 0; i < flow.x().size(); ++i) {

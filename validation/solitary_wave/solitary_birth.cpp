@@ -91,9 +91,7 @@ struct Family {
   std::vector<Born> waves;
 
   [[nodiscard]] std::vector<double> amplitudes() const {
-    std::vector<double> values;
-    for (const Born& wave : waves) values.push_back(wave.amplitude);
-    return values;
+    return each(waves, [&](const Born& wave) { return wave.amplitude; });
   }
   /// A quantity at a height, linear between the waves.
   template <class Quantity>

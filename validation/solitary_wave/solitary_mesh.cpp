@@ -246,8 +246,7 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
   Travels unfolded;
   for (const Travel& travel : r.refinement) {
     const CrestTrack& track = travel.outcome.track;
-    std::vector<double> lags;
-    std::vector<double> heights;
+    std::vector<double> lags, heights;
     for (std::size_t k = 0; k < track.time.size(); ++k) {
       lags.push_back(track.place[k] - start - r.wave.speed() * track.time[k]);
       heights.push_back(track.elevation[k] / travel.amplitude);

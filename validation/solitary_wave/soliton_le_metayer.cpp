@@ -199,8 +199,7 @@ Results compute(const Run& run) {
 
 /// Along the best steps, but for the coarsest cells, which are a depth wide.
 evidence::ObservedOrder order_of(const Curve& curve, double floor) {
-  std::vector<double> spacing;
-  std::vector<double> error;
+  std::vector<double> spacing, error;
   for (std::size_t k = 1; k < curve.error.size(); ++k) {
     if (curve.bound_by_stability[k]) continue;
     spacing.push_back(curve.spacing[k]);
@@ -309,8 +308,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     if (i == 0) slope_guide(by_cells, -2, curve.cells, 0.4 * curve.error.back());
   }
   draw_wave(exhibit, wave_of(values), r.picture);
-  std::vector<double> cells;
-  std::vector<double> errors;
+  std::vector<double> cells, errors;
   for (const PeerPoint& point : peer) {
     cells.push_back(point.cells);
     errors.push_back(point.error);

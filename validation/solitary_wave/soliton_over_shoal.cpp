@@ -203,8 +203,7 @@ double left_out(const ShoalWave& wave) {
 
 /// On the finest cells, with the uncertainty that all give.
 evidence::GridConvergence converged(const Results& all, ShoalRun Pair::*model, std::size_t gauge) {
-  std::vector<double> size;
-  std::vector<double> value;
+  std::vector<double> size, value;
   for (const Pair& pair : all) {
     size.push_back(pair.wave.spacing());
     value.push_back((pair.*model).highest[gauge].value());

@@ -164,8 +164,7 @@ SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long 
     run.dissipated.push_back((flow.stabilisation_loss() - flow.drift_work()) / kinetic);
   };
   keep();
-  Worst energies;
-  Worst masses;
+  Worst energies, masses;
   const auto parts = static_cast<long>(std::ceil(time / interval));
   for (long part = 1; part <= parts; ++part) {
     flow.advance_to(time * static_cast<double>(part) / static_cast<double>(parts), tau, [&] {

@@ -327,8 +327,7 @@ Results compute(const Run& run) {
                                        run.real("surface_rate")};
   const std::vector<long> rows = meshes(run);
   for (const long n : rows) {
-    std::vector<double> periods;
-    std::vector<double> noises;
+    std::vector<double> periods, noises;
     const double tau = 0.4 / static_cast<double>(n);
     for (const Kind& kind : kinds) {
       const Wave wave = run_wave(kind, small_amplitude, n, tau, small_periods, control);
@@ -366,8 +365,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<Kind> all = kinds_of_life();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Wave& wave = r.life[i];
-    std::vector<double> time;
-    std::vector<double> amplitude;
+    std::vector<double> time, amplitude;
     for (std::size_t n = 0; n < wave.time.size(); ++n) {
       time.push_back(wave.time[n] / period());
       amplitude.push_back(wave.amplitude[n] / values.real("amplitude"));

@@ -153,10 +153,7 @@ Results compute(const Run& run) {
 }
 
 void draw(evidence::Exhibit& exhibit, const exact::MacDonald& channel, const Means& means) {
-  std::vector<double> x;
-  std::vector<double> surface;
-  std::vector<double> bed;
-  std::vector<double> exact;
+  std::vector<double> x, surface, bed, exact;
   for (int k = 0; k <= 400; ++k) {
     x.push_back(channel.length() * k / 400);
     bed.push_back(channel.elevation(x.back()));

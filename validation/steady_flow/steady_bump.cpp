@@ -183,8 +183,7 @@ struct Errors {
   Mean depth;       ///< L1, over the settled instants
   Mean discharge;   ///< relative L1
   Mean jump_depth;  ///< the same within a metre of the jump
-  Mean jump_discharge;
-  Mean below_jump_discharge;
+  Mean jump_discharge, below_jump_discharge;
   ProfileErrors peer;
 };
 
@@ -306,9 +305,7 @@ Results compute(const Run& run) {
 
 void draw(evidence::Exhibit& exhibit, const Settling& r, const Regime& regime) {
   const exact::SteadyBump& flow = regime.flow;
-  std::vector<double> x;
-  std::vector<double> surface;
-  std::vector<double> bed;
+  std::vector<double> x, surface, bed;
   for (int k = 0; k <= 500; ++k) {
     x.push_back(25.0 * k / 500);
     bed.push_back(flow.elevation(x.back()));

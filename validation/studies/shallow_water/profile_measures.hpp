@@ -11,9 +11,7 @@ namespace seiche::validation {
 
 /// Depth and velocity along x.
 struct ExactCurve {
-  std::vector<double> x;
-  std::vector<double> depth;
-  std::vector<double> velocity;
+  std::vector<double> x, depth, velocity;
 };
 
 /// On [from, to], sampled densely and at both sides of every breakpoint.
@@ -26,9 +24,7 @@ ExactCurve computed_curve(const Profile& profile);
 
 /// Centres and mean values as arrays.
 struct Means {
-  std::vector<double> centre;
-  std::vector<double> depth;
-  std::vector<double> velocity;
+  std::vector<double> centre, depth, velocity;
 };
 Means means_of(const Profile& profile);
 

@@ -141,9 +141,7 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
        "processor time [s]", "energy [1]", "momentum [1]", in("lasted", units.time), in("asked", units.time),
        "broke by"});
   for (const Entry& entry : entries_) {
-    std::vector<double> seconds;
-    std::vector<double> errors;
-    std::vector<double> uncertainties;
+    std::vector<double> seconds, errors, uncertainties;
     for (const Attempt& one : entry.attempts) {
       table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
                             one.momentum, one.lasted, one.asked, one.cause});
