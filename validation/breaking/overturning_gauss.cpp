@@ -35,8 +35,8 @@ to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 #include "validation/breaking/free_particle_surface.hpp"
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/instruments/processor_time.hpp"
-#include "validation/instruments/sph_steep_wave.hpp"
 
 namespace seiche::validation::cases::overturning_gauss {
 namespace {

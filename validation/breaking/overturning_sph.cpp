@@ -32,7 +32,7 @@ bottom by a part of a spacing; the kinetic energy is within a few per cent of th
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/sph_steep_wave.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/speed_field.hpp"

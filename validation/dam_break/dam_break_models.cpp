@@ -42,7 +42,7 @@ water has no vertical front.
 #include "validation/case/case.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/gauss_column.hpp"
-#include "validation/instruments/sph_front.hpp"
+#include "validation/instruments/particles/sph_front.hpp"
 #include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::dam_break_models {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "validation/instruments/sph_front.hpp"
+#include "validation/instruments/particles/sph_front.hpp"
 
 namespace seiche::validation {
 

@@ -28,7 +28,7 @@ cut cells, the sums over particles, and the steps.
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
-#include "validation/instruments/gauss_pressure.hpp"
+#include "validation/instruments/particles/gauss_pressure.hpp"
 
 namespace seiche::validation::cases::ellipse_gauss {
 namespace {

@@ -36,9 +36,9 @@ short time, methods of high order are far cheaper than either.
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "validation/instruments/processor_time.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
 
 namespace seiche::validation::cases::one_step_scheme {
 namespace {

@@ -9,7 +9,7 @@
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/water_surface.hpp"
-#include "validation/instruments/plan_gauges.hpp"
+#include "validation/instruments/plan/plan_gauges.hpp"
 #include "validation/laboratory/dispersive_flume.hpp"
 
 namespace seiche::validation::laboratory {

@@ -32,8 +32,8 @@ is a hundredth lower.
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
-#include "validation/instruments/oblique_wave.hpp"
-#include "validation/instruments/row_crests.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
+#include "validation/instruments/plan/row_crests.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 #include "validation/mach_reflection/surface_part.hpp"
 

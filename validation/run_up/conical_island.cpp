@@ -43,7 +43,7 @@ high at the sides as the water of the experiment.
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 
 namespace seiche::validation::cases::conical_island {
 namespace {

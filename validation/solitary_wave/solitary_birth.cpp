@@ -44,9 +44,9 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
-#include "validation/instruments/crest_track.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/mesh_solitary_wave.hpp"
+#include "validation/instruments/mesh/crest_track.hpp"
+#include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::solitary_birth {

@@ -35,9 +35,9 @@ A small restoring force (`hourglass`) prevents it too.
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/crest_track.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/mesh_solitary_wave.hpp"
+#include "validation/instruments/mesh/crest_track.hpp"
+#include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::solitary_mesh {

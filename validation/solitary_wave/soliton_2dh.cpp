@@ -27,7 +27,7 @@ fold there in the end, long after the wave has gone, and the runs of two and thr
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/instruments/plan_soliton.hpp"
+#include "validation/instruments/plan/plan_soliton.hpp"
 
 namespace seiche::validation::cases::soliton_2dh {
 namespace {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_gauges.hpp"
+#include "validation/instruments/plan/plan_gauges.hpp"
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/wave_basin.hpp"
 #include "verification/check.hpp"
@@ -147,7 +147,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   check.that({.id = "outside",
               .text = "Where there is no water they read nothing.",
               .quantity = "gauges outside that read a number",
-              .source = "validation/instruments/plan_gauges.hpp"},
+              .source = "validation/instruments/plan/plan_gauges.hpp"},
              {.value = numbers}, Bound{0, "none stands in the water"});
 }
 

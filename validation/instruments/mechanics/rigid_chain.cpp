@@ -1,4 +1,4 @@
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 
 #include <algorithm>
 #include <array>

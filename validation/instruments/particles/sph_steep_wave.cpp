@@ -1,4 +1,4 @@
-#include "validation/instruments/sph_steep_wave.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 
 #include <algorithm>
 #include <cmath>

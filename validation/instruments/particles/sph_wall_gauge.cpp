@@ -1,4 +1,4 @@
-#include "validation/instruments/sph_wall_gauge.hpp"
+#include "validation/instruments/particles/sph_wall_gauge.hpp"
 
 #include <array>
 #include <cmath>

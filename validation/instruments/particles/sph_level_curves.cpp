@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
 
 namespace seiche::wcsph {
 namespace {

@@ -17,7 +17,7 @@
 
 #include <vector>
 
-#include "validation/instruments/sph_volume_fraction.hpp"
+#include "validation/instruments/particles/sph_volume_fraction.hpp"
 
 namespace seiche::wcsph {
 

@@ -1,4 +1,4 @@
-#include "validation/instruments/plan_soliton.hpp"
+#include "validation/instruments/plan/plan_soliton.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "reports/evidence/claim.hpp"
-#include "validation/instruments/row_crests.hpp"
+#include "validation/instruments/plan/row_crests.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {

@@ -1,4 +1,4 @@
-#include "validation/instruments/plan_standing_mode.hpp"
+#include "validation/instruments/plan/plan_standing_mode.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "validation/instruments/sph_front.hpp"
+#include "validation/instruments/particles/sph_front.hpp"
 
 #include <algorithm>
 #include <cmath>

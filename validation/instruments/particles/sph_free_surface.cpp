@@ -1,4 +1,4 @@
-#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/instruments/gauss_pressure.hpp"
+#include "validation/instruments/particles/gauss_pressure.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -11,7 +11,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
-#include "validation/instruments/surface_lattice.hpp"
+#include "validation/instruments/plan/surface_lattice.hpp"
 
 namespace seiche::validation {
 

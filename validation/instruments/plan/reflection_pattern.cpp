@@ -1,4 +1,4 @@
-#include "validation/instruments/reflection_pattern.hpp"
+#include "validation/instruments/plan/reflection_pattern.hpp"
 
 #include <algorithm>
 #include <cmath>

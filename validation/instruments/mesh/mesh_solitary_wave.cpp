@@ -1,4 +1,4 @@
-#include "validation/instruments/mesh_solitary_wave.hpp"
+#include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/instruments/gauss_outline.hpp"
+#include "validation/instruments/particles/gauss_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
 
 namespace seiche::gauss_particles {
 

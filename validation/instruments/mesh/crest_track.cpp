@@ -1,4 +1,4 @@
-#include "validation/instruments/crest_track.hpp"
+#include "validation/instruments/mesh/crest_track.hpp"
 
 #include <algorithm>
 #include <cmath>

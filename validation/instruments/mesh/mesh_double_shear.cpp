@@ -1,4 +1,4 @@
-#include "validation/instruments/mesh_double_shear.hpp"
+#include "validation/instruments/mesh/mesh_double_shear.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

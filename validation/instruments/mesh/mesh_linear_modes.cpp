@@ -1,4 +1,4 @@
-#include "validation/instruments/mesh_linear_modes.hpp"
+#include "validation/instruments/mesh/mesh_linear_modes.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "validation/instruments/sph_volume_fraction.hpp"
+#include "validation/instruments/particles/sph_volume_fraction.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "validation/instruments/row_crests.hpp"
+#include "validation/instruments/plan/row_crests.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "validation/instruments/plan_manufactured_flow.hpp"
+#include "validation/instruments/plan/plan_manufactured_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/instruments/wall_history.hpp"
+#include "validation/instruments/plan/wall_history.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "validation/instruments/surface_lattice.hpp"
+#include "validation/instruments/plan/surface_lattice.hpp"
 
 namespace seiche::validation {
 

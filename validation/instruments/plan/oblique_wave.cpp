@@ -1,4 +1,4 @@
-#include "validation/instruments/oblique_wave.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
 
 #include <algorithm>
 #include <cmath>

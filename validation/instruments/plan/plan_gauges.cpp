@@ -1,4 +1,4 @@
-#include "validation/instruments/plan_gauges.hpp"
+#include "validation/instruments/plan/plan_gauges.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>
