@@ -113,7 +113,7 @@ constexpr double depth = std::numbers::pi;
 /// Below it an outline is the bottom's.
 constexpr double below_waves = -1;
 
-const std::string source =
+const std::string cauchy =
     "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
 
 PressureBreakingReference::PressureBreakingReference(double height, double pressure)
@@ -151,7 +151,7 @@ ComparedSurface compare(const PressureBreakingReference& reference, const gauss_
 void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
                           std::size_t steepest, BreakingLattice finest, double speed) {
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
-    claims.from(source).check(
+    claims.from(cauchy).check(
         fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
         fmt::format("At t = {:g} the surface agrees with potential flow, as far as the lattice resolves it.",
                     times[frame]),
@@ -164,14 +164,14 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
               .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
-  claims.from(source).check(
+  claims.from(cauchy).check(
       "vertical-tangent", "The time of the first vertical front agrees with potential flow.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
       Bound{.limit = finest.cell / (2 * speed) + finest.tau,
             .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
                       "every step"});
-  claims.from(source).check(
+  claims.from(cauchy).check(
       "convergence",
       fmt::format("At t = {:g} cells half as wide bring the surface nearer to potential flow.", times.at(steepest)),
       "rms distance, finest lattice over coarsest",
@@ -182,7 +182,7 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
             .reason = "second order in the cells' width, of which half an order is left to their random shifts"});
   const double phase = finest.tau * finest.tau / 24;
   const double interpolation = std::pow(finest.cell, 3) / 24;
-  claims.from(source).check(
+  claims.from(cauchy).check(
       "exact-work", "The work of the pressure agrees with its work on potential flow.", "work, relative difference",
       [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
       Bound{.limit = phase + interpolation,
@@ -215,7 +215,6 @@ const std::string source =
     "(1976) 1";
 
 constexpr double half_length = std::numbers::pi;
-constexpr double depth = std::numbers::pi;
 const std::vector<double> frame_times{0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4};
 
 /// The last frame whose curvature every lattice resolves.

@@ -45,10 +45,6 @@ eighth wide, a few tenths of a per cent of most.
 namespace seiche::validation::cases::slope_run_up_mesh {
 namespace {
 
-using slope_run_ups::Climbed;
-using slope_run_ups::compared;
-using slope_run_ups::meshes;
-using slope_run_ups::Row;
 
 // The run-ups on plane slopes that the two-dimensional Lagrangian mesh is judged by, and its own, on a sequence of
 // meshes.
@@ -364,7 +360,7 @@ Climb climb_one(const Values& values) {
 Results compute(const Run& run) {
   Results r{.one = climb_one(run), .all = {}};
   run.progress(0.1);
-  const std::vector<Row> rows = slope_run_ups::rows_of(run);
+  const std::vector<Row> rows = rows_of(run);
   for (const Row& row : rows) {
     r.all.push_back(climb_row(row, levels(run)));
     run.progress(0.1 + 0.9 * static_cast<double>(r.all.size()) / static_cast<double>(rows.size()));
