@@ -81,8 +81,6 @@ struct SphPlunged {
   wcsph::Extremes extremes;
 };
 
-void exchange(Tape& tape, SphPlunged& result);
-
 wcsph::Scene scene_of(const SphPlunging& setup) {
   const double spacing = setup.depth / static_cast<double>(setup.layers);
   return wcsph::flume({.length = spacing * std::round(setup.flume * setup.wavelength / spacing),

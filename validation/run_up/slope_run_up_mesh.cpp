@@ -45,7 +45,6 @@ eighth wide, a few tenths of a per cent of most.
 namespace seiche::validation::cases::slope_run_up_mesh {
 namespace {
 
-
 // The run-ups on plane slopes that the two-dimensional Lagrangian mesh is judged by, and its own, on a sequence of
 // meshes.
 //
