@@ -158,10 +158,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
     claim_rest(claims.of([k](const Results& r) -> const Rest& { return r.fine.at(k); }), options[k], values);
   }
   const auto converges = [](const Option& option) {
-    return evidence::Claim{.id = "converges-" + option.name,
-                           .text = fmt::format("Half the spacing halves the error of the pressure ({}).", option.name),
-                           .quantity = "rms error with dx over that with 2 dx",
-                           .source = source};
+    return evidence::Claim{"converges-" + option.name,
+                           fmt::format("Half the spacing halves the error of the pressure ({}).", option.name),
+                           "rms error with dx over that with 2 dx", "1", source};
   };
   const auto ratio = [](std::size_t option) {
     return [option](const Results& r) { return r.fine.at(option).all / r.wide.at(option).all; };

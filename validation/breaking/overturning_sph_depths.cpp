@@ -130,11 +130,8 @@ evidence::KnownFailure late_jet() {
 void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& values) {
   const auto surface = [&](const std::string& id, const std::string& when, std::size_t instant) {
     const evidence::Claim claim{
-        .id = id + shape.id,
-        .text = fmt::format("{} the surface agrees with potential flow to one spacing ({}).", when, shape.name),
-        .quantity = "rms distance of the surfaces",
-        .unit = "m",
-        .source = source};
+        id + shape.id, fmt::format("{} the surface agrees with potential flow to one spacing ({}).", when, shape.name),
+        "rms distance of the surfaces", "m", source};
     claims.fails(late_jet(), claim.id == "jet-deep" && full_as_it_stands(values))
         .check(
             claim,
@@ -154,11 +151,9 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
   const auto landed =
       claims.only_if(values.tier() != Tier::quick, "its particles close a cavity that is three of them wide");
   const auto claim = [](const std::string& id, const std::string& text, const std::string& other) {
-    return evidence::Claim{
-        .id = id,
-        .text = text,
-        .quantity = fmt::format("area of the cavity as it closes, with the stress over that {}", other),
-        .source = "Plunging breaking waves by weakly compressible smoothed particles, figure 6"};
+    return evidence::Claim{id, text,
+                           fmt::format("area of the cavity as it closes, with the stress over that {}", other), "1",
+                           "Plunging breaking waves by weakly compressible smoothed particles, figure 6"};
   };
   const auto over = [](const SphOverturned& other, const SphOverturned& stress) -> Measurement {
     return {.value = stress.cavity / other.cavity,

@@ -223,10 +223,8 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
                   .reason = "a diaphragm and friction can only delay the water"});
   constexpr double no_band = std::numeric_limits<double>::infinity();
   const evidence::Claim shift{
-      .id = "shift",
-      .text = "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
-      .quantity = "shift of the time origin, in the unit of T",
-      .source = experiment};
+      "shift", "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
+      "shift of the time origin, in the unit of T", "1", experiment};
   const auto late = [](const Results& r) { return r.fit.shift; };
   const evidence::Claim rms{.id = "rms",
                             .text = "With this one shift the front goes through the measured points.",

@@ -101,10 +101,8 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, lon
     };
   };
   const evidence::Claim shift{
-      .id = "shift",
-      .text = "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
-      .quantity = "shift of the time origin, in sqrt(a/2g)",
-      .source = experiment};
+      "shift", "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
+      "shift of the time origin, in sqrt(a/2g)", "1", experiment};
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "artificial viscosity, which goes with the spacing, holds the column back as well: "

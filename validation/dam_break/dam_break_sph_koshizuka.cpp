@@ -76,10 +76,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);
   claim_sound(claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); }), values);
-  const evidence::Claim shift{.id = "shift-mps",
-                              .text = "The SPH front and the MPS computation start at the same time within 0.1.",
-                              .quantity = "shift of the time origin, in sqrt(L/2g)",
-                              .source = mps.citation};
+  const evidence::Claim shift{"shift-mps", "The SPH front and the MPS computation start at the same time within 0.1.",
+                              "shift of the time origin, in sqrt(L/2g)", "1", mps.citation};
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for "

@@ -235,12 +235,10 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
 evidence::Claim claim_of(const Experiment& experiment) {
   std::vector<std::string> parts;
   for (const Series& part : experiment.parts) parts.push_back(part.quantity.meaning);
-  return {.id = "agreement",
-          .text = fmt::format("All readings of {} agree with the measurement within their combined uncertainty.",
-                              fmt::join(parts, ", ")),
-          .quantity = "common factor, less 1, as clear as what the readings differ by",
-          .unit = "1",
-          .source = experiment.source};
+  return {"agreement",
+          fmt::format("All readings of {} agree with the measurement within their combined uncertainty.",
+                      fmt::join(parts, ", ")),
+          "common factor, less 1, as clear as what the readings differ by", "1", experiment.source};
 }
 
 Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input) {

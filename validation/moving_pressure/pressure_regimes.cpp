@@ -242,10 +242,8 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
 void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegime& regime, const PressureRun& run) {
   const Claims<PressureWaves> claims = all.at(run.text());
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{.id = regime.id + "-" + id,
-                           .text = fmt::format("{} ({})", text, regime.source.text()),
-                           .quantity = quantity,
-                           .source = source};
+    return evidence::Claim{regime.id + "-" + id, fmt::format("{} ({})", text, regime.source.text()), quantity, "1",
+                           source};
   };
   claims.check(
       regime.solitons ? claim("solitons", "Solitons run ahead of the source.", "forward solitons present")

@@ -191,10 +191,9 @@ bool resolves_breaking(double spacing) {
 
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const Measured& data) {
   const evidence::Claim runup{
-      .id = "runup-" + wave.name,
-      .text = fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
-      .quantity = "rms of R/R_measured - 1, of all nine angles",
-      .source = source};
+      "runup-" + wave.name,
+      fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
+      "rms of R/R_measured - 1, of all nine angles", "1", source};
   const Uncertainty criterion{
       .data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
       .useful = 0.25,

@@ -276,7 +276,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Qualitative goes{.detector = "no corner folds until the crest is half way back",
                          .reason = "the Euler equations have a solution that does"};
   const auto does = [&](const std::string& id, const std::string& text, const std::string& from) {
-    return evidence::Claim{.id = id, .text = text, .quantity = "it does", .source = from};
+    return evidence::Claim{id, text, "it does", "1", from};
   };
   // On coarser meshes nothing is known beforehand.
   const auto not_expected = [&](const evidence::Claim& claim, const auto& measured, const Qualitative& criterion,

@@ -117,13 +117,12 @@ std::optional<double> times(double factor, std::optional<double> uncertainty) {
 
 evidence::Claim claim_of(const WantedTable& table, const WantedQuantity& quantity, const Requirement& requirement) {
   const MeasureText& text = wording_of(requirement.measure);
-  return {.id = quantity.column.name + "-" + text.id,
-          .text = requirement.text,
-          .quantity = fmt::format("{} of {}", text.name, quantity.column.name),
-          .unit = *text.unit == '\0'  ? quantity.column.unit
-                  : *text.unit == 'x' ? table.abscissa->unit
-                                      : text.unit,
-          .source = requirement.source};
+  return {quantity.column.name + "-" + text.id, requirement.text,
+          fmt::format("{} of {}", text.name, quantity.column.name),
+          *text.unit == '\0'  ? quantity.column.unit
+          : *text.unit == 'x' ? table.abscissa->unit
+                              : text.unit,
+          requirement.source};
 }
 
 /// Judges one quantity in one group.

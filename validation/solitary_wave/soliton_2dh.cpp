@@ -106,8 +106,7 @@ Bound energy_bound(const Travel& travel) {
 
 void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
   const auto claim = [&](const std::string& what, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{
-        .id = travel.id + "-" + what, .text = travel.name + ": " + text, .quantity = quantity, .source = frank};
+    return evidence::Claim{travel.id + "-" + what, travel.name + ": " + text, quantity, "1", frank};
   };
   const PlanSolitonRun& run = travel.run;
   const Bound unseen = travel.layers == 0 ? Bound{0.01 * run.spacing * run.spacing,

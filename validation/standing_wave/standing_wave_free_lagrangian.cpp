@@ -274,8 +274,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   };
   const Bound whole{.limit = 1e-9, .reason = "the periods that were asked for", .expected = periods};
   const auto claim = [](const std::string& id, const std::string& text) {
-    return evidence::Claim{
-        .id = "life-" + id, .text = text, .quantity = "periods until it breaks down", .source = source};
+    return evidence::Claim{"life-" + id, text, "periods until it breaks down", "1", source};
   };
   life.only_if(controlled, "nodes on the surface that nothing draws back collide")
       .check(claim("variable-mass", "Particles of variable mass carry the high wave to the end."), lasts(of_variable),

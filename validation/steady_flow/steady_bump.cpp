@@ -206,10 +206,8 @@ using Results = std::vector<Settling>;  // of the regimes
 void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
   const auto claim = [&](const std::string& what, const std::string& text,
                          const std::string& quantity) -> evidence::Claim {
-    return {.id = regime.name + "-" + what,
-            .text = fmt::format("{}: {}", regime.name, text),
-            .quantity = quantity,
-            .source = "Delestre et al. (2013), section 3.1"};
+    return {regime.name + "-" + what, fmt::format("{}: {}", regime.name, text), quantity, "1",
+            "Delestre et al. (2013), section 3.1"};
   };
   if (regime.name != "jump") {
     const Order second{
