@@ -12,8 +12,8 @@ energy over the bar.
 **What to look at.** The two gauges behind the bar: the third harmonic is there a wave of $kh$ = 3.6, which tells
 dispersion laws apart.
 */
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::dingemans_bar {
 namespace {

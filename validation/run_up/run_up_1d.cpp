@@ -25,7 +25,6 @@ and, with finer markers, rises a little less: what dispersion does.
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/processor_time.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_1d {
@@ -110,7 +109,6 @@ struct Results {
   History history;
   std::vector<Surface> surfaces;
   RunUp up;
-  double seconds = 0;
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -142,9 +140,7 @@ Results compute(const Run& run) {
     r.history.shoreline.push_back(shoreline);
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
-  const double begin = processor_seconds();
   r.up = run_up(climb, {.after_step = note, .latest = run.real("time")});
-  r.seconds = processor_seconds() - begin;
   return r;
 }
 
@@ -155,9 +151,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("time_of_maximum_after_toe", r.up.time - climb.time_to(-climb.cot_slope));
   exhibit.measure("runup_law", theory.law());
   exhibit.measure("runup_of_shallow_water_equations", theory.highest().elevation);
-  exhibit.measure("markers", static_cast<double>(r.up.markers));
-  exhibit.measure("steps", static_cast<double>(r.up.steps));
-  exhibit.measure("seconds", r.seconds);
   exhibit.measure("amplitude_over_backwash_limit", climb.amplitude / backwash_limit(climb.cot_slope));
   draw_shoreline(exhibit, r.history, theory, theory.law());
   draw_profiles(exhibit, r.surfaces, climb.cot_slope);

@@ -61,7 +61,6 @@ double rms(const Rows& rows, const Of& of) {
 struct Results {
   std::vector<Row> rows;
   MildSlopes mild;
-  double seconds = 0;  ///< for the table with h = 1/4 and the V/4 tip
 };
 
 std::size_t levels_of(const Values& values) {
@@ -316,10 +315,9 @@ Results compute(const Run& run) {
   double done = 0;
   for (std::size_t level = 0; level < levels; ++level) {
     for (std::size_t variant = 0; variant < runup_variants.size(); ++variant) {
-      const double seconds = compute_runups(r.rows, run, variant, level);
+      compute_runups(r.rows, run, variant, level);
       done += std::pow(4.0, level) / static_cast<double>(runup_variants.size());
       run.progress(done / whole);
-      if (level == 0 && variant == as_in_thesis) r.seconds = seconds;
     }
   }
   r.mild = {.small = small_waves(run, runup_spacing(0)), .euler = euler_runups(r.rows)};
@@ -328,7 +326,6 @@ Results compute(const Run& run) {
 
 void show_numbers(const Results& r, evidence::Exhibit& exhibit, std::size_t levels) {
   const Printed thesis_values = printed(r.rows);
-  exhibit.measure("seconds_of_the_table_at_h_1_4", r.seconds);
   exhibit.measure("thesis_printing_rms", thesis_values.decimals);
   exhibit.measure("thesis_change_by_halving_rms", thesis_values.change);
   exhibit.measure("own_change_by_halving_rms", own_change(r.rows));
@@ -341,9 +338,6 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit, std::size_t leve
   }
   for (std::size_t variant = 0; variant < runup_variants.size(); ++variant) {
     const std::string& id = runup_variants[variant].id;
-    exhibit.measure("measured_rms_steep_" + id, off_measured(r.rows, variant, true).value);
-    exhibit.measure("measured_rms_mild_" + id, off_measured(r.rows, variant, false).value);
-    exhibit.measure("other_authors_rms_" + id, off_other_authors(r.rows, variant));
     for (std::size_t level = 0; level < levels; ++level) {
       evidence::Array array{.name = fmt::format("runup_{}_h_1_{:g}", id, 1 / runup_spacing(level)),
                             .unit = "depth",

@@ -75,7 +75,7 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
     edge.add(flow.time(), flow.y().back());
     if (watch.after_step) watch.after_step(flow);
   }
-  RunUp run{.steps = flow.steps(), .markers = flow.x().size()};
+  RunUp run;
   if (fell()) {
     run.height = edge.value();
     run.time = edge.time();

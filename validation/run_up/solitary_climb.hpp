@@ -51,8 +51,6 @@ struct RunUp {
   /// Highest the water's edge gets before it falls again, and when, since the start; NaN if it was still rising.
   double height = std::numeric_limits<double>::quiet_NaN();
   double time = std::numeric_limits<double>::quiet_NaN();
-  long steps = 0;
-  std::size_t markers = 0;
 };
 
 struct ClimbWatch {

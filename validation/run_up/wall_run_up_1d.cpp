@@ -83,12 +83,6 @@ Worst over_series(const Comparison& all) {
 }
 
 void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
-  for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    const double a = all.amplitude[k];
-    exhibit.measure(fmt::format("runup_a_{:g}", a), all.heights[k].runup.back());
-    exhibit.measure(fmt::format("runup_a_{:g}_extrapolated", a), all.serre(k));
-    exhibit.measure(fmt::format("runup_a_{:g}_over_euler_less_1", a), all.serre(k) / all.euler[k] - 1);
-  }
   constexpr std::size_t lowest = 4;  // A = 0.1 to 0.4
   std::vector<double> gap;
   for (std::size_t k = 0; k < lowest; ++k) gap.push_back(all.gap(k));

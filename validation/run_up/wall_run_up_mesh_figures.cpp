@@ -222,20 +222,6 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_loads(finest, values.table("wall_load_exact"));
 }
 
-/// Numbers that no claim is about, wave by wave.
-void show_numbers(const std::vector<Curve>& curves, const Values& values, evidence::Exhibit& exhibit) {
-  const io::Table exact_loads = values.table("wall_load_exact");
-  for (const Load& load : compared_loads) {
-    for (std::size_t k = 0; k < exact_loads.rows(); ++k) {
-      const double amplitude = exact_loads.column("A")[k];
-      const double value = curves.back().value(amplitude, load.member);
-      if (std::isnan(value)) continue;
-      exhibit.measure(fmt::format("{}_a_{:.2f}_less_exact", load.id, amplitude),
-                      value - exact_loads.column(load.column)[k]);
-    }
-  }
-}
-
 void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
   evidence::Table& table =
       add_table(exhibit, "runup", "Largest run-up on a vertical wall",
@@ -313,7 +299,6 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  show_numbers(r.curves, values, exhibit);
   const io::Table exact = values.table("wall_runup_exact");
   std::vector<Curve> shown = r.curves;
   shown.push_back(r.rezoned.back());

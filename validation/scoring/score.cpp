@@ -215,7 +215,7 @@ class QuantityScore {
 
   void measure_curve() {
     const std::vector<double> x = table_.points(group_.value);
-    const std::vector<double> y = each(x, [&](const double at) { return quantity_.reference({group_.value, at}); });
+    std::vector<double> y = each(x, [&](const double at) { return quantity_.reference({group_.value, at}); });
     leave_gaps_out(x, y);
     const Curve submitted{group_.abscissa, group_.values.at(quantity_.column.name)};
     try {

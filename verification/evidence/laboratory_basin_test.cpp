@@ -11,8 +11,8 @@
 
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/plan_gauges.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
-#include "validation/laboratory/wave_basin.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
+#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 #include "verification/check.hpp"
 
 namespace laboratory_basin_test {
@@ -111,12 +111,12 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
     check.that({.id = "amplitude-" + id,
                 .text = "The wave amplitude agrees with linear theory of the model.",
                 .quantity = "amplitude over the stated one, less 1",
-                .source = "validation/laboratory/wave_basin.hpp"},
+                .source = "validation/studies/dispersive_shallow_water/wave_basin.hpp"},
                {.value = found.mean - 1, .resolution = "h = 0.1 m"}, waves.bound());
     check.that({.id = "reflection-" + id,
                 .text = "The wave reflected by the absorbing layer is small.",
                 .quantity = "amplitude of the wave that returns, over that of the one that comes",
-                .source = "validation/laboratory/wave_basin.hpp"},
+                .source = "validation/studies/dispersive_shallow_water/wave_basin.hpp"},
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
   }
 }

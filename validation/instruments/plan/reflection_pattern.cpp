@@ -25,7 +25,7 @@ double quantile(const std::vector<double>& sorted, double fraction) {
 }
 
 evidence::Measurement median_height(const std::vector<Crest>& crests) {
-  const std::vector<double> heights = each(crests, [&](const Crest& crest) { return crest.height; });
+  std::vector<double> heights = each(crests, [&](const Crest& crest) { return crest.height; });
   std::sort(heights.begin(), heights.end());
   return {.value = quantile(heights, 0.5),
           .uncertainty = 0.5 * (quantile(heights, 0.84) - quantile(heights, 0.16)),

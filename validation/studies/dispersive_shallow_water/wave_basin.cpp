@@ -1,4 +1,4 @@
-#include "validation/laboratory/wave_basin.hpp"
+#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 
 #include <cmath>
 #include <complex>
@@ -10,7 +10,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/water_surface.hpp"
 #include "validation/instruments/plan/plan_gauges.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {

@@ -1,4 +1,4 @@
-#include "validation/laboratory/dispersive_flume.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 #include <algorithm>
 #include <cmath>
