@@ -8,7 +8,7 @@ surface. Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No c
 
 **What is compared.** The places of particles and markers with the exact ones; with those of a space that holds the five
 linear fields alone, in which the particles err by the steps only; the pressure at the middle, fitted to the reactions
-of a step; energy and momenta.
+of a step.
 
 **What to look at.** The particles stay on their exact paths; the surface is as good as the inside.
 

@@ -8,8 +8,7 @@ control volume of radius $S/2$ = `smoothing`/2 spacings is centred on every part
 first velocities are projected on that.
 
 **What is compared.** Places of particles with the exact ones; the semi-axes of the linear map that fits the particles'
-motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to the radius, with steps in proportion;
-energy and momenta.
+motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to the radius, with steps in proportion.
 
 **What to look at.** Next to the surface control volumes are half empty, and what keeps the mass in them is not quite
 what keeps volume: the projection takes some per cent of the velocity there. Hence first order for the particles. The

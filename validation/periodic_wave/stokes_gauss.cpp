@@ -10,11 +10,10 @@ end-corrected. The space of fields is that of cubic splines on square cells; mar
 potential energy of the water under the line of markers, Frank's (7), so that energy and momentum are exact.
 
 **What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads or lags
-by what the steps make it; momentum and energy.
+by what the steps make it.
 
-**What to look at.** The markers lie on the exact curves, nearly so at the steepest crest. The energy of all
-four waves is constant to round-off. Frank's projection scheme (`scheme = dissipative`, `gravity = particles`) loses a
-fifth of it in the first period.
+**What to look at.** The markers lie on the exact curves, nearly so at the steepest crest. Frank's projection
+scheme (`scheme = dissipative`, `gravity = particles`) loses a fifth of the energy in the first period.
 
 **A variant**, of the tier `full`. With `gravity = particles` sums over particles are no exact integrals, gravity feeds
 small eddies and the long wave is lost within a period, unless a penalty on gradients of vorticity (`penalty = 0.01`),

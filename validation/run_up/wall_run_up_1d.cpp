@@ -7,9 +7,9 @@ shows what Serre's equations, to which Frank's one-dimensional model converges o
 last marker slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest
 steps, and goes to zero spacing by Richardson's extrapolation.
 
-**What is compared.** The energy of the run. The run-up for several heights with that of the Euler equations, and with
-the series $R = 2A + \tfrac12 A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows
-have the same series as far as long waves govern them; the case measures how far that is.
+**What is compared.** The run-up for several heights with that of the Euler equations, and with the series
+$R = 2A + \tfrac12 A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the
+same series as far as long waves govern them; the case measures how far that is.
 
 **What to look at.** The difference from the Euler equations grows nearly like $A^5$. The model is too low by 0.02 % at
 $A = 0.1$, 0.25 % at $0.2$, 3 % at $0.4$ and 15 % at $0.6$. There the water shoots up the wall as a thin sheet, of which

@@ -7,8 +7,8 @@ velocities, in a tank of 24 depths. The last column of nodes slides up and down 
 and the cells beside it give the pressure. Pressures are means over two steps; $y = 0$ is the still-water level.
 
 **What is compared.** The run-up with the exact value, on the mesh that was asked for and on coarser ones, columns, rows
-and steps together. The energy of the run. The loads have no exact values here: they come with the uncertainty that
-their change from mesh to mesh gives.
+and steps together. The loads have no exact values here: they come with the uncertainty that their change from mesh to
+mesh gives.
 
 **What to look at.** The run-up converges from below, with an order between 1.5 and 2 that rises with the resolution;
 so does the force, and the pressure at the bottom with order 2. The pressure at $y = 0$ is interpolated between two

@@ -12,9 +12,8 @@ zero with the cells' size. Another one needs no force: columns that lean are put
 
 **What is compared.** Without the potential: the time of the fold for two time steps and both schemes. With it: the run
 goes on; the energy of the one-step scheme stays within the band that its modified energy allows, $(\omega\tau)^2/4$ of
-itself for small waves; the conservative scheme keeps energy and areas to round-off. The potential's effect on the
-wave's frequency is compared with the error that the mesh has without it. With rezoning: the run goes on; what it takes
-from the wave's energy.
+itself for small waves. The potential's effect on the wave's frequency is compared with the error that the mesh has
+without it. With rezoning: the run goes on; what it takes from the wave's energy.
 
 **What to look at.** The worst corner falls ever faster from 1 to 0: the surface nodes drift along the row below them.
 With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before the fold as
