@@ -322,11 +322,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const double at = values.real("at");
   exhibit.measure("front", linear_at(run.front_curve(), at));
   exhibit.measure("height", linear_at({run.T, run.height}, at));
-  for (const double T : {0.4, 0.8, 1.2, 1.6, 2.0, 2.5, 3.0}) {
-    if (T > run.T.back()) continue;
-    exhibit.measure(fmt::format("front_at_T_{:.1f}", T), linear_at(run.front_curve(), T));
-    exhibit.measure(fmt::format("height_at_T_{:.1f}", T), linear_at({run.T, run.height}, T));
-  }
   if (r.fit.points > 0) measure_shift(exhibit, r.fit);
   exhibit.measure("penalty_loss", run.penalty_loss);
   exhibit.measure("free_particles", run.free_particles);

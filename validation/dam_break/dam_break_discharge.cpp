@@ -158,8 +158,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     std::vector<double> relative = q.value;
     for (double& one : relative) one /= s.exact;
     panel.line(s.ratio == 0 ? "dry bed" : fmt::format("depth ratio {:g}", s.ratio), q.time, relative, Role::computed);
-    exhibit.measure("discharge_lowest_" + s.id, smallest(q.value));
-    exhibit.measure("discharge_highest_" + s.id, largest(q.value));
     exhibit.measure("discharge_exact_" + s.id, s.exact);
   }
 }

@@ -208,16 +208,10 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
   const SphCollapse& finest = runs.back().run;
   measure_run(exhibit, finest);
   measure_sound(exhibit, runs.back());
-  for (const double T : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
-    exhibit.measure(fmt::format("front_at_T_{:.1f}", T), linear_at(finest.front_curve(), T));
-    exhibit.measure(fmt::format("energy_at_T_{:.1f}", T), linear_at({finest.T, finest.energy}, T));
-  }
   const std::vector<double> sizes = of_all(runs, spacing_of);
   measure_convergence(exhibit, "shift", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).shift; }));
   measure_convergence(exhibit, "rms", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).rms; }));
   measure_convergence(exhibit, "speed", sizes, of_all(runs, front_speed));
-  const std::vector<double> off = fit_of(finest, data).raw_off;
-  for (std::size_t i = 0; i < off.size(); ++i) exhibit.measure(fmt::format("off_at_T_{:.3f}", data.T[i]), off[i]);
   draw(exhibit, dam_of(values, values.integer("cells")), runs, data);
 }
 

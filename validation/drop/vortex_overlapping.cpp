@@ -338,8 +338,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure(name, of.mean);
     exhibit.measure(name + "_half_width", of.half_width);
   };
-  estimate("incoherent", r.incoherent_at);
-  estimate("kurtosis", r.kurtosis);
   estimate("growth_rate", r.growth);
   estimate("distance_at_end", r.distance_at_end);
   if (std::isfinite(r.quarter_time())) exhibit.measure("quarter_incoherent_time", r.quarter_time());

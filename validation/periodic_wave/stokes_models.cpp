@@ -255,17 +255,16 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 struct Shown {
-  std::string id, name, size;
+  std::string name, size;
   const Ladder& ladder;
   Role role;
 };
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const std::vector<Shown> models{
-      {"particles", "free particles", "cell", r.particles, Role::computed},
-      {"mesh", "Lagrangian mesh", "row", r.mesh, Role::peer},
-      {"dispersive", "dispersive shallow water", "marker spacing", r.dispersive, Role::data},
-      {"sph", "SPH", "particle spacing", r.sph, Role::guide}};
+  const std::vector<Shown> models{{"free particles", "cell", r.particles, Role::computed},
+                                  {"Lagrangian mesh", "row", r.mesh, Role::peer},
+                                  {"dispersive shallow water", "marker spacing", r.dispersive, Role::data},
+                                  {"SPH", "particle spacing", r.sph, Role::guide}};
   auto& cost = exhibit
                    .figure("cost", "Error against processor time",
                            "Rms error of the surface after one period, over the height; coarse to fine.")
@@ -281,8 +280,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       table.rows.push_back(
           {model.name, model.size, ladder.size[k], ladder.error[k], ladder.lead[k], ladder.seconds[k]});
     }
-    exhibit.measure(model.id + "_error", ladder.error.back());
-    exhibit.measure(model.id + "_phase", ladder.lead.back());
   }
   exhibit.measure("equations_apart", equations_apart(r.waves));
   auto& profile = exhibit.figure("profile", "The wave after one period", "The finest of each, and the exact wave.")

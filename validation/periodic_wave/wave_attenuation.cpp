@@ -311,8 +311,6 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     decay.points(model.name, cells, decays, model.role);
     phase.points(model.name, cells, phases, model.role);
     cost.points(model.name, seconds, larger, model.role);
-    exhibit.measure(model.id + "_decay", finest(results, model.id).rates.decay);
-    exhibit.measure(model.id + "_lead", finest(results, model.id).rates.lead);
   }
   auto& course = exhibit.figure("course", "The highest wave on its way", "The finest of each: its fundamental.");
   auto& height = course.panel({.x = "t/T", .y = "height over that of the exact wave"});

@@ -373,12 +373,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
         fmt::format("{}{}", all[i].name, all[i].stabilisation > 0 ? fmt::format(" by {:g}", all[i].stabilisation) : "");
     waves.line(label, time, amplitude);
     noises.line(label, time, wave.noise);
-    exhibit.measure(fmt::format("life_{}", all[i].id), wave.lasted);
-    exhibit.measure(fmt::format("noise_of_life_{}", all[i].id), largest(wave.noise));
     exhibit.measure(fmt::format("lost_{}", all[i].id), wave.lost);
-  }
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    exhibit.measure(fmt::format("noise_{}", kinds[i].id), r.noise.finest(i));
   }
 }
 

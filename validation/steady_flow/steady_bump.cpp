@@ -345,14 +345,7 @@ void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exh
       table.rows.back().emplace_back(mean->value());
     }
   }
-  const auto keep = [&](const std::string& name, double value) { exhibit.measure(name + "_" + regime.name, value); };
-  const Errors& finest = r.errors.back();
-  keep("cell_l1_h", finest.depth.value());
-  keep("relative_discharge_error", finest.discharge.value());
-  keep("cell_l1_h_muscl", finest.peer.depth);
-  keep("relative_discharge_error_muscl", finest.peer.discharge);
-  keep("mass_defect", r.finest.mass_defect);
-  keep("momentum_defect", r.finest.momentum_defect);
+  exhibit.measure("momentum_defect_" + regime.name, r.finest.momentum_defect);
   draw(exhibit, r, regime);
 }
 

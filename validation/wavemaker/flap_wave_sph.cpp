@@ -313,8 +313,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
 void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
   const Theory& linear = r.linear;
   const double transient = linear.heights[at_gauge][1];
-  exhibit.measure("settled_height", linear.settled_height);
-  exhibit.measure("transient_over_settled", transient / linear.settled_height);
   const auto measure = [&](const std::string& id, const std::vector<FlapWaves>& runs) {
     const FlapWaves& finest = runs.back();
     exhibit.measure("second_wave_over_transient" + id, r.heights(finest)[1] / transient);

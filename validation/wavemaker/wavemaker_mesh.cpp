@@ -239,8 +239,6 @@ SetUp set_up(const Values& values) {
           values.real("periods") * period};
 }
 
-constexpr std::size_t unrefined = 1;
-
 Convergence converge(const Run& run, const SetUp& s, const Gauges& theory) {
   const std::array<double, 4> factors{0.5, 1, 1.5, run.tier() == Tier::quick ? 2.0 : 3.0};
   const Paddle tiny = s.paddle.with_stroke(1e-5);
@@ -317,7 +315,6 @@ void draw_convergence(evidence::Exhibit& exhibit, const Convergence& c) {
                     .panel({.x = "h1 [depth]", .y = "relative error", .log_x = true, .log_y = true});
   for (std::size_t g = 0; g < gauges.size(); ++g) {
     panel.points(fmt::format("gauge at {:g}", gauges[g]), c.sizes, c.errors[g], g == 0 ? Role::computed : Role::peer);
-    exhibit.measure(fmt::format("relative_error_at_{:g}", gauges[g]), c.errors[g][unrefined]);
   }
   slope_guide(panel, 2, c.sizes, c.all.back());
 }
@@ -342,7 +339,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     auto& even = second.panel({.x = "t [sqrt(depth/g)]", .y = "elevation depth/stroke^2", .title = title});
     even.line(fmt::format("stroke {:g}", stroke), r.high.time, r.high.even[g], Role::computed);
     even.line(fmt::format("stroke {:g}", stroke / 2), r.low.time, r.low.even[g], Role::peer);
-    exhibit.measure(fmt::format("second_order_at_{:g}", gauges[g]), largest(r.high.even[g]));
   }
 }
 
