@@ -313,20 +313,6 @@ std::optional<validation::Repeats> repeats_of(const ScoreOptions& options, std::
   return repeats;
 }
 
-/// Why the numbers of a baseline are none to compare with: empty where they are.
-std::string unlike(const evidence::Summary& before, const evidence::Record& record) {
-  if (!before.error.empty()) return before.error;
-  for (const auto& [name, p] : record.parameters) {
-    const auto was = before.parameters.find(name);
-    if (was != before.parameters.end() && was->second == p.value) continue;
-    const auto in_words = [](const auto& value) { return fmt::format("{}", value); };
-    return fmt::format("scored with {} = {}, not {}", name,
-                       was == before.parameters.end() ? "none" : std::visit(in_words, was->second),
-                       std::visit(in_words, p.value));
-  }
-  return {};
-}
-
 /// The baseline, read before this score is written; none where this is to be the first.
 std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, const evidence::Record& record) {
   namespace fs = std::filesystem;
@@ -338,7 +324,7 @@ std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, cons
   std::string why = fmt::format("has no {}", kept.filename().string());
   if (fs::is_regular_file(kept)) {
     evidence::Summary before = evidence::read_summary(kept);
-    why = unlike(before, record);
+    why = validation::unlike(before, record);
     if (why.empty()) return before;
   }
   if (options.bless) return std::nullopt;

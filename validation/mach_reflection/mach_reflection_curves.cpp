@@ -293,17 +293,6 @@ Results compute(const Run& run) {
   return all;
 }
 
-void show_numbers(evidence::Exhibit& exhibit, const ReflectionSeries& series) {
-  const auto keep = [&](const std::string& name, double value) {
-    if (std::isfinite(value)) exhibit.measure(fmt::format("{}_a_{:g}", name, series.amplitude), value);
-  };
-  keep("largest_error_of_miles", from_theory(series, &ReflectionRun::kappa).value());
-  const Reflection& highest = series.highest();
-  keep("peak_reached", highest.wall_ratio().value);
-  keep("peak_limit", highest.limit_ratio().value);
-  keep("peak_limit_uncertainty", highest.limit_ratio().half_width());
-}
-
 void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   draw_amplitudes(exhibit, all);
   draw_regimes(exhibit, all, values);
@@ -311,16 +300,9 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
   draw_growth(exhibit, all);
   tabulate_reflections(exhibit, all);
   for (const ReflectionSeries& series : all) {
-    show_numbers(exhibit, series);
-    if (values.real("h") < 0.5 + 1e-9 && plan_of(series.amplitude)) {
-      exhibit.measure(fmt::format("boundary_a_{:g}", series.amplitude), series.boundary().value);
-    }
-    if (series.amplitude != 0.3) continue;
-    const AngleLaw law = angle_law(series, last_of_law);
-    exhibit.measure("angle_law_factor", law.factor);
-    exhibit.measure("angle_law_uncertainty", law.uncertainty);
-    exhibit.measure("angle_law_largest_residual", law.largest_residual);
-    draw_angle_law(exhibit, series, law, last_of_law);
+    const double miles = from_theory(series, &ReflectionRun::kappa).value();
+    if (std::isfinite(miles)) exhibit.measure(fmt::format("largest_error_of_miles_a_{:g}", series.amplitude), miles);
+    if (series.amplitude == 0.3) draw_angle_law(exhibit, series, angle_law(series, last_of_law), last_of_law);
   }
 }
 

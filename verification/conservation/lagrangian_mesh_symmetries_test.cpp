@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace model_concept_test {

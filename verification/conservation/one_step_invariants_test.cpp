@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace one_step_invariants_test {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_standing_mode.hpp"
+#include "validation/instruments/plan/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
 namespace dispersive_plan_dispersion_test {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "validation/case/reference_table.hpp"
-#include "validation/instruments/plan_soliton.hpp"
+#include "validation/instruments/plan/plan_soliton.hpp"
 #include "verification/check.hpp"
 
 namespace dispersive_plan_soliton_test {

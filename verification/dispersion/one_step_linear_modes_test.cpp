@@ -7,8 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace one_step_linear_modes_test {

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_gauges.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
-#include "validation/laboratory/wave_basin.hpp"
+#include "validation/instruments/plan/plan_gauges.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
+#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 #include "verification/check.hpp"
 
 namespace laboratory_basin_test {
@@ -111,12 +111,12 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
     check.that({.id = "amplitude-" + id,
                 .text = "The wave amplitude agrees with linear theory of the model.",
                 .quantity = "amplitude over the stated one, less 1",
-                .source = "validation/laboratory/wave_basin.hpp"},
+                .source = "validation/studies/dispersive_shallow_water/wave_basin.hpp"},
                {.value = found.mean - 1, .resolution = "h = 0.1 m"}, waves.bound());
     check.that({.id = "reflection-" + id,
                 .text = "The wave reflected by the absorbing layer is small.",
                 .quantity = "amplitude of the wave that returns, over that of the one that comes",
-                .source = "validation/laboratory/wave_basin.hpp"},
+                .source = "validation/studies/dispersive_shallow_water/wave_basin.hpp"},
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
   }
 }
@@ -147,7 +147,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   check.that({.id = "outside",
               .text = "Where there is no water they read nothing.",
               .quantity = "gauges outside that read a number",
-              .source = "validation/instruments/plan_gauges.hpp"},
+              .source = "validation/instruments/plan/plan_gauges.hpp"},
              {.value = numbers}, Bound{0, "none stands in the water"});
 }
 

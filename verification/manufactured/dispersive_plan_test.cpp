@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "validation/instruments/plan_manufactured_flow.hpp"
+#include "validation/instruments/plan/plan_manufactured_flow.hpp"
 #include "verification/check.hpp"
 
 namespace dispersive_plan_test {

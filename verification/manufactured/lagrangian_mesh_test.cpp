@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "validation/instruments/mesh_double_shear.hpp"
+#include "validation/instruments/mesh/mesh_double_shear.hpp"
 #include "verification/check.hpp"
 
 namespace lagrangian_mesh_test {

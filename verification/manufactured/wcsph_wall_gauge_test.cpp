@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/sph_wall_gauge.hpp"
+#include "validation/instruments/particles/sph_wall_gauge.hpp"
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/scheme.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace mechanics_input_test {
