@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "reports/evidence/record_files.hpp"
+#include "validation/case/claims.hpp"
 
 namespace seiche::verification {
 namespace {
@@ -39,8 +40,9 @@ std::filesystem::path evidence_directory() {
 
 }  // namespace
 
-Check::Check(const std::string& name, const std::string& title, const std::string& article, std::source_location where)
-    : begin_(std::chrono::steady_clock::now()), exceptions_(std::uncaught_exceptions()) {
+Check::Check(const std::string& name, const std::string& title, const std::string& article, std::string source,
+             std::source_location where)
+    : begin_(std::chrono::steady_clock::now()), exceptions_(std::uncaught_exceptions()), source_(std::move(source)) {
   record_.name = name;
   record_.kind = "verification";
   if (full) record_.tier = "full";
@@ -67,8 +69,8 @@ Check::~Check() {
                      .source = "table of assertions"},
                     {.value = used_.value()},
                     evidence::Bound{1,
-                                    "each has its own limit and reason; round-off and presence count 0 "
-                                    "where they are met, infinity where not"});
+                                    "each has its own limit and reason; round-off and presence count 0 where they are "
+                                    "met, infinity where not"});
       record_.table(std::move(assertions_));
     }
     evidence::write(record_, evidence_directory());
@@ -111,9 +113,14 @@ void Check::holds(const std::string& what, const evidence::ObservedOrder& observ
   expect(what, "order", criterion.reason, judge(observed, criterion));
 }
 
+evidence::Claim Check::claim(const std::string& id, const std::string& text, const std::string& quantity) {
+  const auto [name, unit] = validation::name_and_unit(quantity);
+  return {id, text, name, unit.empty() ? "1" : unit, std::exchange(next_source_, {})};
+}
+
 void Check::that(const evidence::Claim& claim, const evidence::Measurement& measurement,
                  const evidence::Criterion& criterion) {
-  record_.check(sourced(claim), measurement, criterion);
+  record_.check(sourced(claim), resolved(measurement), criterion);
   expect(claim.id);
 }
 
@@ -125,7 +132,7 @@ void Check::that(const evidence::Claim& claim, const evidence::ObservedOrder& ob
 
 void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
                           const evidence::Criterion& criterion, const evidence::KnownFailure& failure) {
-  record_.known_failure(sourced(claim), measurement, criterion, failure);
+  record_.known_failure(sourced(claim), resolved(measurement), criterion, failure);
   expect(claim.id);
 }
 

@@ -41,7 +41,8 @@ class Check {
   /// @param name     name of the record, unique, [a-z0-9_]+
   /// @param title    what the page is called
   /// @param article  Markdown: what is checked and why the tolerances are what they are
-  Check(const std::string& name, const std::string& title, const std::string& article,
+  /// @param source   where claims come from that do not say it themselves
+  Check(const std::string& name, const std::string& title, const std::string& article, std::string source = {},
         std::source_location where = std::source_location::current());
   Check(const Check&) = delete;
   Check& operator=(const Check&) = delete;
@@ -50,9 +51,26 @@ class Check {
   /// Writes the record; a test that ends by an exception writes it as an error.
   ~Check();
 
-  /// Where claims come from that do not say it themselves.
+  /// Where the claims that follow come from, if they do not say it themselves.
   void source(const std::string& text) { source_ = text; }
+  /// Where the next claim comes from.
+  Check& from(const std::string& text) {
+    next_source_ = text;
+    return *this;
+  }
+  /// The resolution of the measurements that follow, if they do not say it themselves.
+  void at(const std::string& text) { resolution_ = text; }
   /// Judges, records, and fails the Catch2 test unless the verdict is pass.
+  ///
+  /// @param quantity  what is measured, with its unit in brackets unless that is 1: "run-up [depth]"
+  void that(const std::string& id, const std::string& text, const std::string& quantity,
+            const evidence::Measurement& measurement, const evidence::Criterion& criterion) {
+    that(claim(id, text, quantity), measurement, criterion);
+  }
+  void that(const std::string& id, const std::string& text, const std::string& quantity,
+            const evidence::ObservedOrder& observed, const evidence::Order& criterion) {
+    that(claim(id, text, quantity), observed, criterion);
+  }
   void that(const evidence::Claim& claim, const evidence::Measurement& measurement,
             const evidence::Criterion& criterion);
   void that(const evidence::Claim& claim, const evidence::ObservedOrder& observed, const evidence::Order& criterion);
@@ -63,6 +81,11 @@ class Check {
   void holds(const std::string& what, const evidence::Measurement& measurement, const evidence::Criterion& criterion);
   void holds(const std::string& what, const evidence::ObservedOrder& observed, const evidence::Order& criterion);
   /// Judges, records, and fails the Catch2 test unless the claim fails as declared.
+  void known_failure(const std::string& id, const std::string& text, const std::string& quantity,
+                     const evidence::Measurement& measurement, const evidence::Criterion& criterion,
+                     const evidence::KnownFailure& failure) {
+    known_failure(claim(id, text, quantity), measurement, criterion, failure);
+  }
   void known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
                      const evidence::Criterion& criterion, const evidence::KnownFailure& failure);
 
@@ -80,16 +103,21 @@ class Check {
               const evidence::Judgement& judgement);
 
   evidence::Record record_;
+  [[nodiscard]] evidence::Claim claim(const std::string& id, const std::string& text, const std::string& quantity);
   [[nodiscard]] evidence::Claim sourced(evidence::Claim claim) const {
     if (claim.source.empty()) claim.source = source_;
     return claim;
+  }
+  [[nodiscard]] evidence::Measurement resolved(evidence::Measurement measurement) const {
+    if (measurement.resolution.empty()) measurement.resolution = resolution_;
+    return measurement;
   }
 
   evidence::Table assertions_;
   Worst used_;  ///< of the limits of the assertions
   std::chrono::steady_clock::time_point begin_;
   int exceptions_;
-  std::string source_;
+  std::string source_, next_source_, resolution_;
 };
 
 }  // namespace seiche::verification

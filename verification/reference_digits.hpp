@@ -18,8 +18,8 @@ inline void check_digits(Check& check, const std::string& id, const std::string&
   const double limit = std::max(printing, 1e-14 * std::abs(printed));
   check.holds(id + ": The " + quantity + " has every digit of the reference.", {value},
               evidence::Bound{limit,
-                              "half a unit of the last printed digit of the 30-digit reference, or 1e-14 of the "
-                              "value, 45 roundings, where that is larger",
+                              "half a unit of the last printed digit of the 30-digit reference, or 1e-14 of the value, "
+                              "45 roundings, where that is larger",
                               printed});
 }
 

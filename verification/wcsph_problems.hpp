@@ -1,7 +1,6 @@
 /// Particles for the checks of weakly compressible SPH, and how they are compared.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +35,7 @@ inline void jitter(wcsph::Particles& particles, double distance, std::uint64_t s
 }
 
 /// A disc of unit radius about the origin on a square lattice with a particle at its centre, at rest.
-inline wcsph::Particles disc(double spacing, double density) {
+inline wcsph::Particles wcsph_disc(double spacing, double density) {
   wcsph::Particles particles;
   const int reach = static_cast<int>(std::ceil(1 / spacing));
   for (int j = -reach; j <= reach; ++j) {
@@ -51,7 +50,7 @@ inline wcsph::Particles disc(double spacing, double density) {
 
 /// A free blob without symmetry: a jittered disc with random velocities, densities and masses.
 inline wcsph::Particles random_blob(double spacing, double density, double speed, std::uint64_t seed = 1) {
-  wcsph::Particles particles = disc(spacing, density);
+  wcsph::Particles particles = wcsph_disc(spacing, density);
   jitter(particles, 0.2 * spacing, seed);
   Noise noise(seed + 1);
   for (std::size_t a = 0; a < particles.size(); ++a) {
@@ -104,8 +103,7 @@ inline std::vector<double> sorted_back(const wcsph::Particles& particles, const 
 
 /// Largest difference over the largest magnitude of the reference.
 inline double relative_difference(const std::vector<double>& values, const std::vector<double>& reference) {
-  Worst difference;
-  Worst scale;
+  Worst difference, scale;
   for (std::size_t a = 0; a < values.size(); ++a) {
     difference.add(values[a] - reference[a]);
     scale.add(reference[a]);

@@ -1,7 +1,6 @@
 // The conservative step of the plan model around an island, with its shoreline and over a surveyed bottom.
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,11 +9,9 @@
 #include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
 
-namespace conical_island_energy_test {
+namespace seiche::verification::conical_island_energy_test {
 
-using namespace seiche;
 using dispersive_shallow_water_2d::Flow;
-using namespace seiche::verification;
 
 constexpr double spacing = 1;  // [m]
 constexpr double after = 1;    // [s]: the water has been highest in front of the island
@@ -25,12 +22,10 @@ validation::ConicalIsland island() {
 }
 
 TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation][full]") {
-  Check check(
-      "conical_island_energy", "A wave climbs an island: conservative steps",
-      "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, cells "
-      "next "
-      "to it are as thin as the water is there, and the bottom is a spline through a raster. Until a second after the "
-      "crest would be at the middle of the island.");
+  Check check("conical_island_energy", "A wave climbs an island: conservative steps",
+              "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, "
+              "cells next to it are as thin as the water is there, and the bottom is a spline through a raster. Until "
+              "a second after the crest would be at the middle of the island.");
   const std::string source = "Frank (1994), chapter 1 and section 4.2";
   const validation::ConicalIsland set_up = island();
   Flow flow = set_up.flow();
@@ -48,28 +43,20 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
   } catch (const Divergence& divergence) {
     stopped = divergence.what();
   }
-  const std::string resolution = fmt::format("columns {:g} m apart, {} steps", spacing, flow.steps());
-  check.that({.id = "passes",
-              .text = "The iteration of every step settles until the end time.",
-              .quantity = "time that was not reached",
-              .unit = "s",
-              .source = source},
-             {.value = std::max(end - flow.time(), 0.0), .resolution = resolution, .where = stopped},
-             Bound{1e-9, "rounding of the time; with friction the same wave passes"});
-  check.that({.id = "climbs",
-              .text = "The water has climbed the island.",
-              .quantity = "largest elevation of the shoreline over the wave's height",
-              .source = source},
-             {.value = highest.value() / (0.045 * 0.32), .resolution = resolution},
-             Bound{1.25, "the height is doubled at a wall; the experiment's largest is 2.8", 2.5});
-  check.that({.id = "energy",
-              .text = "Energy of the wave at the island is conserved to round-off.",
-              .quantity = "largest change over the first value",
-              .source = source},
-             {.value = drift.value(), .resolution = resolution},
-             Roundoff{static_cast<double>(flow.steps()), 100,
-                      "places of 20 m and sides of 0.2 m next to the shore: each step rounds their "
-                      "differences anew"});
+  check.at(fmt::format("columns {:g} m apart, {} steps", spacing, flow.steps()));
+  check.from(source).that("passes", "The iteration of every step settles until the end time.",
+                          "time that was not reached [s]",
+                          {.value = std::max(end - flow.time(), 0.0), .where = stopped},
+                          Bound{1e-9, "rounding of the time; with friction the same wave passes"});
+  check.from(source).that("climbs", "The water has climbed the island.",
+                          "largest elevation of the shoreline over the wave's height",
+                          {highest.value() / (0.045 * 0.32)},
+                          Bound{1.25, "the height is doubled at a wall; the experiment's largest is 2.8", 2.5});
+  check.from(source).that(
+      "energy", "Energy of the wave at the island is conserved to round-off.", "largest change over the first value",
+      {drift.value()},
+      Roundoff{static_cast<double>(flow.steps()), 100,
+               "places of 20 m and sides of 0.2 m next to the shore: each step rounds their differences anew"});
 }
 
-}  // namespace conical_island_energy_test
+}  // namespace seiche::verification::conical_island_energy_test

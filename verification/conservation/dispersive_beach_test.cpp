@@ -9,11 +9,11 @@
 
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
+#include "verification/refinement.hpp"
 
-namespace dispersive_beach_test {
+namespace seiche::verification::dispersive_beach_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 3";
 
@@ -28,8 +28,8 @@ Flow beach_flow(const Beach& beach, const Scheme& scheme) {
   const double crest = -beach.cotangent - front;
   const double wall = crest - front - 5;
   const Channel channel{
-      .bottom = std::make_shared<seiche::PiecewiseLinearBottom>(
-          std::vector{wall - 10, -beach.cotangent, 10 * beach.cotangent}, std::vector{-1.0, -1.0, 10.0}),
+      .bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{wall - 10, -beach.cotangent, 10 * beach.cotangent},
+                                                        std::vector{-1.0, -1.0, 10.0}),
       .left = End::wall,
       .right = End::tip};
   return Flow(channel,
@@ -59,63 +59,31 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
               "Solitary wave of 0.0185 depths on a slope 1:19.85, run-up and run-down until $t = 75$; cells of 0.25, "
               "steps of at most 1/16 and 0.3 of the longest stable one. The one-step scheme's errors are made at the "
               "largest draw-down, $67 < t < 70$, where a thin layer runs back under a steep front; until then its "
-              "energy errs by $1.4\\times10^{-6}$. The earlier program had the same start and steps.");
-  constexpr Scheme one_step{};
-  constexpr Scheme feedback{.stepping = Stepping::one_step_feedback};
-  const auto known = [&](const std::string& id, const std::string& text, double value, double printed) {
-    check.holds(id + ": " + text, {value},
-                Bound{1e-3, "one unit of the fourth printed digit of a number that begins with 1", printed, true});
-  };
-  const std::array<double, 4> refinement{1, 2, 4, 8};
-  std::vector<double> steps;
-  std::vector<double> energy_a, volume_a, energy_b, volume_b;
-  for (const double refine : refinement) {
-    const Defects a = synolakis_defects(one_step, refine);
-    const Defects b = synolakis_defects(feedback, refine);
-    if (refine == 1) {
-      known("one-step-energy", "The energy error on the beach has the four digits recorded for the one-step scheme.",
-            a.energy, 1.642e-5);
-      known("one-step-volume",
-            "The error of the worst cell's volume on the beach has the four digits recorded for the one-step scheme.",
-            a.volume, 1.0615e-6);
-      known("feedback-energy",
-            "The energy error on the beach has the four digits recorded for the scheme with feedback.", b.energy,
-            1.0379e-5);
-      known("feedback-volume", "With feedback: defect of the worst cell's volume.", b.volume, 3.930e-7);
-    }
-    steps.push_back(synolakis.spacing / 4 / refine);
-    energy_a.push_back(a.energy);
-    volume_a.push_back(a.volume);
-    energy_b.push_back(b.energy);
-    volume_b.push_back(b.volume);
-  }
-  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
-                         double theory) {
-    check.that({.id = id, .text = text, .quantity = "order of the largest defect", .source = source},
-               observed_order(steps, errors), Order{theory, 0.1, "four halvings of all steps"});
-  };
-  order("one-step-energy-order", "The energy error on the beach is second-order in the step (one-step scheme).",
-        energy_a, 2);
-  order("one-step-volume-order", "The volume error on the beach is second-order in the step (one-step scheme).",
-        volume_a, 2);
-  order("feedback-energy-order", "With feedback: the energy defect is of second order.", energy_b, 2);
-  order("feedback-volume-order", "With feedback: the volume defect is of third order.", volume_b, 3);
-  auto& panel = check.figure("defects", "Defects against the step", "Largest defects until t = 75.")
-                    .panel({.x = "longest step", .y = "defect", .log_x = true, .log_y = true});
-  panel.line("energy, one-step", steps, energy_a);
-  panel.line("volume, one-step", steps, volume_a);
-  panel.line("energy, with feedback", steps, energy_b, Role::peer);
-  panel.line("volume, with feedback", steps, volume_b, Role::peer);
+              "energy errs by $1.4\\times10^{-6}$.",
+              source);
+  const auto order = [](double theory) { return Order{theory, 0.1, "four halvings of all steps"}; };
+  refine(check, {"longest step", widths(synolakis.spacing / 4, {1, 2, 4, 8})},
+         {{"one-step-energy-order", "The energy error on the beach is second-order in the step (one-step scheme).",
+           order(2)},
+          {"one-step-volume-order", "The volume error on the beach is second-order in the step (one-step scheme).",
+           order(2)},
+          {"feedback-energy-order", "With feedback: the energy defect is of second order.", order(2)},
+          {"feedback-volume-order", "With feedback: the volume defect is of third order.", order(3)}},
+         [&](double step) {
+           const double fineness = synolakis.spacing / 4 / step;
+           const Defects a = synolakis_defects({}, fineness);
+           const Defects b = synolakis_defects({.stepping = Stepping::one_step_feedback}, fineness);
+           return std::array{a.energy, a.volume, b.energy, b.volume};
+         });
   check_round_off(check, "conservative", "Fully conservative", synolakis_defects({.stepping = Stepping::conservative}),
                   82);
 }
 
 TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[conservation]") {
-  Check check(
-      "dispersive_corner_conservation", "Dispersive shallow water: markers that cross a corner of the bottom",
-      "Steep slopes: markers near the toe go back and forth over it, and the frame of a marker in the middle of "
-      "its step may flip from one sweep of the implicit step to the next. The frames are held from the fourth "
-      "sweep on. Energy and volumes do not depend on them, and stay exact.");
+  Check check("dispersive_corner_conservation", "Dispersive shallow water: markers that cross a corner of the bottom",
+              "Steep slopes: markers near the toe go back and forth over it, and the frame of a marker in the middle "
+              "of its step may flip from one sweep of the implicit step to the next. The frames are held from the "
+              "fourth sweep on. Energy and volumes do not depend on them, and stay exact.");
   for (const Beach& beach :
        {Beach{1, 0.5, 0.25, 40}, Beach{1, 0.5, 0.125, 40}, Beach{3.732, 0.1, 0.25, 40}, Beach{3.732, 0.1, 0.125, 40}}) {
     Flow flow = beach_flow(beach, {.stepping = Stepping::conservative});
@@ -128,4 +96,4 @@ TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[c
   }
 }
 
-}  // namespace dispersive_beach_test
+}  // namespace seiche::verification::dispersive_beach_test

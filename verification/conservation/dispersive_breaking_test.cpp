@@ -4,20 +4,17 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace dispersive_breaking_test {
+namespace seiche::verification::dispersive_breaking_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::LevelBottom;
+using namespace dispersive_shallow_water_1d;
 
 const std::string source = "jump conditions: Stoker, Water Waves (1957), 10.6";
 
@@ -39,7 +36,7 @@ Flow dam_break(double high, double reach, double spacing) {
   return {channel, markers};
 }
 
-namespace plan = seiche::dispersive_shallow_water_2d;
+namespace plan = dispersive_shallow_water_2d;
 
 /// The same in plan, a channel of two rows between walls.
 plan::Flow dam_break_in_plan(double high, double reach, double spacing) {
@@ -75,8 +72,8 @@ struct Profile {
 template <class Flow, class Steps>
 void claim_bore(Check& check, Flow& flow, const Steps& steps, const std::function<Profile()>& profile,
                 const std::function<double()>& taken) {
-  const double conjugate = seiche::exact::Stoker(1, 2.5, 1).plateau().depth;
-  const seiche::exact::Bore bore(1, 1, conjugate);
+  const double conjugate = exact::Stoker(1, 2.5, 1).plateau().depth;
+  const exact::Bore bore(1, 1, conjugate);
   march(flow, 0.5 * end, steps);
   const double first = profile().front(conjugate - 1);
   march(flow, 0.9 * end, steps);
@@ -91,22 +88,15 @@ void claim_bore(Check& check, Flow& flow, const Steps& steps, const std::functio
   const std::string spread =
       "what the start sheds leaves the front slowly: a tenth of a per cent of the rise is left after 60 depths of way, "
       "and the loss goes with the cube of the rise; 1 % covers both and the O(tau^2) of the step";
-  check.that({.id = "depth",
-              .text = "The surface rises to the conjugate depth and not above: there are no waves behind the front.",
-              .quantity = "highest surface within ten depths of the front over the conjugate depth",
-              .source = source},
-             {.value = behind.value()},
-             Bound{0.005, "0.8 % of the rise, 0.66: half of the viscosity would overshoot by 2.6 % of it", conjugate});
-  check.that({.id = "speed",
-              .text = "The front runs with the speed of the bore.",
-              .quantity = "speed between t = 30 and 60",
-              .source = source},
-             {.value = (last - first) / (0.5 * end)}, Bound{0.01, spread, bore.speed(), true});
-  check.that({.id = "loss",
-              .text = "What breaking takes is what the bore loses.",
-              .quantity = "energy taken per unit of time, t = 54 to 60",
-              .source = source},
-             {.value = (taken() - before) / (0.1 * end)}, Bound{0.01, spread, bore.energy_loss_rate(), true});
+  check.from(source).that(
+      "depth", "The surface rises to the conjugate depth and not above: there are no waves behind the front.",
+      "highest surface within ten depths of the front over the conjugate depth", {behind.value()},
+      Bound{0.005, "0.8 % of the rise, 0.66: half of the viscosity would overshoot by 2.6 % of it", conjugate});
+  check.from(source).that("speed", "The front runs with the speed of the bore.", "speed between t = 30 and 60",
+                          {(last - first) / (0.5 * end)}, Bound{0.01, spread, bore.speed(), true});
+  check.from(source).that("loss", "What breaking takes is what the bore loses.",
+                          "energy taken per unit of time, t = 54 to 60", {(taken() - before) / (0.1 * end)},
+                          Bound{0.01, spread, bore.energy_loss_rate(), true});
 }
 
 TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]") {
@@ -132,29 +122,19 @@ TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]")
     taken = flow.lost().breaking;
   }
   const double operations = steps * 320;
-  check.that({.id = "momentum",
-              .text = "Momentum of the breaking wave is conserved to round-off.",
-              .quantity = "largest defect over the momentum",
-              .source = source},
-             {.value = flow.ledger().largest_defect("momentum") / momentum},
-             Roundoff{operations, 4, "a rounded force per marker and step"});
-  check.that({.id = "volumes",
-              .text = "The volume of every cell stays.",
-              .quantity = "largest defect",
-              .source = "formula 10"},
-             {.value = flow.ledger().largest_defect("volume_worst")},
-             Roundoff{steps, 40, "a rounded place, up to 40, per step"});
-  check.that({.id = "energy",
-              .text = "Energy and what breaking took of it stay.",
-              .quantity = "largest defect over the energy",
-              .source = "energy balance"},
-             {.value = flow.ledger().largest_defect("energy") / energy},
-             Roundoff{operations, 4, "a rounded term per marker and step"});
-  check.that({.id = "takes",
-              .text = "The breaking term gives back no energy in any step.",
-              .quantity = "largest gain over the energy",
-              .source = "an implicit exchange between pairs"},
-             {.value = std::max(0.0, gain.value()) / energy}, Roundoff{320, 1, "a rounded term per marker"});
+  check.from(source).that("momentum", "Momentum of the breaking wave is conserved to round-off.",
+                          "largest defect over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
+                          Roundoff{operations, 4, "a rounded force per marker and step"});
+  check.from("formula 10")
+      .that("volumes", "The volume of every cell stays.", "largest defect",
+            {flow.ledger().largest_defect("volume_worst")}, Roundoff{steps, 40, "a rounded place, up to 40, per step"});
+  check.from("energy balance")
+      .that("energy", "Energy and what breaking took of it stay.", "largest defect over the energy",
+            {flow.ledger().largest_defect("energy") / energy},
+            Roundoff{operations, 4, "a rounded term per marker and step"});
+  check.from("an implicit exchange between pairs")
+      .that("takes", "The breaking term gives back no energy in any step.", "largest gain over the energy",
+            {std::max(0.0, gain.value()) / energy}, Roundoff{320, 1, "a rounded term per marker"});
   CHECK(taken > 0.005 * energy);
 }
 
@@ -193,49 +173,40 @@ TEST_CASE("a low bore stays undular", "[conservation]") {
               "A dam 1.6 times as high as the water before it: the bore's Froude number is 1.2.");
   Flow flow = dam_break(1.6, 60, 0.25);
   march(flow, 20, stable_steps(flow, 0.08));
-  check.that({.id = "nothing",
-              .text = "The breaking term takes no energy from an undular bore.",
-              .quantity = "energy taken",
-              .source = "Favre (1935): bores below 1.3 are undular"},
-             {.value = flow.lost().breaking}, Bound{0, "no front breaks"});
+  check.from("Favre (1935): bores below 1.3 are undular")
+      .that("nothing", "The breaking term takes no energy from an undular bore.", "energy taken",
+            {flow.lost().breaking}, Bound{0, "no front breaks"});
 }
 
 TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
   Check check(
       "dispersive_breaking_zigzag", "Markers that the water does not resolve",
-      "Markers 0.2 apart go up and down by turns by 1e-5. Volumes do not feel it, the potential energy does, "
-      "with $\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the model, and the exchange of "
-      "vertical momentum damps it with $\\zeta = 0.2/0.1 = 2$ times what is critical. In water 0.3 deep it is left "
-      "alone.");
+      "Markers 0.2 apart go up and down by turns by 1e-5. Volumes do not feel it, the potential energy does, with "
+      "$\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the model, and the exchange of vertical "
+      "momentum damps it with $\\zeta = 0.2/0.1 = 2$ times what is critical. In water 0.3 deep it is left alone.");
   const auto zigzag = [](double depth) {
     const Channel channel{.bottom = std::make_shared<LevelBottom>(depth), .period = 3.2, .breaking = Breaking{}};
     Markers markers = still_markers(channel, equal_labels(channel, 0, 3.2, 16));
     for (std::size_t i = 0; i < markers.size(); ++i) markers.y[i] = i % 2 == 0 ? 1e-5 : -1e-5;
     return Flow(channel, markers);
   };
-  const double omega = std::sqrt(1 / 0.1);  // 3 alpha = 1
-  const std::vector<double> steps{0.05 / omega, 0.025 / omega, 0.0125 / omega, 0.00625 / omega};
-  const double slow = 2 - std::sqrt(3.0);  // rates over omega
-  const double fast = 2 + std::sqrt(3.0);
+  const double omega = std::sqrt(1 / 0.1);                            // 3 alpha = 1
+  const double slow = 2 - std::sqrt(3.0), fast = 2 + std::sqrt(3.0);  // rates over omega
   const double exact = (fast * std::exp(-2 * slow) - slow * std::exp(-2 * fast)) / (fast - slow);
-  std::vector<double> off;
-  for (const double tau : steps) {
-    Flow flow = zigzag(0.1);
-    for (long n = 0; n < std::lround(2 / (omega * tau)); ++n) flow.advance(tau);
-    off.push_back(std::abs(flow.y()[0] / 1e-5 - exact));
-  }
-  check.that({.id = "dies-out",
-              .text = "The zigzag dies out as it should.",
-              .quantity = "order of the error of its height at t = 2/omega",
-              .source = "oscillator with a damper"},
-             observed_order(steps, off), Order{1, 0.1, "the exchange is Euler's implicit rule"});
+  refine(check, {"tau", widths(0.05 / omega, {1, 2, 4, 8})},
+         {{"dies-out",
+           "The zigzag dies out as it should, at t = 2/omega.",
+           {1, 0.1, "the exchange is Euler's implicit rule"}}},
+         [&](double tau) {
+           Flow flow = zigzag(0.1);
+           for (long n = 0; n < std::lround(2 / (omega * tau)); ++n) flow.advance(tau);
+           return std::abs(flow.y()[0] / 1e-5 - exact);
+         });
   Flow deep = zigzag(0.3);
   for (int n = 0; n < 50; ++n) deep.advance(0.05);
-  check.that({.id = "left-alone",
-              .text = "Where the water is deeper than markers are apart nothing is taken.",
-              .quantity = "energy taken",
-              .source = "breaking.hpp"},
-             {.value = deep.lost().breaking}, Bound{0, "no exchange"});
+  check.from("breaking.hpp")
+      .that("left-alone", "Where the water is deeper than markers are apart nothing is taken.", "energy taken",
+            {deep.lost().breaking}, Bound{0, "no exchange"});
 }
 
-}  // namespace dispersive_breaking_test
+}  // namespace seiche::verification::dispersive_breaking_test

@@ -7,11 +7,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_elementary_volumes_test {
+namespace seiche::verification::dispersive_elementary_volumes_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, figure 4 and formula (10)";
 
@@ -21,8 +19,7 @@ struct Point {
 
 /// Level bottom, a slope of 1 to 3, and a wave before it.
 struct Shore {
-  std::vector<double> knots{-9, -3, 6};
-  std::vector<double> levels{-1, -1, 2};
+  std::vector<double> knots{-9, -3, 6}, levels{-1, -1, 2};
   Channel channel{
       .bottom = std::make_shared<PiecewiseLinearBottom>(knots, levels), .left = End::wall, .right = End::tip};
   Markers markers;
@@ -87,12 +84,11 @@ Shape shape_of(const std::vector<Point>& outline) {
 }
 
 void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
-  auto& figure = check.figure(
-      "model", "The discrete shallow-water model on a slope",
-      "Markers on the surface; elementary volumes, bounded by verticals at the middle abscissas between markers; the "
-      "particle of each volume, of its mass, drawn at its centre of area. The last marker, the tip, is where the "
-      "surface meets the bottom.",
-      {"frank-fig-4"});
+  auto& figure = check.figure("model", "The discrete shallow-water model on a slope",
+                              "Markers on the surface; elementary volumes, bounded by verticals at the middle "
+                              "abscissas between markers; the particle of each volume, of its mass, drawn at its "
+                              "centre of area. The last marker, the tip, is where the surface meets the bottom.",
+                              {"frank-fig-4"});
   auto& panel = figure.panel(
       {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});
   panel.fill("water", shore.markers.x, shore.markers.y, Role::water);
@@ -103,8 +99,7 @@ void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
   }
   panel.line("surface", shore.markers.x, shore.markers.y, Role::exact);
   panel.points("markers", shore.markers.x, shore.markers.y, Role::computed);
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   for (const Shape& volume : volumes) {
     x.push_back(volume.centre.x);
     y.push_back(volume.centre.y);
@@ -113,17 +108,16 @@ void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
 }
 
 TEST_CASE("particles of the dispersive model have the mass of their elementary volumes", "[conservation]") {
-  Check check(
-      "conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
-      "The water between the surface through the markers and the bottom is cut by verticals at the middles between "
-      "markers. A particle has the mass of its piece, constant in time. Here the pieces are measured as polygons, over "
-      "a bottom with a corner inside a cell.");
+  Check check("conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
+              "The water between the surface through the markers and the bottom is cut by verticals at the middles "
+              "between markers. A particle has the mass of its piece, constant in time. Here the pieces are measured "
+              "as polygons, over a bottom with a corner inside a cell.",
+              source);
   const Shore shore;
   const Model model(shore.channel, shore.markers);
   const std::vector<double> ends = shore.boundaries();
   std::vector<Shape> volumes;
-  Worst worst_mass;
-  Worst worst_cell;
+  Worst worst_mass, worst_cell;
   for (std::size_t i = 0; i < model.size(); ++i) {
     volumes.push_back(shape_of(shore.outline(ends[i], ends[i + 1])));
     worst_mass.add(model.masses()[i] - volumes.back().area);
@@ -132,31 +126,25 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
     worst_cell.add(model.rest_volumes()[i] - cell);
   }
   const double water = shape_of(shore.outline(shore.markers.x.front(), shore.markers.x.back())).area;
-  const auto claim = [&](const std::string& id, const std::string& text, double defect, double scale) {
-    check.holds(id + ": " + text, {defect},
+  const auto claim = [&](const std::string& text, double defect, double scale) {
+    check.holds(text, {defect},
                 Roundoff{40, scale, "products x y of the polygon's corners, eight corners of five operations"});
   };
-  claim("masses", "The masses are the areas of the elementary volumes.", worst_mass.value(), 7.2);
-  claim("cells", "The constant volumes are the areas between neighbouring markers.", worst_cell.value(), 7.2);
+  claim("The masses are the areas of the elementary volumes.", worst_mass.value(), 7.2);
+  claim("The constant volumes are the areas between neighbouring markers.", worst_cell.value(), 7.2);
   const std::span<const double> masses = model.masses();
-  claim("sum", "The elementary volumes fill the water.",
-        std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water), 7.2 * std::sqrt(12));
+  claim("The elementary volumes fill the water.", std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water),
+        7.2 * std::sqrt(12));
   const double triangle = model.rest_volumes().back();
-  check.that({.id = "tip",
-              .text = "The tip's particle has a quarter of its triangle.",
-              .quantity = "mass of the tip/area of the last cell",
-              .source = source},
-             {.value = model.masses().back() / triangle},
-             Roundoff{10, 0.25, "two areas of five operations each", 0.25});
+  check.that("tip", "The tip's particle has a quarter of its triangle.", "mass of the tip/area of the last cell",
+             {model.masses().back() / triangle}, Roundoff{10, 0.25, "two areas of five operations each", 0.25});
   Channel consistent = shore.channel;
   consistent.tip_mass = TipMass::consistent;
-  check.that({.id = "tip-consistent",
-              .text = "The consistent tip mass is a sixth of it.",
-              .quantity = "mass of the tip/area of the last cell",
-              .source = "rigid acceleration of a plane surface over a plane slope"},
-             {.value = Model(consistent, shore.markers).masses().back() / triangle},
-             Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
+  check.from("rigid acceleration of a plane surface over a plane slope")
+      .that("tip-consistent", "The consistent tip mass is a sixth of it.", "mass of the tip/area of the last cell",
+            {Model(consistent, shore.markers).masses().back() / triangle},
+            Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
   draw(check, shore, volumes);
 }
 
-}  // namespace dispersive_elementary_volumes_test
+}  // namespace seiche::verification::dispersive_elementary_volumes_test

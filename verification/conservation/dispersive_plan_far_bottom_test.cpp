@@ -9,11 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_far_bottom_test {
+namespace seiche::verification::dispersive_plan_far_bottom_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double begin = 400;  // of the water
 constexpr double length = 10;
@@ -44,12 +42,11 @@ Flow basin() {
 }
 
 TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {
-  Check check(
-      "dispersive_plan_far_bottom", "Conservative steps far along a surveyed bottom",
-      "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the integral of "
-      "the bottom, which volumes are sums of, has counted to 300 there, while far from the hump markers move by less "
-      "than a millionth. The discrete gradient divides by such ways; what it divides must not have the round-off of "
-      "the integral, or sweeps never settle.");
+  Check check("dispersive_plan_far_bottom", "Conservative steps far along a surveyed bottom",
+              "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the "
+              "integral of the bottom, which volumes are sums of, has counted to 300 there, while far from the hump "
+              "markers move by less than a millionth. The discrete gradient divides by such ways; what it divides must "
+              "not have the round-off of the integral, or sweeps never settle.");
   const std::string source = "Frank (1994), chapter 1 and section 4.2; discrete gradients: McLachlan et al. (1999)";
   check.source(source);
   Flow flow = basin();
@@ -64,27 +61,22 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
   } catch (const Divergence&) {
     // Told by the number of steps.
   }
-  check.that({.id = "settles", .text = "The sweeps of every step settle.", .quantity = "steps that did not"},
-             {.value = static_cast<double>(steps - done)}, Bound{0, "sweeps contract by (omega tau)^2/4 = 0.02"});
-  check.that({.id = "energy",
-              .text = "Energy is conserved to round-off where the bathymetry reaches far.",
-              .quantity = "largest change over the first value"},
-             {.value = drift.value()},
-             Roundoff{steps, begin / 0.5,
-                      "the width of a cell, half a depth, is a difference of places of 400, rounded anew "
-                      "in each step"});
+  check.that("settles", "The sweeps of every step settle.", "steps that did not", {static_cast<double>(steps - done)},
+             Bound{0, "sweeps contract by (omega tau)^2/4 = 0.02"});
+  check.that(
+      "energy", "Energy is conserved to round-off where the bathymetry reaches far.",
+      "largest change over the first value", {drift.value()},
+      Roundoff{steps, begin / 0.5,
+               "the width of a cell, half a depth, is a difference of places of 400, rounded anew in each step"});
   std::vector<double> changes(flow.model().constraints());
   flow.model().constraint_values(flow.state().q, changes);
   Worst volume;
   for (const double change : changes) volume.add(change);
-  check.that({.id = "volume",
-              .text = "The volume of every cell is conserved to round-off.",
-              .quantity = "largest change of a volume",
-              .unit = "depth^3"},
-             {.value = volume.value()},
+  check.that("volume", "The volume of every cell is conserved to round-off.", "largest change of a volume [depth^3]",
+             {volume.value()},
              Roundoff{24.0 + steps, 0.75 * begin * 0.5,
-                      "the volume itself is a sum of four edges half a depth long, each with the integral, "
-                      "300, at three places; steps add what they round"});
+                      "the volume itself is a sum of four edges half a depth long, each with the integral, 300, at "
+                      "three places; steps add what they round"});
 }
 
-}  // namespace dispersive_plan_far_bottom_test
+}  // namespace seiche::verification::dispersive_plan_far_bottom_test

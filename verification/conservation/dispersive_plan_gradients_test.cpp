@@ -1,5 +1,4 @@
 // Volumes and potential energy of the plan model: gradients against differences, and identities of the bilinear patch.
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -10,11 +9,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace dispersive_plan_gradients_test {
+namespace seiche::verification::dispersive_plan_gradients_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 /// 6 x 5 cells, uneven surface, off a rectangle at random; nothing holds them.
 Lattice uneven_lattice(std::shared_ptr<const PlanBottom> bottom) {
@@ -121,14 +118,14 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
 }
 
 TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[conservation]") {
-  Check check("dispersive_plan_gradients", "Two-dimensional horizontal model: gradients",
-              "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all "
-              "volumes, over a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, "
-              "against central differences with steps of 1e-4. Volumes over a level bottom and the energy are "
-              "polynomials of degree one and two in each coordinate: their differences have no error but rounding, "
-              "1e-16 of the volume over twice the step.");
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
+  Check check(
+      "dispersive_plan_gradients", "Two-dimensional horizontal model: gradients",
+      "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all volumes, over "
+      "a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, against central "
+      "differences with steps of 1e-4. Volumes over a level bottom and the energy are polynomials of degree one and "
+      "two in each coordinate: their differences have no error but rounding, 1e-16 of the volume over twice the step.");
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value},
                 Bound{1e-9,
                       "differences: step^2/6 of the third derivatives of the bottom, 1e-9 of their 0.1, and roundings "
                       "of 1e-16 over 2e-4, 1e-12"});
@@ -137,23 +134,21 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
   Model polynomial(uneven_lattice(quartic_bottom()));
   Model bump(uneven_lattice(std::make_shared<BumpBottom>()));
   Model improved(uneven_lattice({}), {.inertia = 0.4, .gamma = 1.0 / 15});
-  const auto exact = [&](const std::string& id, const std::string& text, double value, const Roundoff& rounding) {
-    check.holds(id + ": " + text, {value}, rounding);
+  const auto exact = [&](const std::string& text, double value, const Roundoff& rounding) {
+    check.holds(text, {value}, rounding);
   };
-  exact("level", "Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
+  exact("Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
         {.operations = 200,
          .scale = 0.4 / (2 * difference_step),
          .reason = "over twice the step: two volumes of 0.4 in sixty operations each, and two places up to 7 whose "
                    "rounding moves faces of 0.35, as much as eighty of these"});
-  claim("polynomial", "Gradients of cell volumes over a polynomial bottom equal differences.",
-        volume_gradient_error(polynomial));
-  claim("bump", "Gradients of cell volumes over a bump equal differences.", volume_gradient_error(bump));
-  exact("energy", "Gradients of the potential energy equal differences.", force_error(level),
+  claim("Gradients of cell volumes over a polynomial bottom equal differences.", volume_gradient_error(polynomial));
+  claim("Gradients of cell volumes over a bump equal differences.", volume_gradient_error(bump));
+  exact("Gradients of the potential energy equal differences.", force_error(level),
         {.operations = 64,
          .scale = level.potential_energy(level.state().q) / (2 * difference_step),
          .reason = "over twice the step: two sums over 30 cells, rounded up to the energy, and the places"});
-  claim("improved", "Gradients of the potential energy, improved dispersion included, equal differences.",
-        force_error(improved));
+  claim("Gradients of the potential energy, improved dispersion included, equal differences.", force_error(improved));
 }
 
 TEST_CASE("a bilinear patch is the mean of its two triangulations and its integrals are exact", "[conservation]") {
@@ -163,9 +158,7 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
               "which is exact for these integrands.");
   std::minstd_rand random(7);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
-  Worst mean;
-  Worst volume_error;
-  Worst moment_error;
+  Worst mean, volume_error, moment_error;
   for (int n = 0; n < 1000; ++n) {
     const auto near = [&](double a, double b, double c, double d) {
       return bilinear_patch::Corners{a + uniform(random), b + uniform(random), c + uniform(random),
@@ -179,12 +172,12 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
     volume_error.add(volume - gauss(x, y, z, [](double at) { return at; }));
     moment_error.add(bilinear_patch::moment(x, y, z) - gauss(x, y, z, [](double at) { return at * at / 2; }));
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value}, Roundoff{60, 1, "some 60 operations on numbers of size one"});
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value}, Roundoff{60, 1, "some 60 operations on numbers of size one"});
   };
-  claim("triangulations", "The volume is the mean of the two triangulations.", mean.value());
-  claim("volume", "The volume under a bilinear patch equals the integral by quadrature.", volume_error.value());
-  claim("moment", "The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
+  claim("The volume is the mean of the two triangulations.", mean.value());
+  claim("The volume under a bilinear patch equals the integral by quadrature.", volume_error.value());
+  claim("The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
 }
 
-}  // namespace dispersive_plan_gradients_test
+}  // namespace seiche::verification::dispersive_plan_gradients_test

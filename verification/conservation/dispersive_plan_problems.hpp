@@ -1,7 +1,6 @@
 /// Motions of the plan model on which gradients, conservation, accuracy and symmetries are tried.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>

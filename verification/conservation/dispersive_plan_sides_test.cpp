@@ -1,23 +1,19 @@
 // Sides of the plan model that waves pass: a window that follows a wave, a driven side that lets one in, a slanted wall
 // that sends one back.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan/plan_soliton.hpp"
+#include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace dispersive_plan_sides_test {
+namespace seiche::verification::dispersive_plan_sides_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
 
@@ -44,13 +40,9 @@ Flow window_flow(const validation::PlanSolitonRun& run) {
               {.reach = [c = wave.speed()](double time) { return 28 + c * time; }});
 }
 
-struct InflowErrors {
-  double wave = 0;  ///< largest within 6 depths of the crest
-  double side = 0;  ///< largest elsewhere
-};
-
-/// Distances of the surface from the exact wave when the crest that a driven west side lets in is at x = 15.
-InflowErrors inflow_errors(double spacing) {
+/// Largest distance of the surface from the exact wave within 6 depths of its crest when the crest that a driven west
+/// side lets in is at x = 15.
+double inflow_error(double spacing) {
   const exact::SerreSolitary wave(0.2);
   const double start = -18;
   const auto columns = static_cast<std::size_t>(std::lround(30 / spacing));
@@ -60,21 +52,20 @@ InflowErrors inflow_errors(double spacing) {
   Flow flow(rectangular_lattice(
       {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
   march(flow, (15 - start) / wave.speed(), 0.1 * spacing);
-  Worst wave_error;
-  Worst side_error;
+  Worst error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {
     const double distance = flow.x()[k] - 15;
-    (std::abs(distance) < 6 ? wave_error : side_error).add(flow.z()[k] - wave.elevation(distance));
+    if (std::abs(distance) < 6) error.add(flow.z()[k] - wave.elevation(distance));
   }
-  return {wave_error.value(), side_error.value()};
+  return error.value();
 }
 
 TEST_CASE("a moving window of the plan model holds the same wave as a long tank", "[conservation]") {
-  Check check(
-      "dispersive_plan_window", "A moving window around a solitary wave",
-      "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that holds its "
-      "whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. What the cut sends "
-      "out is left behind, for nothing is faster than the wave.");
+  Check check("dispersive_plan_window", "A moving window around a solitary wave",
+              "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that "
+              "holds its whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. "
+              "What the cut sends out is left behind, for nothing is faster than the wave.",
+              source);
   const validation::PlanSolitonRun run{.spacing = 0.5, .tau = 0.2, .time = 60, .rows = 2, .tolerance = 1e-12};
   Flow tank = validation::plan_soliton_flow(run);
   Flow window = window_flow(run);
@@ -100,43 +91,28 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
   auto& figure = check.figure("difference", "A moving window against a long tank",
                               "Largest difference of places and elevations within 15 depths of the crest.");
   figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
-  check.that({.id = "same",
-              .text = "The wave agrees with the long tank.",
-              .quantity = "largest difference of a place or elevation within 15 depths of the crest",
-              .source = source},
+  check.that("same", "The wave agrees with the long tank.",
+             "largest difference of a place or elevation within 15 depths of the crest",
              {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2"},
              Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; places add them up"});
-  check.that({.id = "shifts",
-              .text = "The moving window keeps its distance to the crest.",
-              .quantity = "x of the east side less that of the crest",
-              .source = "interface of the model"},
-             {.value = window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
-             Bound{1.5, "28 and up to one column of 0.5 more or less", 28});
+  check.from("interface of the model")
+      .that("shifts", "The moving window keeps its distance to the crest.", "x of the east side less that of the crest",
+            {window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
+            Bound{1.5, "28 and up to one column of 0.5 more or less", 28});
 }
 
 TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservation]") {
-  Check check("dispersive_plan_inflow", "A solitary wave through a driven side",
-              "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest "
-              "was 18 depths before it. When the crest is 15 depths within, the surface within 6 depths "
-              "of it is that of the exact wave, to second order; steps of a tenth of a cell. What is "
-              "left elsewhere, most of it beside the side, is shown.");
-  const std::vector<double> spacings{0.75, 0.5, 0.375, 0.25, 0.1875};
-  std::vector<double> wave, side;
-  for (const double spacing : spacings) {
-    const InflowErrors errors = inflow_errors(spacing);
-    wave.push_back(errors.wave);
-    side.push_back(errors.side);
-  }
-  check.that({.id = "order",
-              .text = "The wave is of second order.",
-              .quantity = "observed order of the largest error within 6 depths of the crest",
-              .source = source},
-             observed_order(spacings, wave),
-             Order{2, 0.3, "second order in h and tau; coarse cells have parts of fourth"});
-  auto& figure = check.figure("errors", "A solitary wave through a driven side", "Largest errors of the surface.");
-  auto& panel = figure.panel({.x = "h", .y = "error / H", .log_x = true, .log_y = true});
-  panel.line("within 6 depths of the crest", spacings, wave);
-  panel.line("elsewhere", spacings, side, Role::peer);
+  Check check(
+      "dispersive_plan_inflow", "A solitary wave through a driven side",
+      "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest was 18 depths before "
+      "it. When the crest is 15 depths within, the surface within 6 depths of it is that of the exact wave, to second "
+      "order; steps of a tenth of a cell.",
+      source);
+  refine(check, {"h", {0.75, 0.5, 0.375, 0.25, 0.1875}},
+         {{"order",
+           "The wave within 6 depths of its crest is of second order.",
+           {2, 0.3, "second order in h and tau; coarse cells have parts of fourth"}}},
+         inflow_error);
 }
 
-}  // namespace dispersive_plan_sides_test
+}  // namespace seiche::verification::dispersive_plan_sides_test

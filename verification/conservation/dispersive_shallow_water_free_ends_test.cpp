@@ -1,5 +1,4 @@
 // A patch of water with two free ends: nothing acts on it from outside.
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -10,11 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_shallow_water_free_ends_test {
+namespace seiche::verification::dispersive_shallow_water_free_ends_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 constexpr double half_length = 5;
 constexpr std::size_t cells = 80;
@@ -43,9 +40,9 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
           "[conservation]") {
   Check check(
       "dispersive_free_ends", "A free patch of water keeps what nothing acts on",
-      "Ten depths of water on a level bottom, ends that stand free like dams just broken, moving and heaped to "
-      "one side. It collapses to both sides. Forces between cells are opposite, so that momentum is kept by "
-      "any scheme; the centre of mass moves uniformly; the conservative stepping keeps energy and volumes too.");
+      "Ten depths of water on a level bottom, ends that stand free like dams just broken, moving and heaped to one "
+      "side. It collapses to both sides. Forces between cells are opposite, so that momentum is kept by any scheme; "
+      "the centre of mass moves uniformly; the conservative stepping keeps energy and volumes too.");
   auto& panel = check.figure("patch", "The patch collapses", "Surface by the conservative stepping, t = 0 to 5.")
                     .panel({.x = "x", .y = "elevation"});
   for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
@@ -84,4 +81,4 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
   }
 }
 
-}  // namespace dispersive_shallow_water_free_ends_test
+}  // namespace seiche::verification::dispersive_shallow_water_free_ends_test

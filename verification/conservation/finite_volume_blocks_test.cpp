@@ -8,10 +8,8 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_blocks_test {
+namespace seiche::verification::finite_volume_blocks_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
@@ -24,8 +22,7 @@ FiniteVolumeFlow water(Scheme scheme, std::size_t begin, std::size_t end) {
     constexpr double slope = 1.0 / 4096;
     bed = Bed{[](double x) { return slope * x; }, [](double x) { return slope * x * x / 2; }};
   }
-  std::vector<double> depth;
-  std::vector<double> discharge;
+  std::vector<double> depth, discharge;
   for (std::size_t i = begin; i < end; ++i) {
     const auto x = static_cast<double>(i);
     depth.push_back(1.5 + 0.2 * std::sin(x / 7) + (i < 2500 ? 0.5 : 0));
@@ -58,13 +55,11 @@ double differing_cells(Scheme scheme) {
 }
 
 TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", "[conservation]") {
-  Check check(
-      "finite_volume_blocks", "Finite volumes: block by block",
-      "A channel of 5000 cells, which a step goes through in several blocks, and a piece of it of 1000 cells, which is "
-      "one "
-      "block and lies across a seam with a jump on it: where the ends of the piece have not been felt, all cells are "
-      "equal to the last bit after 60 steps. Over a slope, with friction, mass and momentum are explained by what the "
-      "blocks book.");
+  Check check("finite_volume_blocks", "Finite volumes: block by block",
+              "A channel of 5000 cells, which a step goes through in several blocks, and a piece of it of 1000 cells, "
+              "which is one block and lies across a seam with a jump on it: where the ends of the piece have not been "
+              "felt, all cells are equal to the last bit after 60 steps. Over a slope, with friction, mass and "
+              "momentum are explained by what the blocks book.");
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
     const std::string id(shallow_water_finite_volume::name(scheme));
     check.holds(id + "-seams: A piece of the channel moves like the whole.", {differing_cells(scheme)},
@@ -84,4 +79,4 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
               roundoff(2, "three roundings per cell and stage of discharges and of tau g h^2/2, up to 2 m^3/s a cell"));
 }
 
-}  // namespace finite_volume_blocks_test
+}  // namespace seiche::verification::finite_volume_blocks_test

@@ -1,13 +1,10 @@
-#include <cmath>
 #include <vector>
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_closed_basin_test {
+namespace seiche::verification::finite_volume_closed_basin_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
@@ -24,19 +21,18 @@ FiniteVolumeFlow dam_break(Scheme scheme, std::size_t cells, End left, End right
 
 TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[conservation]") {
   Check check("finite_volume_closed_basin", "Finite volumes: mass and momentum of a dam break",
-              "A dam break 2 | 1 in 100 m, 200 cells, 10 000 steps: the waves hit the walls of a closed basin "
-              "many times, or leave through open ends. What the ledger of end fluxes does not explain is "
-              "round-off: each step rounds every cell once, relative to its content.");
+              "A dam break 2 | 1 in 100 m, 200 cells, 10 000 steps: the waves hit the walls of a closed basin many "
+              "times, or leave through open ends. What the ledger of end fluxes does not explain is round-off: each "
+              "step rounds every cell once, relative to its content.");
   constexpr std::size_t cells = 200;
   constexpr long steps = 10000;
   const Roundoff mass_limit{.operations = 3.0 * cells * steps,
                             .scale = 2 * 100.0 / cells,
                             .reason = "three roundings per cell and step of a content up to h dx = 1 m^2"};
-  const Roundoff momentum_limit{.operations = 3.0 * cells * steps,
-                                .scale = 20 * 100.0 / cells,
-                                .reason =
-                                    "three roundings per cell and step of numbers up to g h^2/2 dx/2 = 10 "
-                                    "m^3/s^2"};
+  const Roundoff momentum_limit{
+      .operations = 3.0 * cells * steps,
+      .scale = 20 * 100.0 / cells,
+      .reason = "three roundings per cell and step of numbers up to g h^2/2 dx/2 = 10 m^3/s^2"};
   // Between open ends the flow turns steady: every step then repeats the roundings of the one before, which add up
   // (steps) instead of walking (sqrt(steps)).
   const std::string repeated = ", repeated by every step of the steady flow";
@@ -67,4 +63,4 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
   }
 }
 
-}  // namespace finite_volume_closed_basin_test
+}  // namespace seiche::verification::finite_volume_closed_basin_test

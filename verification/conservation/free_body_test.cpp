@@ -12,10 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace free_body_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::free_body_test {
 
 /// Sheared, turned and bent.
 Point moving(Point r) {
@@ -73,14 +70,13 @@ double area_defect(const dirichlet_mesh::Flow& flow) {
 }
 
 TEST_CASE("free bodies of particles keep mass, momenta and energy while neighbours change", "[conservation]") {
-  Check check(
-      "free_bodies", "Free bodies of particles: invariants",
-      "A disc of 239 overlapping particles, and a rectangle of 153 Dirichlet cells and of particles of variable "
-      "mass, drawn to the centroids of their cells at the rate 1; no gravity, sheared, turned and bent by their "
-      "first velocity, 50 steps over some twenty flips. Energy is kept without stabilisation; with it, and with "
-      "the feedback of the drift, what they did is booked to the last digit. Variable masses do not keep angular "
-      "momentum: the water handed over leaves one node and arrives at another. Areas are not kept, but those of "
-      "the cells remain the polygon's.");
+  Check check("free_bodies", "Free bodies of particles: invariants",
+              "A disc of 239 overlapping particles, and a rectangle of 153 Dirichlet cells and of particles of "
+              "variable mass, drawn to the centroids of their cells at the rate 1; no gravity, sheared, turned and "
+              "bent by their first velocity, 50 steps over some twenty flips. Energy is kept without stabilisation; "
+              "with it, and with the feedback of the drift, what they did is booked to the last digit. Variable masses "
+              "do not keep angular momentum: the water handed over leaves one node and arrives at another. Areas are "
+              "not kept, but those of the cells remain the polygon's.");
   using overlapping_particles::Shape;
   for (const auto& [name, settings] :
        {std::pair{std::string("Overlapping particles, smoothed"), overlapping_particles::Settings{}},
@@ -117,4 +113,4 @@ TEST_CASE("free bodies of particles keep mass, momenta and energy while neighbou
   }
 }
 
-}  // namespace free_body_test
+}  // namespace seiche::verification::free_body_test

@@ -1,6 +1,5 @@
 // Energy and momenta of free particles under Gauss's principle, with another space of fields at every step.
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,14 +9,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_invariants_test {
+namespace seiche::verification::gauss_particles_invariants_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Point;
-using seiche::Worst;
+using namespace gauss_particles;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 
@@ -59,8 +54,7 @@ struct Defects {
 /// A drop of 768 particles; impulse and torque of gravity are booked.
 template <template <class> class Step>
 Defects run(const LatticeAt& lattice, double gravity) {
-  Model model(disc(1, 16),
-              std::make_unique<SplineSpace>(seiche::gauss_particles::Ground{}, lattice, SplineSpace::Settings{}),
+  Model model(disc(1, 16), std::make_unique<SplineSpace>(gauss_particles::Ground{}, lattice, SplineSpace::Settings{}),
               {.gravity = gravity, .penalty = 0});
   State state = model.state(vortical);
   Step<Model> step(model);
@@ -98,10 +92,10 @@ LatticeAt anything() {
 void keeps(Check& check, const std::string& id, const std::string& text, const Defects& d, double fall = 0) {
   const std::string resolution = "768 particles, tau = 1/2048, 1000 steps";
   const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
-    const seiche::evidence::Claim statement{.id = id + "-" + what,
-                                            .text = text + ": " + what + " to round-off.",
-                                            .quantity = "largest defect of the " + what,
-                                            .source = source};
+    const evidence::Claim statement{.id = id + "-" + what,
+                                    .text = text + ": " + what + " to round-off.",
+                                    .quantity = "largest defect of the " + what,
+                                    .source = source};
     check.that(statement, {.value = value, .resolution = resolution},
                Roundoff{steps, scale, "one rounded velocity per step; scale: " + reason});
   };
@@ -113,13 +107,12 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
 }
 
 TEST_CASE("free particles keep energy and momenta in a space that changes at every step", "[conservation]") {
-  Check check(
-      "gauss_particles_invariants", "Free particles in changing spaces: energy and momenta",
-      "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The lattice of the stream "
-      "functions is another one at every step: shifted at random in both directions, with another degree "
-      "(2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to round-off; "
-      "falling under gravity, they change by its work, impulse and torque. Frank's projection scheme keeps both "
-      "momenta and loses energy.");
+  Check check("gauss_particles_invariants", "Free particles in changing spaces: energy and momenta",
+              "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The lattice of the "
+              "stream functions is another one at every step: shifted at random in both directions, with another "
+              "degree (2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to "
+              "round-off; falling under gravity, they change by its work, impulse and torque. Frank's projection "
+              "scheme keeps both momenta and loses energy.");
   keeps(check, "any", "Another degree and other cells at every step", run<OneStep>(anything(), 0));
   const double fallen = 0.5 * std::pow(tau * steps, 2);
   keeps(check, "falling", "Falling, shifted at random", run<OneStep>(shifted(), 1), 3.2 * fallen);
@@ -139,8 +132,7 @@ TEST_CASE("the conservative scheme of free particles is its own inverse", "[cons
   OneStep<Model> step(model);
   for (int k = 0; k < 400; ++k) step.substep(state, 2e-3);
   for (int k = 0; k < 400; ++k) step.substep(state, -2e-3);
-  Worst places;
-  Worst rates;
+  Worst places, rates;
   for (std::size_t i = 0; i < state.q.size(); ++i) {
     places.add(state.q[i] - start.q[i]);
     rates.add(state.u[i] - start.u[i]);
@@ -150,19 +142,18 @@ TEST_CASE("the conservative scheme of free particles is its own inverse", "[cons
   const auto returns = [&](const std::string& id, const std::string& what, double value) {
     check.holds(id + ": Backwards, the " + what + " return to their start when the run is reversed.", {value},
                 Roundoff{800, 30,
-                         "one rounding of numbers of order 1 per step, stretched by velocity gradients up to 1.5 "
-                         "over a time of 1.6: e^2.4 = 11, and numbers up to 2.5"});
+                         "one rounding of numbers of order 1 per step, stretched by velocity gradients up to 1.5 over "
+                         "a time of 1.6: e^2.4 = 11, and numbers up to 2.5"});
   };
   returns("places", "places", places.value());
   returns("velocities", "velocities", rates.value());
 }
 
 TEST_CASE("water between two separate walls keeps its momentum along them", "[conservation]") {
-  Check check(
-      "gauss_particles_circulation", "Free particles between two walls",
-      "A periodic channel filled from its bottom to its lid, and a free block between two upright walls. The stream "
-      "function is zero on one wall and an unknown constant on the other, or there would be no flux between them: "
-      "the uniform flow is in the space, and its momentum is kept while eddies turn in it.");
+  Check check("gauss_particles_circulation", "Free particles between two walls",
+              "A periodic channel filled from its bottom to its lid, and a free block between two upright walls. The "
+              "stream function is zero on one wall and an unknown constant on the other, or there would be no flux "
+              "between them: the uniform flow is in the space, and its momentum is kept while eddies turn in it.");
   struct Channel {
     std::string id, text;
     LatticePlan plan;
@@ -200,13 +191,11 @@ TEST_CASE("water between two separate walls keeps its momentum along them", "[co
     const std::string entry = channel.along == 0 ? "momentum_x" : "momentum_y";
     check.holds(channel.text + ": the momentum along the walls.",
                 {watch.ledger().entry(entry).largest_defect / watch.ledger().entry(entry).initial},
-                Roundoff{count, 2,
-                         "one rounded velocity, of at most twice the mean, per "
-                         "step"});
+                Roundoff{count, 2, "one rounded velocity, of at most twice the mean, per step"});
     check.holds(channel.text + ": the energy.",
                 {watch.ledger().largest_defect("energy") / watch.ledger().entry("energy").initial},
                 Roundoff{count, 1, "one rounded energy per step"});
   }
 }
 
-}  // namespace gauss_particles_invariants_test
+}  // namespace seiche::verification::gauss_particles_invariants_test

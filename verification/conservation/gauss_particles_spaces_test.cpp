@@ -12,13 +12,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_spaces_test {
+namespace seiche::verification::gauss_particles_spaces_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Point;
-using seiche::Worst;
+using namespace gauss_particles;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, proposition 4";
 
@@ -62,36 +59,31 @@ Point mixed(Point r) {
 TEST_CASE("a momentum of free particles is kept if and only if the space holds its field", "[conservation]") {
   Check check(
       "gauss_particles_spaces", "Free particles: what conservation asks of the space",
-      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. "
-      "Without the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, "
-      "and its angular momentum changes sign at every step; likewise the momentum without a translation. Energy "
-      "asks nothing of the space: it is kept with the single field of the stream function x^3 y^2.");
+      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. Without "
+      "the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, and its "
+      "angular momentum changes sign at every step; likewise the momentum without a translation. Energy asks nothing "
+      "of the space: it is kept with the single field of the stream function x^3 y^2.");
   const double mass = std::acos(-1.0);
-  const auto kept = [&](const std::string& id, const std::string& text, double defect, double scale) {
-    check.holds(id + ": " + text, {defect},
-                Roundoff{steps, scale,
-                         "one rounded velocity per step; scale: sums of "
-                         "magnitudes, at most 3 times the mass"});
+  const auto kept = [&](const std::string& text, double defect, double scale) {
+    check.holds(
+        text, {defect},
+        Roundoff{steps, scale, "one rounded velocity per step; scale: sums of magnitudes, at most 3 times the mass"});
   };
   {
     Problem all(linear_fields(), mixed);
     const InvariantsLedger ledger = all.run();
-    kept("all-energy", "Energy is conserved to round-off with all linear fields.", ledger.largest_defect("energy"),
-         3 * mass);
-    kept("all-momentum", "Momentum is conserved to round-off with all linear fields.",
-         ledger.largest_defect("momentum"), 3 * mass);
-    kept("all-angular", "With all linear fields: angular momentum.", ledger.largest_defect("angular"), 3 * mass);
+    kept("Energy is conserved to round-off with all linear fields.", ledger.largest_defect("energy"), 3 * mass);
+    kept("Momentum is conserved to round-off with all linear fields.", ledger.largest_defect("momentum"), 3 * mass);
+    kept("With all linear fields: angular momentum.", ledger.largest_defect("angular"), 3 * mass);
   }
   {
     Problem no_rotation(without(2), mixed);
     const InvariantsLedger ledger = no_rotation.run();
-    kept("no-rotation-energy", "Energy is conserved to round-off without the rotation.",
-         ledger.largest_defect("energy"), 3 * mass);
-    kept("no-rotation-momentum", "Momentum is conserved to round-off without the rotation.",
-         ledger.largest_defect("momentum"), 3 * mass);
+    kept("Energy is conserved to round-off without the rotation.", ledger.largest_defect("energy"), 3 * mass);
+    kept("Momentum is conserved to round-off without the rotation.", ledger.largest_defect("momentum"), 3 * mass);
   }
-  const auto reflected = [&](const std::string& id, const std::string& text, std::size_t field,
-                             const std::function<Point(Point)>& velocity, const std::string& entry) {
+  const auto reflected = [&](const std::string& text, std::size_t field, const std::function<Point(Point)>& velocity,
+                             const std::string& entry) {
     Problem problem(without(field), velocity);
     OneStep<Model> step(problem.model);
     // The disc is about the origin where the projection is taken.
@@ -100,31 +92,27 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
     const double first = watch.ledger().entry(entry).initial;
     step.step(problem.state, tau);
     watch.record(problem.state);
-    check.holds(id + ": " + text, {watch.ledger().entry(entry).value / first},
-                Roundoff{48, 1, "a sum over 48 particles", -1});
+    check.holds(text, {watch.ledger().entry(entry).value / first}, Roundoff{48, 1, "a sum over 48 particles", -1});
   };
-  reflected("no-rotation-reflects", "Without the rotation the angular momentum changes sign.", 2, turning,
-            "angular_momentum_z");
+  reflected("Without the rotation the angular momentum changes sign.", 2, turning, "angular_momentum_z");
   reflected(
-      "no-translation-reflects", "Without the translation along x the momentum along x changes sign.", 0,
+      "Without the translation along x the momentum along x changes sign.", 0,
       [](Point) {
         return Point{1, 0};
       },
       "momentum_x");
   {
     Problem odd({{{1, 3, 2}}}, mixed);
-    kept("odd-energy", "With a single field, of the stream function x^3 y^2: energy.",
-         odd.run().largest_defect("energy"), 3 * mass);
+    kept("With a single field, of the stream function x^3 y^2: energy.", odd.run().largest_defect("energy"), 3 * mass);
   }
 }
 
 TEST_CASE("the projection scheme loses energy at the rate of its accelerations", "[conservation]") {
-  Check check(
-      "gauss_particles_dissipation", "Free particles: the loss of Frank's projection scheme",
-      "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
-      "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over that "
-      "prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
-  const seiche::exact::StretchingDrop drop(1, 1, 1);
+  Check check("gauss_particles_dissipation", "Free particles: the loss of Frank's projection scheme",
+              "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
+              "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over "
+              "that prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
+  const exact::StretchingDrop drop(1, 1, 1);
   constexpr int intervals = 400;
   double integral = 0;
   for (int k = 0; k <= intervals; ++k) {
@@ -151,10 +139,10 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
 }
 
 TEST_CASE("spray of free particles flies freely", "[conservation]") {
-  Check check(
-      "gauss_particles_spray", "Free particles: spray",
-      "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could continue the "
-      "fields: these move on their parabolas, to round-off, and the drop does not know of them.");
+  Check check("gauss_particles_spray", "Free particles: spray",
+              "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could "
+              "continue the fields: these move on their parabolas, to round-off, and the drop does not know of them.",
+              source);
   Particles particles = disc(1, 12);
   const std::size_t drop = particles.size();
   for (const double place : {4.0, 4.05, 4.1}) particles.add(place, 4, 0.001);
@@ -163,8 +151,7 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
   OneStep<Model> step(model);
   constexpr int count = 64;
   for (int k = 0; k < count; ++k) step.step(state, 1.0 / count);
-  Worst spray;
-  Worst fallen;
+  Worst spray, fallen;
   for (std::size_t k = 0; k < model.size(); ++k) {
     const bool flies = k >= drop;
     Worst& worst = flies ? spray : fallen;
@@ -172,16 +159,10 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
     worst.add(state.q[model.size() + k] - particles.y[k] - (flies ? 1 : 0) + 0.5);
   }
   const std::string resolution = "432 particles and 3, 64 steps";
-  check.that({.id = "spray",
-              .text = "Spray particles move on their exact parabolas.",
-              .quantity = "largest distance along an axis from the exact place",
-              .source = source},
-             {.value = spray.value(), .resolution = resolution},
+  check.that("spray", "Spray particles move on their exact parabolas.",
+             "largest distance along an axis from the exact place", {.value = spray.value(), .resolution = resolution},
              Roundoff{count, 5, "one rounding of places up to 5 per step"});
-  check.that({.id = "drop",
-              .text = "The drop falls as a whole.",
-              .quantity = "largest distance along an axis from the exact place",
-              .source = source},
+  check.that("drop", "The drop falls as a whole.", "largest distance along an axis from the exact place",
              {.value = fallen.value(), .resolution = resolution},
              Roundoff{count * count, 1,
                       "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
@@ -190,7 +171,8 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
 TEST_CASE("markers among free particles are never reflected", "[conservation]") {
   Check check("gauss_particles_markers", "Free particles: markers ride on the field",
               "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "
-              "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.");
+              "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.",
+              source);
   Particles particles = disc(1, 4);
   particles.add(0.3, -0.2, 0);
   const std::size_t marker = particles.size() - 1;
@@ -202,12 +184,9 @@ TEST_CASE("markers among free particles are never reflected", "[conservation]") 
   state.u[count + marker] = own.y;
   OneStep<Model> step(model);
   step.step(state, tau);
-  check.that({.id = "velocity",
-              .text = "The marker has the velocity of the water.",
-              .quantity = "distance of the velocities",
-              .source = source},
-             {.value = std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
+  check.that("velocity", "The marker has the velocity of the water.", "distance of the velocities",
+             {std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
              Roundoff{100, 1, "a projection of 48 particles onto five fields"});
 }
 
-}  // namespace gauss_particles_spaces_test
+}  // namespace seiche::verification::gauss_particles_spaces_test

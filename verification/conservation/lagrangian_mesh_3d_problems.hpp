@@ -1,16 +1,14 @@
 /// Motions of the hexahedral Lagrangian mesh on which conservation, accuracy and symmetries are tried.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {
@@ -92,6 +90,28 @@ inline lagrangian_mesh_3d::Mesh hump_over_bottom() {
        .south_wall = [](double x) { return 0.1 * x; },
        .bottom = uneven_bottom()});
 }
+
+/// Largest distances so far of its nodes from the bottom, and of those beside the oblique wall from it.
+class OffTheBottom {
+ public:
+  explicit OffTheBottom(const HexahedralProblem& problem)
+      : plan_(problem.model.mesh().plan), nodes_(problem.model.nodes().size()) {}
+
+  void operator()(const mechanics::State& state) {
+    for (std::size_t k = 0; k < plan_.nodes(); ++k) {
+      const double x = state.q[k], y = state.q[nodes_ + k];
+      bottom.add(state.q[2 * nodes_ + k] - bottom_->slope(x, y).elevation);
+      if (k <= plan_.columns) wall.add(y - 0.1 * x);
+    }
+  }
+
+  Worst bottom, wall;
+
+ private:
+  std::shared_ptr<const PlanBottom> bottom_ = uneven_bottom();
+  plan_lattice::Shape plan_;
+  std::size_t nodes_;
+};
 
 /// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 x 2 cells; its walls at x, y = 0 mirror it.
 inline lagrangian_mesh_3d::Mesh hump_in_box() {

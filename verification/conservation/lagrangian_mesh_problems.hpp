@@ -1,16 +1,16 @@
 /// Motions of the two-dimensional Lagrangian mesh on which conservation, accuracy and symmetries are tried.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {
@@ -50,6 +50,21 @@ inline std::shared_ptr<const GraphCurve> bump() {
                                         return 0.9375 * (2 * square - 1) * std::exp(-square);
                                       },
                                       0, 6, 60);
+}
+
+constexpr double wave_energy = 0.015;  ///< of a surface 0.1 cos(kx) over 6 depths, (1/4) 0.1^2 6
+
+/// Water that sloshes between walls of all kinds: what they are, and the water.
+inline std::vector<std::pair<std::string, MeshProblem (*)()>> basins() {
+  using namespace lagrangian_mesh_2d;
+  return {{"vertical walls, level bottom", [] { return sloshing(); }},
+          {"an inclined wall",
+           [] {
+             return MeshProblem(layer_mesh_with_slope(
+                 {.begin = 0, .end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation}, 1));
+           }},
+          {"a bump on the bottom", [] { return MeshProblem(layer_mesh_over(bump(), 0, 6, 24, 4, cosine_elevation)); }},
+          {"vertical walls, with the hourglass potential", [] { return sloshing({.hourglass = 0.3}); }}};
 }
 
 }  // namespace seiche::verification

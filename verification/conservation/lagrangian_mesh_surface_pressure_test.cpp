@@ -14,11 +14,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_surface_pressure_test {
+namespace seiche::verification::lagrangian_mesh_surface_pressure_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace lagrangian_mesh_2d;
 
 struct Named {
   std::string id, text;
@@ -67,12 +65,12 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
     const double kick = p0 * 0.5 * tau / lightest;  // a node's edge is half a depth long
     check.holds(scheme.text + ").", {moved.value()},
                 Roundoff{48.0 * static_cast<double>(steps), kick * tau * std::sqrt(static_cast<double>(steps)),
-                         "a step rounds the kick of the pressure on a node, p0 times half a depth over its "
-                         "mass, once per cell; velocities add up as a random walk, places follow them"});
+                         "a step rounds the kick of the pressure on a node, p0 times half a depth over its mass, once "
+                         "per cell; velocities add up as a random walk, places follow them"});
     check.holds(scheme.text + ": all multipliers are the pressure.", {pressure.value()},
                 Roundoff{48.0 * static_cast<double>(steps), p0,
-                         "the solution of 48 equations, and velocities of rounded kicks that must be "
-                         "brought to rest again, over 1000 steps"});
+                         "the solution of 48 equations, and velocities of rounded kicks that must be brought to rest "
+                         "again, over 1000 steps"});
   }
 }
 
@@ -86,8 +84,7 @@ struct DrivenMode {
   [[nodiscard]] double target(double time) const { return -depression * std::sin(sigma * time); }
   /// The scheme's own steps for a'' = -omega^2 (a - target), from rest.
   [[nodiscard]] std::vector<double> elevations(Stepping stepping, double tau, long steps) const {
-    double a = 0;
-    double v = 0;
+    double a = 0, v = 0;
     std::vector<double> all;
     const double w = omega * omega;
     for (long n = 0; n < steps; ++n) {
@@ -119,7 +116,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
   constexpr double tau = 0.1;
   constexpr long steps = 400;
   constexpr double h = length / columns;
-  const double omega = seiche::exact::LagrangianMeshDispersion(1, 1, h, rows).frequency(k);
+  const double omega = exact::LagrangianMeshDispersion(1, 1, h, rows).frequency(k);
   for (const auto& [name, sigma] : {std::pair{"fast", 1.3}, std::pair{"slow", 0.05}}) {
     const DrivenMode mode{omega, sigma, pressure * 3 * std::cos(k * h / 2) / (2 + std::cos(k * h))};
     auto& panel = check
@@ -143,8 +140,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
       const std::vector<double> down = wall(-1);
       const std::vector<double> reference = mode.elevations(scheme.stepping, tau, steps);
       std::vector<double> time, computed, expected;
-      Worst worst;
-      Worst highest;
+      Worst worst, highest;
       for (std::size_t n = 0; n < up.size(); ++n) {
         const double odd = 0.5 * (up[n] - down[n]);
         worst.add(odd - reference[n]);
@@ -160,10 +156,10 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
       check.holds(scheme.text + ": the elevation is that of the oscillator.", {worst.value() / highest.value()},
                   Bound{steps * tau * omega * highest.value() * highest.value() +
                             4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest.value(),
-                        "third-order terms: the square of the elevation, in depths, times the phase that has "
-                        "passed; and places of order one that are rounded in ten operations of each step"});
+                        "third-order terms: the square of the elevation, in depths, times the phase that has passed; "
+                        "and places of order one that are rounded in ten operations of each step"});
     }
   }
 }
 
-}  // namespace lagrangian_mesh_surface_pressure_test
+}  // namespace seiche::verification::lagrangian_mesh_surface_pressure_test

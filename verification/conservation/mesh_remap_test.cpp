@@ -15,11 +15,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace mesh_remap_test {
+namespace seiche::verification::mesh_remap_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 const std::string source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266";
 constexpr double size = 4;  // [m], of the patch
@@ -78,10 +76,9 @@ const Roundoff rounded{.operations = 100 * cells * cells,
 
 TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conservation]") {
   Check check("mesh_remap", "Remap of the two-dimensional mesh: what it keeps",
-              "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a "
-              "third of a cell, those of the sides along them.");
-  check.source(source);
-  const std::string resolution = "16 x 16 cells";
+              "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a third of a "
+              "cell, those of the sides along them.",
+              source);
   const Model model(free_patch(cells, cells, {0, 0}, {size, size}));
   const mechanics::State state = model.state();
   const auto [x, y] = moved(model.mesh());
@@ -90,49 +87,38 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
   });
   const Remapped now = remap(model, state.q, u, x, y);
   const Model next(now.mesh);
-  CompensatedSum along;
-  CompensatedSum up;
+  CompensatedSum along, up;
   for (std::size_t k = 0; k < model.mesh().nodes(); ++k) {
     along.add(next.nodes().mass()[k] * now.velocity[k].x - model.nodes().mass()[k] * u[k]);
     up.add(next.nodes().mass()[k] * now.velocity[k].y - model.nodes().mass()[k] * u[model.mesh().nodes() + k]);
   }
-  check.that({.id = "momentum",
-              .text = "Momentum is conserved by the remap to round-off.",
-              .quantity = "change of the momentum",
-              .unit = "m^3/s"},
-             {.value = std::hypot(along.value(), up.value()), .resolution = resolution}, rounded);
+  check.at("16 x 16 cells");
+  check.that("momentum", "Momentum is conserved by the remap to round-off.", "change of the momentum [m^3/s]",
+             {std::hypot(along.value(), up.value())}, rounded);
   const Remapped same = remap(model, state.q, u, model.mesh().x, model.mesh().y);
   const Remapped stream = remap(model, state.q, velocities(model.mesh(), [](Point) { return Point{1, -0.5}; }), x, y);
-  Worst changed;
-  Worst off;
+  Worst changed, off;
   for (std::size_t k = 0; k < model.mesh().nodes(); ++k) {
     changed.add(same.velocity[k].x - u[k]);
     changed.add(same.velocity[k].y - u[model.mesh().nodes() + k]);
     off.add(stream.velocity[k].x - 1);
     off.add(stream.velocity[k].y + 0.5);
   }
-  check.that({.id = "same",
-              .text = "A remap to where the mesh is changes nothing.",
-              .quantity = "largest difference of a velocity",
-              .unit = "m/s"},
-             {.value = changed.value(), .resolution = resolution}, rounded);
-  check.that({.id = "stream",
-              .text = "Water of one velocity stays so.",
-              .quantity = "largest difference of a velocity",
-              .unit = "m/s"},
-             {.value = off.value(), .resolution = resolution}, rounded);
+  check.that("same", "A remap to where the mesh is changes nothing.", "largest difference of a velocity [m/s]",
+             {changed.value()}, rounded);
+  check.that("stream", "Water of one velocity stays so.", "largest difference of a velocity [m/s]", {off.value()},
+             rounded);
 }
 
 TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]") {
   Check check("mesh_rezone", "A high wave at a wall on a rezoned mesh: what it keeps",
-              "A hump of water, half as high as it is deep, runs against a wall; 40 x 8 cells, "
-              "conservative steps. And still water.");
-  check.source(source);
+              "A hump of water, half as high as it is deep, runs against a wall; 40 x 8 cells, conservative steps. And "
+              "still water.",
+              source);
   Flow flow = hump(mechanics::Stepping::conservative);
   const double water = sum(flow.model().first_volumes());
   const double begin = flow.energy();
-  Worst spilt;
-  Worst drift;
+  Worst spilt, drift;
   march(flow, end, tau, [&] {
     const Mesh& mesh = flow.model().mesh();
     CompensatedSum area;
@@ -142,31 +128,24 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
   });
   const auto steps = static_cast<double>(flow.steps());
   const auto rezoned = static_cast<double>(flow.rezoning().done);
-  const std::string resolution = fmt::format("40 x 8 cells, {} steps, rezoned {} times", steps, rezoned);
-  check.that({.id = "rezoned", .text = "The mesh is rezoned on the way.", .quantity = "times"},
-             {.value = rezoned, .resolution = resolution},
+  check.at(fmt::format("40 x 8 cells, {} steps, rezoned {} times", steps, rezoned));
+  check.that("rezoned", "The mesh is rezoned on the way.", "times", {rezoned},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
-  check.that({.id = "water",
-              .text = "The area of the water is conserved by rezoning.",
-              .quantity = "largest change over the first area"},
-             {.value = spilt.value(), .resolution = resolution},
+  check.that("water", "The area of the water is conserved by rezoning.", "largest change over the first area",
+             {spilt.value()},
              Roundoff{40 * 8 * (steps + rezoned), 1, "every cell's area rounds in every step and in every rezoning"});
-  check.that({.id = "booked",
-              .text = "With what rezoning took, energy is conserved to round-off.",
-              .quantity = "largest change over the first value",
-              .source = "Frank (1994), chapter 1"},
-             {.value = drift.value(), .resolution = resolution},
-             Roundoff{(steps + rezoned) * 41 * 9, 1,
-                      "each step and each rezoning rounds the energy, a sum over the nodes, anew"});
-  check.that({.id = "taken",
-              .text = "The energy that rezoning takes is positive and small.",
-              .quantity = "what it took over the first value",
-              .source = "Frank (1994), chapter 1"},
-             {.value = flow.rezoning().lost / begin, .resolution = resolution},
-             Bound{0.005,
-                   "0 to 1 %: what it takes is of the square of the differences between neighbouring "
-                   "nodes, in the sheet at the wall alone",
-                   0.005});
+  check.from("Frank (1994), chapter 1")
+      .that("booked", "With what rezoning took, energy is conserved to round-off.",
+            "largest change over the first value", {drift.value()},
+            Roundoff{(steps + rezoned) * 41 * 9, 1,
+                     "each step and each rezoning rounds the energy, a sum over the nodes, anew"});
+  check.from("Frank (1994), chapter 1")
+      .that("taken", "The energy that rezoning takes is positive and small.", "what it took over the first value",
+            {flow.rezoning().lost / begin},
+            Bound{0.005,
+                  "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, in the "
+                  "sheet at the wall alone",
+                  0.005});
 
   const Mesh lake = layer_mesh({.begin = -10, .end = 0, .depth = 1, .columns = 40, .rows = 8});
   const Model still(lake);
@@ -178,19 +157,15 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
     apart.add(places.x[k] - lake.x[k]);
     apart.add(places.y[k] - lake.y[k]);
   }
-  check.that({.id = "lake",
-              .text = "The columns of a lake at rest are where they belong.",
-              .quantity = "largest way of a node",
-              .unit = "m"},
-             {.value = apart.value(), .resolution = resolution},
-             Roundoff{100, 10, "areas of columns from places of 10 m"});
+  check.that("lake", "The columns of a lake at rest are where they belong.", "largest way of a node [m]",
+             {apart.value()}, Roundoff{100, 10, "areas of columns from places of 10 m"});
 }
 
 TEST_CASE("columns that are put upright again keep their water and their slope", "[conservation]") {
   Check check("mesh_upright_columns", "Columns put upright again",
-              "Water 1 m deep between a vertical wall and a slope of 45 degrees, under waves of 0.2 m, "
-              "in columns that lean as a surface current of a quarter of a cell leaves them.");
-  check.source(source);
+              "Water 1 m deep between a vertical wall and a slope of 45 degrees, under waves of 0.2 m, in columns that "
+              "lean as a surface current of a quarter of a cell leaves them.",
+              source);
   constexpr std::size_t columns = 40;
   constexpr std::size_t rows = 8;
   const auto elevation = [](double x) { return 0.2 * std::cos(2 * x); };
@@ -217,8 +192,7 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
   const Model model(mesh);
   const mechanics::State state = model.state();
   const auto places = upright.places(state.q);
-  Worst changed;
-  Worst bent;
+  Worst changed, bent;
   CompensatedSum whole;
   for (std::size_t i = 0; i < columns; ++i) {
     const double was = area_of(mesh.x, mesh.y, i);
@@ -235,26 +209,17 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
       bent.add(places.x[k] - places.x[low] - slope * (places.y[k] - places.y[low]), first.x[low]);
     }
   }
-  const std::string resolution = "40 x 8 cells";
-  check.that({.id = "water",
-              .text = "The area of the water is conserved to round-off.",
-              .quantity = "change of the area",
-              .unit = "m^2"},
-             {.value = whole.value(), .resolution = resolution},
+  check.at("40 x 8 cells");
+  check.that("water", "The area of the water is conserved to round-off.", "change of the area [m^2]", {whole.value()},
              Roundoff{100 * columns, 10, "areas of columns from places of 10 m"});
-  check.that(
-      {.id = "column",
-       .text = "Every column keeps its water, but for what the polygon of the surface lacks.",
-       .quantity = "largest change of an area over it"},
-      {.value = changed.value(), .resolution = resolution, .where = fmt::format("x = {:.2f} m", changed.where())},
-      Bound{0.25 * 0.25 / 8,
-            "the polygon of an edge is off by its curvature times its width squared over eight: up to "
-            "0.8/m where the water is 0.8 m deep, and a quarter of a metre"});
-  check.that({.id = "slope",
-              .text = "Every column has its first direction again.",
-              .quantity = "largest distance of a node from the line",
-              .unit = "m"},
-             {.value = bent.value(), .resolution = resolution}, Roundoff{100, 10, "places of 10 m"});
+  check.that("column", "Every column keeps its water, but for what the polygon of the surface lacks.",
+             "largest change of an area over it",
+             {.value = changed.value(), .where = fmt::format("x = {:.2f} m", changed.where())},
+             Bound{0.25 * 0.25 / 8,
+                   "the polygon of an edge is off by its curvature times its width squared over eight: up to 0.8/m "
+                   "where the water is 0.8 m deep, and a quarter of a metre"});
+  check.that("slope", "Every column has its first direction again.", "largest distance of a node from the line [m]",
+             {bent.value()}, Roundoff{100, 10, "places of 10 m"});
 }
 
-}  // namespace mesh_remap_test
+}  // namespace seiche::verification::mesh_remap_test

@@ -1,5 +1,4 @@
 // One interface for all models: moving frames, a basis instead of multipliers, constraints that come and go.
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -9,12 +8,10 @@
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace model_concept_test {
+namespace seiche::verification::model_concept_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::rigid_chain;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace mechanics;
+using namespace rigid_chain;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1, 3, 5, 6";
 
@@ -217,13 +214,12 @@ double distance_after(Model& model, State state, int steps, double tau) {
 }
 
 TEST_CASE("one step for turned axes, for a basis, and for constraints that change", "[conservation]") {
-  Check check(
-      "mechanics_one_interface", "One step for all models",
-      "The pinned chain in Cartesian rates with multipliers, against the same chain with rates along axes that turn "
-      "with the position, and against projection on a basis without multipliers: the same motion. Free masses, "
-      "other pairs of which are kept apart in each step: energy and momenta are exact although the constraints "
-      "are never the same.");
-  check.source(source);
+  Check check("mechanics_one_interface", "One step for all models",
+              "The pinned chain in Cartesian rates with multipliers, against the same chain with rates along axes that "
+              "turn with the position, and against projection on a basis without multipliers: the same motion. Free "
+              "masses, other pairs of which are kept apart in each step: energy and momenta are exact although the "
+              "constraints are never the same.",
+              source);
   auto chain = heavy_chain();
   const State start = spiral_start(chain);
   const Roundoff same{
@@ -231,14 +227,12 @@ TEST_CASE("one step for turned axes, for a basis, and for constraints that chang
   TurnedChain turned(heavy_chain());
   State in_axes = start;
   turned.to_axes(in_axes.q, in_axes.u);
-  check.that({.id = "axes",
-              .text = "Rates along axes that turn with the position give the same motion.",
-              .quantity = "largest difference of a coordinate"},
+  check.that("axes", "Rates along axes that turn with the position give the same motion.",
+             "largest difference of a coordinate",
              {.value = distance_after(turned, in_axes, 100, 0.01), .resolution = "tau = 0.01, 100 steps"}, same);
   BasisChain basis(heavy_chain(), alternating_masses(4));
-  check.that({.id = "basis",
-              .text = "Projection on a basis gives the same motion as multipliers.",
-              .quantity = "largest difference of a coordinate"},
+  check.that("basis", "Projection on a basis gives the same motion as multipliers.",
+             "largest difference of a coordinate",
              {.value = distance_after(basis, start, 100, 0.01), .resolution = "tau = 0.01, 100 steps"}, same);
   auto free = RigidChain({.masses = std::vector<double>(9, 1.0)});
   State state = spiral_start(free);
@@ -253,20 +247,15 @@ TEST_CASE("one step for turned axes, for a basis, and for constraints that chang
   }
   const double speed = std::sqrt(2 * changing.kinetic_energy(state.q, state.u));
   const std::string resolution = "tau = 0.01, 10000 steps";
-  check.that({.id = "changing-energy",
-              .text = "Energy is exact with constraints that change from step to step.",
-              .quantity = "largest energy defect"},
-             {.value = watch.ledger().largest_defect("energy"), .resolution = resolution},
+  check.that("changing-energy", "Energy is exact with constraints that change from step to step.",
+             "largest energy defect", {.value = watch.ledger().largest_defect("energy"), .resolution = resolution},
              Roundoff{10000, speed * speed / 2, "one rounded energy per step"});
-  check.that({.id = "changing-momentum",
-              .text = "Momentum is exact with constraints that change from step to step.",
-              .quantity = "largest momentum defect"},
-             {.value = watch.ledger().largest_defect("momentum"), .resolution = resolution},
+  check.that("changing-momentum", "Momentum is exact with constraints that change from step to step.",
+             "largest momentum defect", {.value = watch.ledger().largest_defect("momentum"), .resolution = resolution},
              Roundoff{10000, 3 * speed, "one rounded update of sum m|u| per step"});
   check.that(
-      {.id = "changing-angular-momentum",
-       .text = "Angular momentum is exact with constraints that change from step to step.",
-       .quantity = "largest angular momentum defect"},
+      "changing-angular-momentum", "Angular momentum is exact with constraints that change from step to step.",
+      "largest angular momentum defect",
       {.value = watch.ledger().largest_defect("angular_momentum"), .resolution = resolution},
       Roundoff{10000, 3 * speed * far.value(), "one rounded update of sum m|r||u| per step, at the largest distance"});
 }
@@ -292,4 +281,4 @@ TEST_CASE("curvature by differences of J equals the Hessians of quadratic constr
   }
 }
 
-}  // namespace model_concept_test
+}  // namespace seiche::verification::model_concept_test

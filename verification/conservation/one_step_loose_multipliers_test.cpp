@@ -7,12 +7,10 @@
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace one_step_loose_multipliers_test {
+namespace seiche::verification::one_step_loose_multipliers_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::rigid_chain;
-using seiche::Worst;
-using namespace seiche::verification;
+using namespace mechanics;
+using namespace rigid_chain;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 1, formulas (4), (5)";
 
@@ -40,9 +38,7 @@ struct Defects {
   double energy = 0;      ///< of the whole run
   Worst unexplained;      ///< of a step, after the multipliers' work on the residual is booked
   Worst unexplained_sum;  ///< of the whole run, likewise
-  Worst momentum;
-  Worst angular_momentum;
-  Worst vertical;
+  Worst momentum, angular_momentum, vertical;
   Scales scales;
 };
 
@@ -100,18 +96,8 @@ TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their wo
       "T^n = \\tilde u^T M (u^{n+1} - u^n) = \\tau\\,\\lambda\\cdot(J\\tilde u) - (q^{n+1} - q^n)\\cdot\\nabla\\Pi$, "
       "for any $\\lambda$; the last term is $-\\Delta\\Pi$ if the potential is linear. An error of the same sign in "
       "all multipliers leaves $J\\tilde u = \\tfrac{\\tau}{2} e A\\lambda$, does work of one sign and adds up; random "
-      "errors walk: in N steps they do $\\sqrt{3N}$ times less.");
-  check.source(source);
-  seiche::evidence::Table table{.id = "loose",
-                                .title = "1000 steps of 0.01",
-                                .caption = "Largest defects for multipliers wrong by a fraction e.",
-                                .columns = {{"system", ""},
-                                            {"error", ""},
-                                            {"e", "1"},
-                                            {"energy", "1"},
-                                            {"energy less work on the residual", "1"},
-                                            {"momentum", "1"},
-                                            {"angular momentum", "1"}}};
+      "errors walk: in N steps they do $\\sqrt{3N}$ times less.",
+      source);
   Defects worst[2];
   for (const bool pinned : {false, true}) {
     Defects& w = worst[pinned ? 1 : 0];
@@ -124,51 +110,38 @@ TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their wo
         w.angular_momentum.add(d.angular_momentum);
         w.vertical.add(d.vertical);
         w.scales.include(d.scales);
-        table.rows.push_back({std::string(pinned ? "double pendulum" : "free chain"),
-                              std::string(kind == Error::random ? "random" : "systematic"), e, d.energy,
-                              d.unexplained_sum.value(),
-                              pinned ? std::variant<double, std::string>("not kept: pin") : d.momentum.value(),
-                              pinned ? d.vertical.value() : d.angular_momentum.value()});
       }
     }
   }
-  check.table(table);
   check_energy_law(check, "free-chain", worst[0]);
   check_energy_law(check, "pendulum", worst[1]);
   const std::string resolution = "tau = 0.01, 1000 steps, e = 0 .. 1e-6";
-  check.that({.id = "momentum",
-              .text = "Momentum of the free chain is exact for any multipliers.",
-              .quantity = "largest momentum defect"},
+  check.that("momentum", "Momentum of the free chain is exact for any multipliers.", "largest momentum defect",
              {.value = worst[0].momentum.value(), .resolution = resolution},
              Roundoff{steps, worst[0].scales.momentum, "one rounded update of sum m|u| per step"});
-  check.that({.id = "angular-momentum",
-              .text = "Angular momentum of the free chain is exact for any multipliers.",
-              .quantity = "largest angular momentum defect"},
-             {.value = worst[0].angular_momentum.value(), .resolution = resolution},
+  check.that("angular-momentum", "Angular momentum of the free chain is exact for any multipliers.",
+             "largest angular momentum defect", {.value = worst[0].angular_momentum.value(), .resolution = resolution},
              Roundoff{steps, worst[0].scales.angular_momentum, "one rounded update of sum m|r||u| per step"});
-  check.that({.id = "vertical-angular-momentum",
-              .text = "Angular momentum of the pendulum about the vertical through the pin is, too.",
-              .quantity = "largest defect"},
+  check.that("vertical-angular-momentum",
+             "Angular momentum of the pendulum about the vertical through the pin is, too.", "largest defect",
              {.value = worst[1].vertical.value(), .resolution = resolution},
              Roundoff{steps, worst[1].scales.angular_momentum, "one rounded update of sum m|r||u| per step"});
 
   // How much energy a solver's tolerance costs: errors of one sign add up, random ones walk.
   constexpr int seeds = 64;
-  double mean = 0;
-  double square = 0;
+  double mean = 0, square = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const double defect = defects_of({double_pendulum(), Error::random, 1e-6, seed}).energy;
     mean += defect / seeds;
     square += defect * defect / seeds;
   }
   const double deviation = std::sqrt(square - mean * mean);
-  check.that({.id = "random-walk",
-              .text = "The energy that random errors cost elsewhere is a typical outcome of their walk.",
-              .quantity = "energy defect of the pendulum at e = 1e-6, distance from the mean over 64 sequences in "
-                          "standard deviations",
-              .source = "regression: computed once by an earlier program for the same equations, one sequence: 3.4e-9"},
-             {.value = (3.4e-9 - mean) / deviation, .resolution = "tau = 0.01, 1000 steps"},
-             Bound{2, "one outcome of a random walk, at 95 %"});
+  check.from("regression: computed once by an earlier program for the same equations, one sequence: 3.4e-9")
+      .that(
+          "random-walk", "The energy that random errors cost elsewhere is a typical outcome of their walk.",
+          "energy defect of the pendulum at e = 1e-6, distance from the mean over 64 sequences in standard deviations",
+          {.value = (3.4e-9 - mean) / deviation, .resolution = "tau = 0.01, 1000 steps"},
+          Bound{2, "one outcome of a random walk, at 95 %"});
 }
 
-}  // namespace one_step_loose_multipliers_test
+}  // namespace seiche::verification::one_step_loose_multipliers_test

@@ -12,13 +12,10 @@
 #include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
 
-namespace particles_jumps_test {
+namespace seiche::verification::particles_jumps_test {
 
-using namespace seiche::shallow_water_particles;
-using seiche::Largest;
-using seiche::Worst;
-using namespace seiche::verification;
-using seiche::shallow_water::ProfileError;
+using namespace shallow_water_particles;
+using shallow_water::ProfileError;
 
 constexpr double gravity = 9.81;
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
@@ -47,18 +44,16 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
               "A bore runs 43 m over still water. The jump lives inside one particle and is handed to the next with "
               "exact time averages of edge velocity and pressure, so the reconstructed profile has no discretisation "
               "error at all: what is left is rounding. Across the jump the energy of the reconstruction must fall at "
-              "$g (h_1-h_0)^3 a/(4 h_1)$, the rate of the jump relations.");
-  check.source(source);
-  const seiche::exact::Bore exact(gravity, 1, 2, 0, 40);
+              "$g (h_1-h_0)^3 a/(4 h_1)$, the rate of the jump relations.",
+              source);
+  const exact::Bore exact(gravity, 1, 2, 0, 40);
   const double u = exact.behind_velocity();
   ParticleFlow flow(bore(gravity, 0, 40, 120, 2, 1, 120), {piston(u), Wall{}});
   const double start = flow.energy();
   const int steps = 100;
   Worst deviation;
   Largest outside;
-  std::vector<double> times;
-  std::vector<double> lost;
-  std::vector<double> expected;
+  std::vector<double> times, lost, expected;
   for (int k = 0; k < steps; ++k) {
     flow.advance(0.08);
     const double work = flow.ledger().left_impulse.value() * u;
@@ -71,50 +66,32 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
       outside.add(1 - flow.particles().depth(i));
     }
   }
-  const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
-  check.that({.id = "alone",
-              .text = "Beside an isolated bore no second jump is seen.",
-              .quantity = "jumps dropped beside a larger one"},
-             {.value = static_cast<double>(flow.events().adjacent_discarded), .resolution = resolution},
-             Bound{0, "the water on both sides is uniform"});
+  check.at("N = 120, tau = 0.08 s, 100 steps");
+  check.that("alone", "Beside an isolated bore no second jump is seen.", "jumps dropped beside a larger one",
+             {static_cast<double>(flow.events().adjacent_discarded)}, Bound{0, "the water on both sides is uniform"});
   const ProfileError error = reconstructed(flow, exact);
-  check.that({.id = "depth",
-              .text = "The depth reconstructed beside the bore is exact.",
-              .quantity = "L1 error of depth",
-              .unit = "m",
-              .source = source + ", fig. 12"},
-             {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 2));
-  check.that({.id = "velocity",
-              .text = "The velocity reconstructed beside the bore is exact.",
-              .quantity = "L1 error of velocity",
-              .unit = "m/s",
-              .source = source + ", fig. 12"},
-             {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 5.4));
+  check.from(source + ", fig. 12")
+      .that("depth", "The depth reconstructed beside the bore is exact.", "L1 error of depth [m]", {error.depth.l1},
+            rounding(steps, 2));
+  check.from(source + ", fig. 12")
+      .that("velocity", "The velocity reconstructed beside the bore is exact.", "L1 error of velocity [m/s]",
+            {error.velocity.l1}, rounding(steps, 5.4));
+  check.that("width", "The jump is at most one particle wide.", "particles in the jump",
+             {static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200))},
+             Bound{1, "one particle holds the jump; none at the instant of a hand-over"});
+  check.that("bounds", "No depth outside the two exact depths in any step.", "largest excess [m]",
+             {std::max(outside.value(), 0.0)}, rounding(steps, 2));
   check.that(
-      {.id = "width", .text = "The jump is at most one particle wide.", .quantity = "particles in the jump"},
-      {.value = static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200)), .resolution = resolution},
-      Bound{1, "one particle holds the jump; none at the instant of a hand-over"});
-  check.that({.id = "bounds",
-              .text = "No depth outside the two exact depths in any step.",
-              .quantity = "largest excess",
-              .unit = "m"},
-             {.value = std::max(outside.value(), 0.0), .resolution = resolution}, rounding(steps, 2));
-  check.that({.id = "momentum",
-              .text = "Momentum changes by the impulses of the ends only.",
-              .quantity = "momentum defect",
-              .unit = "m^3/s"},
-             {.value = flow.momentum_defect(), .resolution = resolution},
-             Roundoff{10, flow.ledger().left_impulse.value(),
-                      "books, their sum, and what is left of three numbers are rounded once, as large as the impulse "
-                      "of the piston, for sums are compensated; 100 steps round the momenta of 120 particles, a "
-                      "hundredth of that each"});
-  check.that({.id = "entropy",
-              .text = "Energy falls at the rate of the jump relations at every instant.",
-              .quantity = "largest deviation of the energy lost",
-              .unit = "m^4/s^2",
-              .source = "Stoker, Water Waves (1957), ch. 10"},
-             {.value = deviation.value(), .resolution = resolution},
-             Roundoff{100, start, "one rounded work per step; scale is the energy"});
+      "momentum", "Momentum changes by the impulses of the ends only.", "momentum defect [m^3/s]",
+      {flow.momentum_defect()},
+      Roundoff{
+          10, flow.ledger().left_impulse.value(),
+          "books, their sum, and what is left of three numbers are rounded once, as large as the impulse of the "
+          "piston, for sums are compensated; 100 steps round the momenta of 120 particles, a hundredth of that each"});
+  check.from("Stoker, Water Waves (1957), ch. 10")
+      .that("entropy", "Energy falls at the rate of the jump relations at every instant.",
+            "largest deviation of the energy lost [m^4/s^2]", {deviation.value()},
+            Roundoff{100, start, "one rounded work per step; scale is the energy"});
   auto& panel = check.figure("energy", "Energy lost by the bore", "Energy of the two-state reconstruction against D t.")
                     .panel({.x = "t [s]", .y = "energy lost [m^4/s^2]"});
   panel.line("exact", times, expected, Role::exact);
@@ -126,7 +103,7 @@ TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundr
               "A bore with $h_1 = 1$, $u_1 = 1.3$ meets a wall. Incident and reflected jump are followed inside the "
               "particle at the wall, so the depth at the wall is the exact reflected depth for any number of "
               "particles. Tolerances count rounded operations.");
-  const auto exact = seiche::exact::BoreReflection::from_velocity(gravity, 1, 1.3, 5, 10);
+  const auto exact = exact::BoreReflection::from_velocity(gravity, 1, 1.3, 5, 10);
   for (const std::size_t count : {std::size_t{10}, std::size_t{100}}) {
     ParticleFlow flow(bore(gravity, 0, 5, 10, 1, exact.incident().ahead().depth, count), {piston(1.3), Wall{}});
     const int steps = static_cast<int>(13 * count);
@@ -144,18 +121,15 @@ TEST_CASE("a stationary jump stays where it is", "[conservation]") {
   Check check("particles_stationary_jump", "Stationary hydraulic jump",
               "Water streams through a jump that stands at x = 100: every particle is swept through it. All particles "
               "but the one that holds the jump keep one of the two exact states.");
-  const seiche::exact::StationaryJump exact(gravity, 1, 2, 100);
+  const exact::StationaryJump exact(gravity, 1, 2, 100);
   const double fast = exact.upstream().velocity;
   const double slow = exact.downstream().velocity;
   ParticleFlow flow(dam_break(0, 100, 105, {1, fast}, {2, slow}, 105), {piston(fast), piston(slow)});
   for (int k = 0; k < 100; ++k) flow.advance(0.08);
   const double error = reconstructed(flow, exact).depth.l1;
-  check.that({.id = "depth",
-              .text = "The depth reconstructed beside the bore is exact.",
-              .quantity = "L1 error of depth",
-              .unit = "m",
-              .source = source + ", fig. 18"},
-             {.value = error, .resolution = "N = 105, tau = 0.08 s, 100 steps"}, rounding(100, 2));
+  check.from(source + ", fig. 18")
+      .that("depth", "The depth reconstructed beside the bore is exact.", "L1 error of depth [m]",
+            {.value = error, .resolution = "N = 105, tau = 0.08 s, 100 steps"}, rounding(100, 2));
 }
 
 TEST_CASE("two bores collide exactly", "[conservation]") {
@@ -163,7 +137,7 @@ TEST_CASE("two bores collide exactly", "[conservation]") {
               "Bores of depths 2 and 1.5 run towards each other over depth 1 and pass through one another. While they "
               "share a few particles their positions are followed in mass coordinates; before and after, they are "
               "found from particle means. Two seconds after the collision the reconstructed profile is exact.");
-  const seiche::exact::CollidingBores exact(gravity, 2, 1, 1.5, 30, 70);
+  const exact::CollidingBores exact(gravity, 2, 1, 1.5, 30, 70);
   for (const std::size_t count : {std::size_t{200}, std::size_t{800}}) {
     ParticleFlow flow(uniform_stretches({{0, 30, exact.left()}, {30, 70, {1, 0}}, {70, 100, exact.right()}}, count),
                       {piston(exact.left().velocity), piston(exact.right().velocity)});
@@ -182,7 +156,7 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
   Check check("particles_dry_front", "Front of a dam break on a dry bed",
               "The front particle carries a tip profile; its front keeps the velocity $2 c_1$, so the front is exact "
               "for ten particles. The discharge at the dam is $8 h_1 c_1/27$ at all times.");
-  const seiche::exact::Ritter exact(gravity, 1, 10);
+  const exact::Ritter exact(gravity, 1, 10);
   for (const std::size_t count : {std::size_t{10}, std::size_t{100}}) {
     ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Wall{}, Vacuum{}});
     const int steps = static_cast<int>(39 * count / 10);
@@ -199,4 +173,4 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
   }
 }
 
-}  // namespace particles_jumps_test
+}  // namespace seiche::verification::particles_jumps_test

@@ -8,11 +8,11 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace particles_open_section_test {
+namespace seiche::verification::particles_open_section_test {
 
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
   Open open;
@@ -25,10 +25,11 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
   Check check("particles_steady_bump", "Steady flow over a bump between open sections",
               "Particles enter at x = 0 with a given discharge, cross the bump and leave at x = 25 against a given "
               "depth: no particle stays, yet the exact steady flow must stay. Mass and momentum that pass the sections "
-              "are booked, and the error of the depth after 40 s falls with the square of the particle width.");
-  const seiche::exact::SteadyBump exact(9.81, 4.42, 2);
-  Convergence errors;
-  for (const std::size_t count : {std::size_t{25}, std::size_t{50}, std::size_t{100}, std::size_t{200}}) {
+              "are booked, and the error of the depth after 40 s falls with the square of the particle width.",
+              "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269");
+  const exact::SteadyBump exact(9.81, 4.42, 2);
+  const auto error_of = [&](double width) {
+    const std::size_t count = cells_of(25, width);
     const Particles start = particles_from_profile(
         equal_width_edges(0, 25, count), [&](double x) { return exact.at(x).depth; },
         [&](double x) { return exact.at(x).velocity; });
@@ -38,31 +39,27 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     march(flow, 40);
     const auto error = cell_error(
         flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
-    errors.add(25.0 / static_cast<double>(count), error.depth.l1);
     check.holds(fmt::format("mass_{}", count) + ": Mass equals what has passed the sections.", {flow.mass_defect()},
                 Roundoff{6, flow.ledger().left_mass.value(),
-                         "the books of the two sections, their sum, and what is left of three numbers are "
-                         "rounded once, as large as the mass that has entered; sums are compensated, and one "
-                         "particle at a section, of 1/80 of that mass at most, is rounded per step"});
+                         "the books of the two sections, their sum, and what is left of three numbers are rounded "
+                         "once, as large as the mass that has entered; sums are compensated, and one particle at a "
+                         "section, of 1/80 of that mass at most, is rounded per step"});
     check.holds(fmt::format("momentum_{}", count) + ": Momentum equals the booked impulses.", {flow.momentum_defect()},
                 Roundoff{6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
                                  std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
                          flow.ledger().left_impulse.value(),
-                         "the books of the sections and of the bed, their sum, and what is left of three "
-                         "numbers are rounded once, as large as the impulse at a section, for sums are "
-                         "compensated; and every step rounds the momentum of each particle"});
-  }
-  check.that({.id = "order",
-              .text = "The depth over the bump converges at second order.",
-              .quantity = "order of L1(h)",
-              .source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269"},
-             errors.order(),
-             Order{2, 0.5,
-                   "the ends of the bump have a kink in z', where the limited slopes are of first order over a "
-                   "region that shrinks with the width"});
-  auto& panel = check.figure("convergence", "Error of the steady depth", "L1 error against particle width.")
-                    .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
-  panel.points("particles", errors.sizes, errors.errors);
+                         "the books of the sections and of the bed, their sum, and what is left of three numbers are "
+                         "rounded once, as large as the impulse at a section, for sums are compensated; and every step "
+                         "rounds the momentum of each particle"});
+    return error.depth.l1;
+  };
+  refine(check, {"particle width [m]", widths(25, {25, 50, 100, 200})},
+         {{"order",
+           "The depth over the bump converges at second order.",
+           {2, 0.5,
+            "the ends of the bump have a kink in z', where the limited slopes are of first order over a region that "
+            "shrinks with the width"}}},
+         error_of);
 }
 
-}  // namespace particles_open_section_test
+}  // namespace seiche::verification::particles_open_section_test

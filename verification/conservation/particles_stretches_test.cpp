@@ -1,20 +1,15 @@
 // A step of the shallow-water particles goes through a long row stretch by stretch, on threads: neither leaves a trace.
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace particles_stretches_test {
+namespace seiche::verification::particles_stretches_test {
 
-using namespace seiche;
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr long steps = 6;
 
@@ -57,12 +52,11 @@ double differing(Level level) {
 }
 
 TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[conservation]") {
-  Check check(
-      "particles_stretches", "Shallow-water particles: stretch by stretch",
-      "A row of 5000 particles, which a step goes through in three stretches, and a piece of it across a seam: where "
-      "the ends of the piece have not been felt, edges and velocities are equal but for the round-off of edges whose "
-      "waves are solved for to the end in one row and to 1e-13 in the other. Every particle has a part in the limit "
-      "of the next step.");
+  Check check("particles_stretches", "Shallow-water particles: stretch by stretch",
+              "A row of 5000 particles, which a step goes through in three stretches, and a piece of it across a seam: "
+              "where the ends of the piece have not been felt, edges and velocities are equal but for the round-off of "
+              "edges whose waves are solved for to the end in one row and to 1e-13 in the other. Every particle has a "
+              "part in the limit of the next step.");
   for (const auto& [level, name] :
        {std::pair{Level::godunov, "G1"}, std::pair{Level::muscl, "M2"}, std::pair{Level::hand_over, "H2"}}) {
     check.holds(std::string(name) + ": A piece of the row moves like the whole.", {differing(level)},
@@ -82,4 +76,4 @@ TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[cons
               {static_cast<double>(still.largest_step().particle)}, Bound{0, "a number of a particle", narrowest});
 }
 
-}  // namespace particles_stretches_test
+}  // namespace seiche::verification::particles_stretches_test

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
@@ -16,14 +14,12 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan/island_flow.hpp"
+#include "validation/instruments/island_flow.hpp"
 #include "verification/check.hpp"
 
-namespace plan_remap_test {
+namespace seiche::verification::plan_remap_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 const std::string source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266";
 constexpr double size = 4;  // [m], of the box
@@ -65,8 +61,7 @@ double sum(std::span<const double> values) {
 }
 
 Point momentum(std::span<const double> masses, std::span<const double> u, std::span<const double> v) {
-  CompensatedSum x;
-  CompensatedSum y;
+  CompensatedSum x, y;
   for (std::size_t k = 0; k < masses.size(); ++k) {
     x.add(masses[k] * u[k]);
     y.add(masses[k] * v[k]);
@@ -80,9 +75,9 @@ const Roundoff rounded{.operations = 100 * cells * cells,
 
 TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]") {
   Check check("plan_remap", "Remap of the two-dimensional horizontal model: what it keeps",
-              "16 x 16 cells over a level bottom 1 m deep, waves of 0.2 m and velocities of 1 m/s; "
-              "nodes move by up to a third of a cell, those of the sides along them.");
-  check.source(source);
+              "16 x 16 cells over a level bottom 1 m deep, waves of 0.2 m and velocities of 1 m/s; nodes move by up to "
+              "a third of a cell, those of the sides along them.",
+              source);
   const std::string resolution = "16 x 16 cells";
   {
     const Model model(box(0.2));
@@ -95,17 +90,11 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
     std::vector<double> u = state.u;
     const Remapped now = remap(model, state.q, u, x, y);
     const Model next(now.lattice);
-    check.that({.id = "water",
-                .text = "The volume of the water is conserved to round-off.",
-                .quantity = "change of the volume",
-                .unit = "m^3"},
+    check.that("water", "The volume of the water is conserved to round-off.", "change of the volume [m^3]",
                {.value = sum(next.first_volumes()) - sum(model.first_volumes()), .resolution = resolution}, rounded);
     const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
     const Point after = momentum(next.node_masses(), now.u, now.v);
-    check.that({.id = "momentum",
-                .text = "Momentum is conserved by the remap to round-off.",
-                .quantity = "change of the momentum",
-                .unit = "m^4/s"},
+    check.that("momentum", "Momentum is conserved by the remap to round-off.", "change of the momentum [m^4/s]",
                {.value = std::hypot(after.x - before.x, after.y - before.y), .resolution = resolution}, rounded);
   }
   {
@@ -125,17 +114,16 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
       off.add(now.w[k]);
       off.add(now.lattice.z[k]);
     }
-    check.that({.id = "stream",
-                .text = "A stream of one velocity under a level surface stays one.",
-                .quantity = "largest difference"},
+    check.that("stream", "A stream of one velocity under a level surface stays one.", "largest difference",
                {.value = off.value(), .resolution = resolution}, rounded);
   }
 }
 
 TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]") {
   Check check("plan_remap_thin", "Remap of the two-dimensional horizontal model: rough and thin water",
-              "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities "
-              "of 1 m/s at random; nodes move by up to a third of a cell.");
+              "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities of 1 m/s at "
+              "random; nodes move by up to a third of a cell.",
+              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   Lattice rough = box(0);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -147,43 +135,31 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   const Remapped now = remap(model, model.state().q, u, x, y);
   const Model next(now.lattice);
   const std::size_t n = model.nodes();
-  const std::string resolution = "16 x 16 cells";
   Smallest depth;
   for (const double z : now.lattice.z) depth.add(z + 1);
-  check.that({.id = "wet",
-              .text = "Depths of all columns stay positive after the remap.",
-              .quantity = "smallest depth is positive",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = depth.value() > 0 ? 1.0 : 0.0, .resolution = resolution},
+  check.at("16 x 16 cells");
+  check.that("wet", "Depths of all columns stay positive after the remap.", "smallest depth is positive",
+             {depth.value() > 0 ? 1.0 : 0.0},
              Qualitative{"above the bottom", "a column sinks by a part of its depth in a pass"});
-  check.that({.id = "told",
-              .text = "The remap tells what water it put elsewhere than it was swept, and most is not.",
-              .quantity = "that water over all",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = now.displaced / sum(model.first_volumes()), .resolution = resolution},
+  check.that("told", "The remap tells what water it put elsewhere than it was swept, and most is not.",
+             "that water over all", {now.displaced / sum(model.first_volumes())},
              Bound{0.025 - 1e-6, "some, less than a twentieth", 0.025});
-  check.that({.id = "water",
-              .text = "The volume of the water is conserved to round-off.",
-              .quantity = "change of the volume",
-              .unit = "m^3",
-              .source = source},
-             {.value = sum(next.first_volumes()) - sum(model.first_volumes()), .resolution = resolution}, rounded);
+  check.from(source).that("water", "The volume of the water is conserved to round-off.", "change of the volume [m^3]",
+                          {sum(next.first_volumes()) - sum(model.first_volumes())}, rounded);
   const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
   const Point after = momentum(next.node_masses(), now.u, now.v);
-  check.that({.id = "momentum",
-              .text = "Momentum is conserved by the remap to round-off.",
-              .quantity = "change of the momentum",
-              .unit = "m^4/s",
-              .source = source},
-             {.value = std::hypot(after.x - before.x, after.y - before.y), .resolution = resolution}, rounded);
+  check.from(source).that("momentum", "Momentum is conserved by the remap to round-off.",
+                          "change of the momentum [m^4/s]", {std::hypot(after.x - before.x, after.y - before.y)},
+                          rounded);
   Largest speed;
   for (std::size_t k = 0; k < n; ++k) speed.add(std::hypot(now.u[k], now.v[k]));
 }
 
 TEST_CASE("a lattice that follows the shore draws films back and keeps its widths", "[conservation]") {
   Check check("plan_rezone_film", "Places of the nodes next to a shoreline",
-              "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the "
-              "island, or its second row towards the shoreline.");
+              "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the island, or "
+              "its second row towards the shoreline.",
+              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   const validation::ConicalIsland island({.spacing = 0.5});
   Lattice lake = island.lattice();
   const std::size_t count = lake.shape.columns + 1;
@@ -196,8 +172,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   // Of the cells beside a column, from the shoreline to a row.
   const auto mean_depth = [&](const Lattice& lattice, std::span<const double> volumes, std::size_t i,
                               std::size_t rows) {
-    double water = 0;
-    double area = 0;
+    double water = 0, area = 0;
     for (std::size_t row = 0; row < rows; ++row) {
       for (const std::size_t beside : cells_beside(i)) {
         const std::size_t cell = row * lattice.shape.columns + beside;
@@ -228,7 +203,6 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     const double slope = 2 * mean_depth(film, thin.first_volumes(), i, 1) / width(film, i, 1);
     off.add(width(drawn, i, 1) / width(film, i, 1) / std::sqrt(slope / edge_slope) - 1);
   }
-  const std::string resolution = "columns 0.5 m apart";
   // A tongue: one marker of the shoreline runs 0.4 m ahead, those beside it half as far.
   Lattice tongue = lake;
   const std::size_t ahead = count / 2;
@@ -250,48 +224,33 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   for (std::size_t i = 0; i + 1 < count; ++i) {
     steepest.add(std::abs(up(i + 1) - up(i)) / std::hypot(lake.x[i + 1] - lake.x[i], lake.y[i + 1] - lake.y[i]));
   }
-  check.that({.id = "cut",
-              .text = "A tongue is drawn back to the slope asked for, on both of its sides.",
-              .quantity = "steepest way up from a marker of the shoreline to the next one over their distance",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = steepest.value(), .resolution = resolution},
+  check.at("columns 0.5 m apart");
+  check.that("cut", "A tongue is drawn back to the slope asked for, on both of its sides.",
+             "steepest way up from a marker of the shoreline to the next one over their distance", {steepest.value()},
              Bound{0.05, "columns are lines from the first shoreline to the outer side and not quite radii", 1});
   Worst pressed;
   for (std::size_t j = 1; j < lake.shape.rows; ++j) {
     pressed.add(std::min(0.0, width(cut, ahead, j) / width(as_it_comes, ahead, j) - 0.7));
   }
-  check.that({.id = "pressed",
-              .text = "No cell of its column is pressed by more than 0.3.",
-              .quantity = "width left below 0.7 of what it was",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = pressed.value(), .resolution = resolution},
-             Roundoff{10, 10, "differences of places up to 10 m away"});
-  check.that({.id = "drawn",
-              .text = "A film is drawn back until a wedge of its water has the slope asked for.",
-              .quantity = "width of the cells at the shoreline over the square root of what the slope lacks, less 1",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = off.value(), .resolution = resolution},
+  check.that("pressed", "No cell of its column is pressed by more than 0.3.", "width left below 0.7 of what it was",
+             {pressed.value()}, Roundoff{10, 10, "differences of places up to 10 m away"});
+  check.that("drawn", "A film is drawn back until a wedge of its water has the slope asked for.",
+             "width of the cells at the shoreline over the square root of what the slope lacks, less 1", {off.value()},
              Bound{0.01,
-                   "what the pattern + - takes from a row that is no circle: the bottom's "
-                   "spline moves its markers by some mm in half a metre"});
+                   "what the pattern + - takes from a row that is no circle: the bottom's spline moves its markers by "
+                   "some mm in half a metre"});
   const Remapped after = remap(thin, state.q, state.u, drawn.x, drawn.y);
   const Model next(after.lattice, {.gravity = validation::ConicalIsland::gravity});
-  check.that({.id = "water",
-              .text = "The film's water goes with it.",
-              .quantity = "change of the volume over it",
-              .source = source},
-             {.value = sum(next.first_volumes()) / sum(thin.first_volumes()) - 1, .resolution = resolution},
-             Roundoff{static_cast<double>(lake.shape.cells()), 1,
-                      "every cell's volume rounds its own differences of places of the basin's size"});
+  check.from(source).that("water", "The film's water goes with it.", "change of the volume over it",
+                          {sum(next.first_volumes()) / sum(thin.first_volumes()) - 1},
+                          Roundoff{static_cast<double>(lake.shape.cells()), 1,
+                                   "every cell's volume rounds its own differences of places of the basin's size"});
   std::vector<double> moved_down = after.lattice.x;
   moved_down.insert(moved_down.end(), after.lattice.y.begin(), after.lattice.y.end());
   moved_down.insert(moved_down.end(), after.lattice.z.begin(), after.lattice.z.end());
-  check.that({.id = "downhill",
-              .text = "Potential energy of the film falls: the water goes downhill.",
-              .quantity = "potential energy after is less than before",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = thin.potential_energy(moved_down) < thin.potential_energy(state.q) ? 1.0 : 0.0,
-              .resolution = resolution},
+  check.that("downhill", "Potential energy of the film falls: the water goes downhill.",
+             "potential energy after is less than before",
+             {thin.potential_energy(moved_down) < thin.potential_energy(state.q) ? 1.0 : 0.0},
              Qualitative{"less than before", "water leaves the slope above the others"});
 
   // A film over two rows: the shoreline 0.25 m farther up, two rows 0.09 m apart with 0.4 and 0.8 mm of water.
@@ -314,11 +273,8 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     const double slope = 2 * mean_depth(sheet, sheeted.first_volumes(), i, 2) / both(sheet, i);
     off_rows.add(both(gathered, i) / both(sheet, i) / std::sqrt(slope / edge_slope) - 1);
   }
-  check.that({.id = "drawn-rows",
-              .text = "A film over two rows is drawn back as one.",
-              .quantity = "width of both rows of cells over the square root of what the slope lacks, less 1",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = off_rows.value(), .resolution = resolution},
+  check.that("drawn-rows", "A film over two rows is drawn back as one.",
+             "width of both rows of cells over the square root of what the slope lacks, less 1", {off_rows.value()},
              Bound{0.01, "as of one row: markers of a row that is no circle move by some mm in decimetres"});
 
   // The second row 1 mm from the shoreline.
@@ -334,17 +290,15 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   for (std::size_t j = 1; j < lake.shape.rows; ++j) {
     for (std::size_t i = 0; i < count; ++i) least.add(width(kept, i, j) / width(lake, i, j));
   }
-  check.that({.id = "widths",
-              .text = "Rows that come too near to each other are put apart.",
-              .quantity = "narrowest cell along its column, over what it was at the beginning",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
-             {.value = least.value(), .resolution = resolution},
+  check.that("widths", "Rows that come too near to each other are put apart.",
+             "narrowest cell along its column, over what it was at the beginning", {least.value()},
              Bound{1e-9, "a quarter, to rounding", RezoneSettings{}.narrowest});
 }
 
 TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conservation]") {
   Check check("plan_rezone_breaking", "The highest wave around the conical island",
-              "Case C, columns 0.7 m apart, until the water behind the island has run up and down.");
+              "Case C, columns 0.7 m apart, until the water behind the island has run up and down.",
+              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 0.7});
   RezonedFlow flow = island.rezoned_flow();
   const double water = sum(flow.flow().model().first_volumes());
@@ -352,44 +306,37 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   bool whole = true;
   try {
     march(flow, island.passage() + 6, island.step(),
-          [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
+                    [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
   } catch (const Divergence&) {
     whole = false;
   }
   const std::string resolution =
       fmt::format("columns 0.7 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
-  check.that({.id = "whole",
-              .text = "The grid is sound until the wave has passed the island.",
-              .quantity = "the lattice is sound at the end, and each rezoning could be made",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
+  check.that("whole", "The grid is sound until the wave has passed the island.",
+             "the lattice is sound at the end, and each rezoning could be made",
              {.value = whole && flow.refused() == 0 ? 1.0 : 0.0, .resolution = resolution},
              Qualitative{"no cell folds, no column falls dry", "6 s after the crest would pass the middle"});
-  check.that({.id = "water",
-              .text = "The volume of the water is conserved to round-off.",
-              .quantity = "largest change over the first volume",
-              .source = source},
-             {.value = spilt.value(), .resolution = resolution},
-             Roundoff{static_cast<double>(flow.flow().shape().cells()), 1,
-                      "every cell's volume rounds its own differences of places of the basin's size"});
+  check.from(source).that("water", "The volume of the water is conserved to round-off.",
+                          "largest change over the first volume", {.value = spilt.value(), .resolution = resolution},
+                          Roundoff{static_cast<double>(flow.flow().shape().cells()), 1,
+                                   "every cell's volume rounds its own differences of places of the basin's size"});
 }
 
 TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
   Check check("plan_rezone_fronts", "Breaking fronts on a lattice that is rezoned",
-              "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the "
-              "middle of the island; the lattice is rezoned before every step.");
+              "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the middle of the "
+              "island; the lattice is rezoned before every step.",
+              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 1});
   RezonedFlow flow(island.lattice(), [&](double x, double y) { return island.velocity(x, y); }, {},
                    island.model_settings(), {.drift = 1e-6});
-  long remembered = 0;
-  long rezoned = 0;
+  long remembered = 0, rezoned = 0;
   march(flow, island.passage() + 2, island.step(), [&] {
     const bool anew = flow.rezoned() > std::exchange(rezoned, flow.rezoned());
     if (anew && flow.flow().model().breaking().going_on() > 0) ++remembered;
   });
-  check.that({.id = "go-on",
-              .text = "What broke before a rezoning breaks on after it, though it is not steep any more.",
-              .quantity = "steps with such fronts after a rezoning, more than none",
-              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
+  check.that("go-on", "What broke before a rezoning breaks on after it, though it is not steep any more.",
+             "steps with such fronts after a rezoning, more than none",
              {.value = remembered > 0 ? 1.0 : 0.0,
               .resolution = fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned())},
              Qualitative{"a front that breaks and has no steep place",
@@ -398,26 +345,22 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
 
 TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
   Check check("plan_rezone", "A flow around an island on a rezoned lattice: what it keeps",
-              "Case A of the conical island, columns 1 m apart, until the crest would be at the middle "
-              "of the island; and still water.");
-  check.source(source);
+              "Case A of the conical island, columns 1 m apart, until the crest would be at the middle of the island; "
+              "and still water.",
+              source);
   const validation::ConicalIsland island({.height = 0.045, .spacing = 1});
   RezonedFlow flow = island.rezoned_flow();
   const double water = sum(flow.flow().model().first_volumes());
   Worst spilt;
   march(flow, island.passage(), island.step(),
-        [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
-  const std::string resolution =
-      fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
+                  [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
   const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());
   const auto steps = static_cast<double>(flow.steps());
-  check.that({.id = "rezoned", .text = "The lattice is rezoned on the way.", .quantity = "times"},
-             {.value = static_cast<double>(flow.rezoned()), .resolution = resolution},
+  check.at(fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned()));
+  check.that("rezoned", "The lattice is rezoned on the way.", "times", {static_cast<double>(flow.rezoned())},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
-  check.that({.id = "water",
-              .text = "The volume of the water is conserved to round-off.",
-              .quantity = "largest change over the first volume"},
-             {.value = spilt.value(), .resolution = resolution},
+  check.that("water", "The volume of the water is conserved to round-off.", "largest change over the first volume",
+             {spilt.value()},
              Roundoff{cells_of_all, 1, "every cell's volume rounds its own differences of places of the basin's size"});
 
   Lattice lake = island.flow().model().lattice();
@@ -431,11 +374,7 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
     apart.add(places.x[k] - lake.x[k]);
     apart.add(places.y[k] - lake.y[k]);
   }
-  check.that({.id = "lake",
-              .text = "The lattice of a lake at rest is where it belongs.",
-              .quantity = "largest way of a node",
-              .unit = "m"},
-             {.value = apart.value(), .resolution = resolution},
+  check.that("lake", "The lattice of a lake at rest is where it belongs.", "largest way of a node [m]", {apart.value()},
              Roundoff{10, 20, "a cubic at its own node, places of 20 m"});
   const Remapped same = remap(still, rest.q, rest.u, lake.x, lake.y);
   Worst risen;
@@ -445,41 +384,35 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
     risen.add(same.v[k]);
     risen.add(same.w[k]);
   }
-  check.that(
-      {.id = "rest", .text = "A remap to where it is leaves it at rest.", .quantity = "largest elevation or velocity"},
-      {.value = risen.value(), .resolution = resolution}, Roundoff{100, 20, "volumes of cells from places of 20 m"});
+  check.that("rest", "A remap to where it is leaves it at rest.", "largest elevation or velocity", {risen.value()},
+             Roundoff{100, 20, "volumes of cells from places of 20 m"});
 }
 
 TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]") {
   Check check("plan_rezone_energy", "A flow around an island on a rezoned lattice: its energy",
-              "Case A of the conical island without friction, columns 1 m apart, conservative steps, "
-              "until the crest would be at the middle of the island.");
+              "Case A of the conical island without friction, columns 1 m apart, conservative steps, until the crest "
+              "would be at the middle of the island.",
+              "Frank (1994), chapter 1");
   const validation::ConicalIsland island(
       {.height = 0.045, .spacing = 1, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
   RezonedFlow flow = island.rezoned_flow();
   const double begin = flow.energy();
   Worst drift;
   march(flow, island.passage(), island.step(),
-        [&] { drift.add((flow.energy() + flow.lost()) / begin - 1, flow.time()); });
+                  [&] { drift.add((flow.energy() + flow.lost()) / begin - 1, flow.time()); });
   const std::string resolution =
       fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
-  check.that({.id = "booked",
-              .text = "With what rezoning took, energy is conserved to round-off.",
-              .quantity = "largest change over the first value",
-              .source = "Frank (1994), chapter 1"},
-             {.value = drift.value(), .resolution = resolution},
+  check.that("booked", "With what rezoning took, energy is conserved to round-off.",
+             "largest change over the first value", {.value = drift.value(), .resolution = resolution},
              Roundoff{static_cast<double>(flow.steps() + flow.rezoned()), 100,
-                      "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning "
-                      "rounds their differences anew"});
-  check.that({.id = "taken",
-              .text = "The energy that rezoning takes is positive and small.",
-              .quantity = "what it took over the first value",
-              .source = "Frank (1994), chapter 1"},
+                      "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning rounds their "
+                      "differences anew"});
+  check.that("taken", "The energy that rezoning takes is positive and small.", "what it took over the first value",
              {.value = flow.lost() / begin, .resolution = resolution},
              Bound{0.005,
-                   "0 to 1 %: what it takes is of the square of the differences between neighbouring "
-                   "nodes, next to the shore alone",
+                   "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, next to "
+                   "the shore alone",
                    0.005});
 }
 
-}  // namespace plan_remap_test
+}  // namespace seiche::verification::plan_remap_test

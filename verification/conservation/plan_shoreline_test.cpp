@@ -1,7 +1,5 @@
 // The moving shoreline of the plan model: rest, conservation, and the slow oscillation of water in a parabolic canal.
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -13,14 +11,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace plan_shoreline_test {
+namespace seiche::verification::plan_shoreline_test {
 
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::PolynomialBottom;
-using seiche::Worst;
-using seiche::plan_lattice::ShoreSide;
+using namespace dispersive_shallow_water_2d;
+using plan_lattice::ShoreSide;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
 constexpr double half_width = 10;
@@ -66,7 +60,7 @@ Lattice ring(double amplitude) {
     }
   }
   lattice.sides.south = ShoreSide{};
-  lattice.sides.north = seiche::plan_lattice::HeldSide{};
+  lattice.sides.north = plan_lattice::HeldSide{};
   return lattice;
 }
 
@@ -80,31 +74,25 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
   Check check("plan_shoreline_rest", "Still water with moving shorelines, seen from above",
               "Markers at depth zero stand at the still-water level, and the bottom's part of the potential energy is "
               "taken with the surface's line between them: no force. 200 steps of 0.1. On a circular shore markers are "
-              "at the level only to round-off.");
+              "at the level only to round-off.",
+              source);
   Flow straight(moved_water(20, 0));
   Flow round(ring(0));
   for (int n = 0; n < 200; ++n) {
     straight.advance(0.1);
     round.advance(0.1);
   }
-  check.that({.id = "straight",
-              .text = "Velocities between straight shores stay zero.",
-              .quantity = "largest velocity",
-              .source = source},
-             {.value = fastest(straight)}, Bound{0, "every force is exactly zero"});
-  check.that({.id = "round",
-              .text = "Velocities inside a circular shore stay zero.",
-              .quantity = "largest velocity",
-              .source = source},
-             {.value = fastest(round)}, Roundoff{200, 1, "elevations rounded once, of depth 1, and 200 steps"});
+  check.that("straight", "Velocities between straight shores stay zero.", "largest velocity", {fastest(straight)},
+             Bound{0, "every force is exactly zero"});
+  check.that("round", "Velocities inside a circular shore stay zero.", "largest velocity", {fastest(round)},
+             Roundoff{200, 1, "elevations rounded once, of depth 1, and 200 steps"});
 }
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
-  Check check(
-      "plan_shoreline_conservation", "Conservation with moving shorelines, seen from above",
-      "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
-      "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up a "
-      "side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
+  Check check("plan_shoreline_conservation", "Conservation with moving shorelines, seen from above",
+              "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
+              "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up "
+              "a side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
   struct Problem {
     std::string id, text;
     Lattice lattice;
@@ -134,7 +122,8 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
 TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conservation]") {
   Check check("plan_shoreline_swing", "Water that swings in a parabolic canal, seen from above",
               "Thacker (1981): in shallow water the surface stays a plane and the water moves as a whole, with "
-              "frequency sqrt(2)/10 here. Dispersion adds what is of the order of (depth/half width)^2.");
+              "frequency sqrt(2)/10 here. Dispersion adds what is of the order of (depth/half width)^2.",
+              "Thacker, J. Fluid Mech. 107 (1981) 499");
   std::vector<double> spacings, errors;
   const double period = 2 * std::numbers::pi * half_width / std::sqrt(2.0);
   auto& panel =
@@ -155,11 +144,9 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
     panel.line(fmt::format("{} columns", columns), time, shore);
     if (columns == 80) panel.line("Thacker", time, swing, Role::exact);
   }
-  check.that({.id = "swing",
-              .text = "The shoreline goes up and down as in the exact solution.",
-              .quantity = "largest difference over the amplitude",
-              .source = "Thacker, J. Fluid Mech. 107 (1981) 499"},
-             {.value = errors.back(), .resolution = "80 columns"}, Bound{0.06, "dispersion: 2 pi times (1/10)^2"});
+  check.that("swing", "The shoreline goes up and down as in the exact solution.",
+             "largest difference over the amplitude", {.value = errors.back(), .resolution = "80 columns"},
+             Bound{0.06, "dispersion: 2 pi times (1/10)^2"});
 }
 
 TEST_CASE("shorelines that cannot be are refused", "[robustness]") {
@@ -173,4 +160,4 @@ TEST_CASE("shorelines that cannot be are refused", "[robustness]") {
   CHECK_THROWS_AS(Flow(window, {}, {}, {}, {}, {.reach = [](double) { return 0.0; }}), std::invalid_argument);
 }
 
-}  // namespace plan_shoreline_test
+}  // namespace seiche::verification::plan_shoreline_test

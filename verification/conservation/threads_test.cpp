@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -28,10 +27,8 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
 
-namespace threads_test {
+namespace seiche::verification::threads_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using mechanics::Stepping;
 
 using Numbers = std::vector<double>;
@@ -330,4 +327,4 @@ TEST_CASE("any number of threads gives the same bits of shallow water", "[conser
   channel::all(check);
 }
 
-}  // namespace threads_test
+}  // namespace seiche::verification::threads_test

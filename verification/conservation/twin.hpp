@@ -3,11 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -115,8 +113,7 @@ class Seen {
  private:
   [[nodiscard]] static double relative(const std::vector<double>& one, const std::vector<double>& other) {
     if (one.size() != other.size()) return std::numeric_limits<double>::infinity();
-    Worst difference;
-    Worst scale;
+    Worst difference, scale;
     for (std::size_t k = 0; k < one.size(); ++k) {
       difference.add(one[k] - other[k]);
       scale.add(one[k]);

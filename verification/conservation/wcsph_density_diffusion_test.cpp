@@ -10,12 +10,9 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_density_diffusion_test {
+namespace seiche::verification::wcsph_density_diffusion_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 
@@ -66,9 +63,9 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
       check.holds(fmt::format("Density diffusion creates no mass ({}, {}).", setup.name, name_of(kernel)),
                   {static_cast<double>(sum / scale)},
                   Roundoff{60, 1,
-                           "terms of a pair are the same numbers bit by bit but for their volumes: 4 roundings "
-                           "of each and of the sums of some 45 of them, which may be 10 times the rate; over "
-                           "hundreds of particles they cancel as random numbers do"});
+                           "terms of a pair are the same numbers bit by bit but for their volumes: 4 roundings of each "
+                           "and of the sums of some 45 of them, which may be 10 times the rate; over hundreds of "
+                           "particles they cancel as random numbers do"});
     }
     Particles linear = at_rest(random_blob(spacing, 1000, 1));
     for (std::size_t a = 0; a < linear.size(); ++a)
@@ -79,10 +76,9 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
     for (const double rate : diffusion_of(linear, open)) largest.add(rate / usual);
     check.holds(fmt::format("A linear density is left alone ({}).", name_of(kernel)), {largest.value()},
                 Roundoff{60, 1000 / (1000 * 0.02 * spacing) * 100,
-                         "densities of 1000 are rounded where neighbours differ by 2: 500 times; the inverse "
-                         "of a matrix that is taken down to a determinant of 0.01: 100 times; some 45 "
-                         "neighbours"});
+                         "densities of 1000 are rounded where neighbours differ by 2: 500 times; the inverse of a "
+                         "matrix that is taken down to a determinant of 0.01: 100 times; some 45 neighbours"});
   }
 }
 
-}  // namespace wcsph_density_diffusion_test
+}  // namespace seiche::verification::wcsph_density_diffusion_test

@@ -223,8 +223,7 @@ class DirectSums {
 
   /// Of a wall at rest: P = sum [P_b + rho_b g . r_ab] W/sum W over the fluid, turned into a density.
   [[nodiscard]] double extrapolated_density(std::size_t a) const {
-    double sum = 0;
-    double weights = 0;
+    double sum = 0, weights = 0;
     neighbours(a, [&](std::size_t b, const Pair& pair) {
       sum += (pressure_[b] - p_.density[b] * settings_.gravity * pair.r.y()) * pair.weight;
       weights += pair.weight;
@@ -352,8 +351,7 @@ inline RateDifference compare(wcsph::Flow& flow, double spacing) {
   const wcsph::Rates direct = DirectSums(particles, spacing, flow.settings()).rates();
   // Rates of walls other than that of their density belong to their motion.
   const auto difference = [&](const std::vector<double>& values, const std::vector<double>& reference, bool walls) {
-    std::vector<double> mine;
-    std::vector<double> theirs;
+    std::vector<double> mine, theirs;
     for (std::size_t a = 0; a < particles.size(); ++a) {
       if (!walls && particles.kind[a] != wcsph::Kind::fluid) continue;
       mine.push_back(values[a]);

@@ -1,28 +1,25 @@
 // What weakly compressible SPH conserves: momentum to round-off, angular momentum and energy to the order of the steps.
 #include <cmath>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_invariants_test {
+namespace seiche::verification::wcsph_invariants_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 const std::string source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703: antisymmetry of the pair forces";
 
 /// Blob with random velocities and no net momentum.
 Particles resting_blob(double spacing) {
   Particles blob = random_blob(spacing, 1000, 1);
-  double mass = 0;
-  double px = 0;
-  double pz = 0;
+  double mass = 0, px = 0, pz = 0;
   for (std::size_t a = 0; a < blob.size(); ++a) {
     mass += blob.mass[a];
     px += blob.mass[a] * blob.u[a];
@@ -37,7 +34,7 @@ Particles resting_blob(double spacing) {
 
 /// Velocity (-x, z), jittered: no symmetry is left.
 Particles jittered_patch(double spacing, double density) {
-  Particles patch = disc(spacing, density);
+  Particles patch = wcsph_disc(spacing, density);
   jitter(patch, 0.1 * spacing);
   for (std::size_t a = 0; a < patch.size(); ++a) {
     patch.u[a] = -patch.x[a] + 0.3 * patch.z[a];
@@ -63,8 +60,8 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
     check.holds(fmt::format("Momentum is conserved to round-off ({}).", name),
                 {std::hypot(end.momentum[0], end.momentum[1]) / start.absolute_momentum},
                 Roundoff{300.0 * 4 / 1250, 1,
-                         "each of 1250 particles rounds its velocity 4 times per step, independently: the mean "
-                         "of their random walks over 300 steps"});
+                         "each of 1250 particles rounds its velocity 4 times per step, independently: the mean of "
+                         "their random walks over 300 steps"});
     CHECK(end.mass == start.mass);
   }
 }
@@ -72,91 +69,65 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
 TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conservation]") {
   Check check("wcsph_smoothed_motion", "Smoothed motion",
               "The displacement (6) pulls particles towards the mean velocity of their neighbours: it moves no mass, "
-              "$\\sum m\\,\\dot r = \\sum m\\,u$, and by its sign it brings particles together in velocity, "
-              "$\\sum m\\,\\dot r\\cdot u < \\sum m\\,u\\cdot u$.");
+              "$\\sum m\\,\\dot r = \\sum m\\,u$, and by its sign it brings particles together in velocity, $\\sum "
+              "m\\,\\dot r\\cdot u < \\sum m\\,u\\cdot u$.",
+              source);
   const Particles blob = random_blob(0.05, 1000, 1);
   Flow flow(blob, 0.05, {.gravity = 0, .sound_speed = 20, .viscosity = Inviscid{}, .xsph = 0.5});
   const Rates rates = flow.rates();
   const Particles& p = flow.particles();
-  double drift = 0;
-  double scale = 0;
-  double smoothed = 0;
-  double square = 0;
+  double drift = 0, scale = 0, smoothed = 0, square = 0;
   for (std::size_t a = 0; a < p.size(); ++a) {
     drift += p.mass[a] * (rates.dx[a] - p.u[a]);
     scale += p.mass[a] * std::abs(rates.dx[a] - p.u[a]);
     smoothed += p.mass[a] * (rates.dx[a] * p.u[a] + rates.dz[a] * p.w[a]);
     square += p.mass[a] * (p.u[a] * p.u[a] + p.w[a] * p.w[a]);
   }
-  check.that({.id = "centre",
-              .text = "Smoothing the motion does not move the centre of mass.",
-              .quantity = "sum m (dr/dt - u) over its absolute sum",
-              .source = source},
-             {.value = drift / scale},
+  check.that("centre", "Smoothing the motion does not move the centre of mass.",
+             "sum m (dr/dt - u) over its absolute sum", {drift / scale},
              Roundoff{20.0 + 1250, 0.05,
                       "20 pairs per particle, and a sum of 1250 terms, of relative size 1/sqrt(1250) each"});
-  check.that({.id = "direction",
-              .text = "Smoothing draws particles towards the motion of their neighbours.",
-              .quantity = "sum m dr/dt . u below sum m u . u",
-              .source = "Monaghan, J. Comput. Phys. 82 (1989) 1"},
-             {.value = smoothed < square ? 1.0 : 0.0},
-             Qualitative{"sum m dr/dt . u < sum m u . u", "the weights are positive: each pair contributes -|u_ab|^2"});
+  check.from("Monaghan, J. Comput. Phys. 82 (1989) 1")
+      .that("direction", "Smoothing draws particles towards the motion of their neighbours.",
+            "sum m dr/dt . u below sum m u . u", {smoothed < square ? 1.0 : 0.0},
+            Qualitative{"sum m dr/dt . u < sum m u . u", "the weights are positive: each pair contributes -|u_ab|^2"});
 }
 
 TEST_CASE("energy and angular momentum are conserved to the order of the steps", "[conservation]") {
-  Check check(
-      "wcsph_energy", "Energy and angular momentum of a free patch",
-      "A jittered stretching and turning disc without viscosity to t = 0.2. The equations conserve energy, kinetic and "
-      "elastic, and angular momentum in continuous time, with smoothed motion too: the work of the pressures in "
-      "(3) is the elastic power of (2). What is left is of the steps: of their "
-      "order, second, for angular momentum, and of third for the energy of sound.");
+  Check check("wcsph_energy", "Energy and angular momentum of a free patch",
+              "A jittered stretching and turning disc without viscosity to t = 0.2. The equations conserve energy, "
+              "kinetic and elastic, and angular momentum in continuous time, with smoothed motion too: the work of the "
+              "pressures in (3) is the elastic power of (2). What is left is of the steps: of their order, second, for "
+              "angular momentum, and of third for the energy of sound.");
   constexpr double spacing = 0.08;
   const Particles patch = jittered_patch(spacing, 1);
-  std::vector<double> steps;
-  std::vector<double> energy;
-  std::vector<double> turning;
-  for (const int count : {100, 141, 200, 283}) {
-    Flow flow(patch, spacing, {.gravity = 0, .density = 1, .sound_speed = 14, .viscosity = Inviscid{}, .xsph = 0.5});
-    const Totals start = flow.totals();
-    for (int step = 0; step < count; ++step) flow.advance(0.2 / count);
-    const Totals end = flow.totals();
-    steps.push_back(0.2 / count);
-    energy.push_back(std::abs(end.energy() - start.energy()) / start.kinetic);
-    turning.push_back(std::abs(end.angular_momentum - start.angular_momentum) / std::abs(start.angular_momentum));
-  }
-  auto& panel = check.figure("drift", "Drift of the invariants", "Relative change until t = 0.2 against the step.")
-                    .panel({.x = "dt [s]", .y = "relative drift", .log_x = true, .log_y = true});
-  panel.points("energy", steps, energy);
-  panel.points("angular momentum", steps, turning, Role::peer);
-  const std::string order_source = "explicit midpoint rule: a quadratic invariant drifts by dt^4 per step";
-  check.that(
-      {.id = "energy-order",
-       .text = "Energy drifts with the third order of the step.",
-       .quantity = "order of the energy drift",
-       .source = order_source},
-      observed_order(steps, energy),
-      Order{3, 0.3,
-            "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the energy "
-            "is not quadratic, so that a second-order part shows below a quarter of it"});
-  check.that({.id = "angular-momentum-order",
-              .text = "Angular momentum drifts with the second order of the step.",
-              .quantity = "order of the drift",
-              .source = order_source},
-             observed_order(steps, turning),
-             Order{2, 0.25, "order of the midpoint rule; a third-order share at the longest steps"});
-  seiche::evidence::Table table{.id = "drifts",
-                                .title = "Drifts",
-                                .caption = "Relative change until t = 0.2.",
-                                .columns = {{"dt", "s"}, {"energy", "1"}, {"angular momentum", "1"}}};
-  for (std::size_t k = 0; k < steps.size(); ++k) table.rows.push_back({steps[k], energy[k], turning[k]});
-  check.table(std::move(table));
+  refine(
+      check, {"dt [s]", widths(0.2, {100, 141, 200, 283})},
+      {{"energy-order",
+        "Energy drifts with the third order of the step.",
+        {3, 0.3,
+         "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the energy is not "
+         "quadratic, so that a second-order part shows below a quarter of it"}},
+       {"angular-momentum-order",
+        "Angular momentum drifts with the second order of the step.",
+        {2, 0.25, "order of the midpoint rule; a third-order share at the longest steps"}}},
+      [&](double step) {
+        Flow flow(patch, spacing,
+                  {.gravity = 0, .density = 1, .sound_speed = 14, .viscosity = Inviscid{}, .xsph = 0.5});
+        const Totals start = flow.totals();
+        for (std::size_t k = cells_of(0.2, step); k > 0; --k) flow.advance(step);
+        const Totals end = flow.totals();
+        return std::array{std::abs(end.energy() - start.energy()) / start.kinetic,
+                          std::abs(end.angular_momentum - start.angular_momentum) / std::abs(start.angular_momentum)};
+      });
 }
 
 TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
   Check check("wcsph_symmetric_patch", "Angular momentum of a symmetric patch",
               "The stretching disc on a lattice that is symmetric about both axes: angular momentum stays at rounding "
-              "although steps are explicit.");
-  Particles patch = disc(0.05, 1);
+              "although steps are explicit.",
+              "symmetry");
+  Particles patch = wcsph_disc(0.05, 1);
   for (std::size_t a = 0; a < patch.size(); ++a) {
     patch.u[a] = -patch.x[a];
     patch.w[a] = patch.z[a];
@@ -164,14 +135,11 @@ TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
   Flow flow(patch, 0.05, {.gravity = 0, .density = 1, .sound_speed = 14, .viscosity = Inviscid{}, .xsph = 0.5});
   march(flow, 0.5);
   const Totals end = flow.totals();
-  check.that({.id = "turning",
-              .text = "A symmetric patch does not turn.",
-              .quantity = "angular momentum/sum m |u| R",
-              .source = "symmetry"},
-             {.value = end.angular_momentum / end.absolute_momentum},
+  check.that("turning", "A symmetric patch does not turn.", "angular momentum/sum m |u| R",
+             {end.angular_momentum / end.absolute_momentum},
              Roundoff{static_cast<double>(flow.steps()) * 4 / 1257, 1,
                       "independent rounding of 1257 velocities, 4 times per step"});
   CHECK(std::hypot(end.momentum[0], end.momentum[1]) / end.absolute_momentum < 1e-15);
 }
 
-}  // namespace wcsph_invariants_test
+}  // namespace seiche::verification::wcsph_invariants_test

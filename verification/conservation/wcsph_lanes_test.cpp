@@ -18,12 +18,9 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_lanes_test {
+namespace seiche::verification::wcsph_lanes_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 
@@ -172,8 +169,7 @@ TEST_CASE("every width of registers gives the rates of sums over all pairs", "[c
   Check check("wcsph_lanes", "Pair loops for every width of registers",
               "The loops exist for two, four and eight particles at a time, with reciprocals and roots of each "
               "instruction set. All that this machine runs, of a free blob whose number of particles is a multiple of "
-              "none of them, "
-              "against sums over all pairs.");
+              "none of them, against sums over all pairs.");
   Particles blob = random_blob(spacing, 1000, 1);
   while (blob.size() % 8 != 5) blob.add(5 + 0.5 * static_cast<double>(blob.size() % 8), 3, 10, 1000);
   for (const Version& version : runnable()) {
@@ -199,8 +195,8 @@ TEST_CASE("every width of registers gives the rates of sums over all pairs", "[c
           fmt::format("The {} loops give the rates of sums over all pairs ({}).", version.name, name_of(kernel)),
           {largest.value()},
           Roundoff{120, 1,
-                   "some 40 roundings of a pair, of which those of 20 pairs add up as the pairs do, and 20 of "
-                   "sums, in both ways of summing; pressures are the same numbers in both"});
+                   "some 40 roundings of a pair, of which those of 20 pairs add up as the pairs do, and 20 of sums, in "
+                   "both ways of summing; pressures are the same numbers in both"});
     }
   }
 }
@@ -208,8 +204,8 @@ TEST_CASE("every width of registers gives the rates of sums over all pairs", "[c
 TEST_CASE("every width of registers gives the sums of the density filter and of extrapolated walls", "[conservation]") {
   Check check(
       "wcsph_lanes_sums", "Sums of the density filter and of extrapolated walls for every width of registers",
-      "A jittered square of 21 by 21 particles with random velocities and densities: moments of the filter, and "
-      "mean pressure and lever that each place would be told as a wall's, against the same sums written out.");
+      "A jittered square of 21 by 21 particles with random velocities and densities: moments of the filter, and mean "
+      "pressure and lever that each place would be told as a wall's, against the same sums written out.");
   const Particles square = noisy_square(21, spacing);
   for (const Version& version : runnable()) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
@@ -248,10 +244,9 @@ TEST_CASE("every width of registers gives the sums of the density filter and of 
         largest.add(std::abs(factor * moments.mx - heavy) / (1000 * spacing));
         CHECK(moments.neighbours == neighbours);
       }
-      check.holds(fmt::format("The {} loops give these sums ({}).", version.name, name_of(kernel)), {largest.value()},
-                  Roundoff{120, 1,
-                           "some 40 roundings of a pair and 20 of sums, in both ways of summing; weights add "
-                           "up to 1"});
+      check.holds(
+          fmt::format("The {} loops give these sums ({}).", version.name, name_of(kernel)), {largest.value()},
+          Roundoff{120, 1, "some 40 roundings of a pair and 20 of sums, in both ways of summing; weights add up to 1"});
     }
   }
 }
@@ -287,10 +282,10 @@ TEST_CASE("every width of registers shifts particles as sums over all pairs do",
           fmt::format("The {} loops shift particles as sums over all pairs do ({}).", version.name, name_of(kernel)),
           {largest.value()},
           Roundoff{2, 21,
-                   "the two places are rounded as numbers of up to 21 dx; the shift, 0.1 dx or less, "
-                   "and velocities and densities have errors below that"});
+                   "the two places are rounded as numbers of up to 21 dx; the shift, 0.1 dx or less, and velocities "
+                   "and densities have errors below that"});
     }
   }
 }
 
-}  // namespace wcsph_lanes_test
+}  // namespace seiche::verification::wcsph_lanes_test

@@ -11,11 +11,9 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_rates_test {
+namespace seiche::verification::wcsph_rates_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::worst;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 
@@ -52,13 +50,12 @@ struct Model {
 };
 
 TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and boundary", "[conservation]") {
-  Check check(
-      "wcsph_rates", "Rates against sums over all pairs",
-      "The right-hand sides of (2)-(6) on disordered particles with random velocities, densities and masses: "
-      "the tiled, clustered evaluation against sums over all N^2 pairs written straight from the formulas. A "
-      "free blob, a box that repeats itself in both directions and a layer over a floor of dynamic particles; "
-      "both kernels; inviscid, artificial viscosity, laminar viscosity with and without sub-particle-scale stress. "
-      "Largest difference over the largest rate.");
+  Check check("wcsph_rates", "Rates against sums over all pairs",
+              "The right-hand sides of (2)-(6) on disordered particles with random velocities, densities and masses: "
+              "the tiled, clustered evaluation against sums over all N^2 pairs written straight from the formulas. A "
+              "free blob, a box that repeats itself in both directions and a layer over a floor of dynamic particles; "
+              "both kernels; inviscid, artificial viscosity, laminar viscosity with and without sub-particle-scale "
+              "stress. Largest difference over the largest rate.");
   const double side = 16 * spacing;
   const std::vector<Setup> setups{{"blob", "free blob", random_blob(spacing, 1000, 1), {}, 0.01},
                                   {"box", "periodic box", noisy_square(16, spacing), {side, side}, 0.02},
@@ -67,15 +64,6 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
                                   {"artificial", "artificial viscosity", ArtificialViscosity{0.3}},
                                   {"laminar", "laminar viscosity", LaminarSps{0.01, 0, 0}},
                                   {"sps", "laminar and sub-particle-scale stress", LaminarSps{0.01, 0.12, 0.0066}}};
-  seiche::evidence::Table table{.id = "differences",
-                                .title = "Largest difference over the largest rate",
-                                .caption = "Motion, acceleration, density.",
-                                .columns = {{"particles", ""},
-                                            {"kernel", ""},
-                                            {"viscosity", ""},
-                                            {"motion", "1"},
-                                            {"acceleration", "1"},
-                                            {"density", "1"}}};
   for (const Setup& setup : setups) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       for (const Model& model : models) {
@@ -86,20 +74,17 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
                                 .period = setup.period};
         Flow flow(setup.particles, spacing, settings);
         const RateDifference found = compare(flow, spacing);
-        table.rows.push_back(
-            {setup.name, std::string(name_of(kernel)), model.name, found.motion, found.acceleration, found.density});
-        check.holds(fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name,
-                                name_of(kernel), model.name),
-                    {worst(std::array{found.motion, found.acceleration, found.density})},
-                    Roundoff{4, 1 / setup.deviation,
-                             "pressures are differences (rho/rho_0)^7 - 1 of densities within 1 % (blob) or "
-                             "2 %: the rounding of rho/rho_0, of both particles and in both ways of summing, "
-                             "counts 100 or 50 times; of the 40 others of a pair each counts once, "
-                             "all together less than one of these"});
+        check.holds(
+            fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name, name_of(kernel),
+                        model.name),
+            {worst(std::array{found.motion, found.acceleration, found.density})},
+            Roundoff{4, 1 / setup.deviation,
+                     "pressures are differences (rho/rho_0)^7 - 1 of densities within 1 % (blob) or 2 %: the rounding "
+                     "of rho/rho_0, of both particles and in both ways of summing, counts 100 or 50 times; of the 40 "
+                     "others of a pair each counts once, all together less than one of these"});
       }
     }
   }
-  check.table(std::move(table));
 }
 
 TEST_CASE("rates equal the sums over all pairs with clamped walls and density diffusion", "[conservation]") {
@@ -131,30 +116,26 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
       check.holds(id + ": " + fmt::format("{}, {}: all rates agree with the sums over all pairs.", setup.name, name),
                   {worst(std::array{found.motion, found.acceleration, found.density})},
                   Roundoff{6, 1 / setup.deviation,
-                           "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of "
-                           "a wall becomes a density and a pressure again"});
+                           "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of a wall "
+                           "becomes a density and a pressure again"});
     }
   }
 }
 
 TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") {
   Check check("wcsph_step_rule", "Length of the step",
-              "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest "
-              "$|h_{ab}\\,u_{ab}\\cdot r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.");
+              "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest $|h_{ab}\\,u_{ab}\\cdot "
+              "r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.",
+              "Monaghan, J. Comput. Phys. 110 (1994) 399");
   const double side = 16 * spacing;
   Flow flow(noisy_square(16, spacing), spacing,
             {.sound_speed = 20, .viscosity = ArtificialViscosity{0.1}, .period = {side, side}});
   const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
-  check.that({.id = "step",
-              .text = "The first step has the length of the rule.",
-              .quantity = "dt",
-              .unit = "s",
-              .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
-             {.value = flow.stable_step()},
+  check.that("step", "The first step has the length of the rule.", "dt [s]", {flow.advance()},
              Roundoff{40, expected,
-                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, "
-                      "and that of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
+                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, and that "
+                      "of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
                       expected});
 }
 
-}  // namespace wcsph_rates_test
+}  // namespace seiche::verification::wcsph_rates_test

@@ -1,5 +1,4 @@
 // Standing waves of the plan model against its closed dispersion law: the linearised matrices, and runs.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -7,18 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_plan_dispersion_test {
+namespace seiche::verification::dispersive_plan_dispersion_test {
 
-using namespace seiche;
 using validation::PlanMode;
 using validation::PlanTank;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 
@@ -55,10 +50,9 @@ double stiffness(const PlanTank& tank) {
 
 TEST_CASE("the plan model's linearised matrices have the eigenvalues of the closed form", "[dispersion]") {
   Check check("dispersion_dispersive_plan_symbol", "Dispersion of the two-dimensional horizontal model: eigenvalues",
-              "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: "
-              "the acceleration that the linearised forces and constraints give a mode is $-\\omega^2$ "
-              "times the mode itself, with $\\omega$ of the closed form. No run, no time step, no "
-              "amplitude.");
+              "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: the acceleration "
+              "that the linearised forces and constraints give a mode is $-\\omega^2$ times the mode itself, with "
+              "$\\omega$ of the closed form. No run, no time step, no amplitude.");
   for (const auto& [id, tank] : tanks()) {
     Worst worst;
     Largest rest;
@@ -73,8 +67,8 @@ TEST_CASE("the plan model's linearised matrices have the eigenvalues of the clos
     check.holds("eigenvalues-" + id + ": Eigenvalues of " + tank.text() + " agree with the closed form.",
                 {worst.value()},
                 Roundoff{30, condition(tank),
-                         "some thirty roundings of a row of a direct solution, amplified by the "
-                         "condition of the equation for the pressure"});
+                         "some thirty roundings of a row of a direct solution, amplified by the condition of the "
+                         "equation for the pressure"});
     const auto cells = static_cast<double>(tank.columns * tank.rows);
     check.holds("Modes of " + tank.text() + " are eigenvectors.", {rest.value()},
                 Roundoff{30, kick.value() * (1 + condition(tank) / std::sqrt(cells)),
@@ -85,11 +79,10 @@ TEST_CASE("the plan model's linearised matrices have the eigenvalues of the clos
 }
 
 TEST_CASE("standing waves in plan have the frequencies of the closed form", "[dispersion]") {
-  Check check(
-      "dispersion_dispersive_plan", "Dispersion of the two-dimensional horizontal model: runs",
-      "Standing waves of some 1e-9 of the depth in boxes of square and of oblong cells, from one half-wave to nearly "
-      "the shortest. The one-step scheme is linear for them: $\\omega$ follows from three successive amplitudes, by "
-      "least squares over the run, free of its time step.");
+  Check check("dispersion_dispersive_plan", "Dispersion of the two-dimensional horizontal model: runs",
+              "Standing waves of some 1e-9 of the depth in boxes of square and of oblong cells, from one half-wave to "
+              "nearly the shortest. The one-step scheme is linear for them: $\\omega$ follows from three successive "
+              "amplitudes, by least squares over the run, free of its time step.");
   auto& figure = check.figure("frequencies", "Frequencies of three boxes of cells in plan",
                               "Lines: closed form along the x axis. Points: runs, at any angle, divided by the closed "
                               "form of their wavenumber and multiplied by that along the axis.");
@@ -124,11 +117,10 @@ TEST_CASE("standing waves in plan have the frequencies of the closed form", "[di
         "frequencies-" + id + ": Frequencies of " + tank.text() + " agree with the closed form.", {worst.value()},
         Bound{third_order.value() + 1e-13 +
                   4 * std::numeric_limits<double>::epsilon() * std::sqrt(100 + 6 / (4 * std::pow(phase, 4) * steps)),
-              "waves of finite height: the squares of the elevation in depths and of the steepness; "
-              "the pressure is solved to the part 1e-13 of itself; second differences divide the "
-              "rounding of amplitudes by (omega tau)^2, the mean over n steps that by sqrt(n); a "
-              "hundred roundings of the rest"});
+              "waves of finite height: the squares of the elevation in depths and of the steepness; the pressure is "
+              "solved to the part 1e-13 of itself; second differences divide the rounding of amplitudes by (omega "
+              "tau)^2, the mean over n steps that by sqrt(n); a hundred roundings of the rest"});
   }
 }
 
-}  // namespace dispersive_plan_dispersion_test
+}  // namespace seiche::verification::dispersive_plan_dispersion_test

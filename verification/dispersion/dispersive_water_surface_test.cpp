@@ -8,18 +8,16 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <boost/math/tools/roots.hpp>
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace dispersive_water_surface_test {
+namespace seiche::verification::dispersive_water_surface_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using seiche::Largest;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 constexpr double pi = std::numbers::pi;
 constexpr double improved = 1.0 / 15;
@@ -37,9 +35,9 @@ double harmonic(const std::vector<double>& samples, int periods) {
 
 TEST_CASE("the water's surface of a wave between equal markers has its closed form", "[dispersion]") {
   Check check("water_surface_factor", "The water's surface: factor of waves over a level bottom",
-              "Markers at equal distances over one depth: a wave of theirs is a wave of the water's surface, "
-              "(1 + 3 S gamma/4)/(1 + S gamma/4) times as high, S = (2 sin(kh/2)/h)^2 over the depth 1, for every wave "
-              "that the markers resolve, in a ring and between walls.");
+              "Markers at equal distances over one depth: a wave of theirs is a wave of the water's surface, (1 + 3 S "
+              "gamma/4)/(1 + S gamma/4) times as high, S = (2 sin(kh/2)/h)^2 over the depth 1, for every wave that the "
+              "markers resolve, in a ring and between walls.");
   Largest ring, walls;
   constexpr int n = 24;
   constexpr double h = 0.3;
@@ -72,38 +70,36 @@ TEST_CASE("the water's surface of a wave between equal markers has its closed fo
 }
 
 TEST_CASE("the water's surface is of second order over an uneven bottom", "[dispersion]") {
-  Check check(
-      "water_surface_order", "The water's surface: order over an uneven bottom",
-      "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, markers at uneven places carry w - gamma L w/4; "
-      "the water's surface there is w - 3 gamma L w/4.");
-  std::vector<double> widths, errors;
-  for (const int n : {50, 100, 200, 400}) {
-    std::vector<double> x, y, zeta, volume;
-    const auto place = [&](int i) {
-      const double a = 2 * pi * i / n;
-      return a + 0.3 * std::sin(a + 1);
-    };
-    for (int i = 0; i < n; ++i) {
-      const double at = place(i);
-      const double depth = 1 + 0.3 * std::cos(at);
-      const double operated = 2 * depth * -0.3 * std::sin(at) * std::cos(at) - depth * depth * std::sin(at);
-      x.push_back(at);
-      y.push_back(std::sin(at) - improved / 4 * operated);
-      zeta.push_back(std::sin(at) - 3 * improved / 4 * operated);
-      const double next = place(i + 1);
-      volume.push_back(next - at + 0.3 * (std::sin(next) - std::sin(at)));
-    }
-    const auto surface = water_surface(x, y, volume, improved, 2 * pi);
-    seiche::Mean square;
-    for (std::size_t i = 0; i < x.size(); ++i) square.add(std::pow(surface[i] - zeta[i], 2));
-    errors.push_back(std::sqrt(square.value()));
-    widths.push_back(2 * pi / n);
-  }
-  check.that({.id = "order",
-              .text = "The water's surface is of second order.",
-              .quantity = "order of the root-mean-square error",
-              .source = derived},
-             observed_order(widths, errors), Order{2, 0.05, "smooth places, differences between neighbours"});
+  Check check("water_surface_order", "The water's surface: order over an uneven bottom",
+              "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, markers at uneven places carry w - gamma L "
+              "w/4; the water's surface there is w - 3 gamma L w/4.",
+              derived);
+  refine(check, {"width of a cell", widths(2 * pi, {50, 100, 200, 400})},
+         {{"order",
+           "The water's surface is of second order.",
+           {2, 0.05, "smooth places, differences between neighbours"}}},
+         [](double width) {
+           const auto n = static_cast<int>(cells_of(2 * pi, width));
+           std::vector<double> x, y, zeta, volume;
+           const auto place = [&](int i) {
+             const double a = 2 * pi * i / n;
+             return a + 0.3 * std::sin(a + 1);
+           };
+           for (int i = 0; i < n; ++i) {
+             const double at = place(i);
+             const double depth = 1 + 0.3 * std::cos(at);
+             const double operated = 2 * depth * -0.3 * std::sin(at) * std::cos(at) - depth * depth * std::sin(at);
+             x.push_back(at);
+             y.push_back(std::sin(at) - improved / 4 * operated);
+             zeta.push_back(std::sin(at) - 3 * improved / 4 * operated);
+             const double next = place(i + 1);
+             volume.push_back(next - at + 0.3 * (std::sin(next) - std::sin(at)));
+           }
+           const auto surface = water_surface(x, y, volume, improved, 2 * pi);
+           Mean square;
+           for (std::size_t i = 0; i < x.size(); ++i) square.add(surface[i] - zeta[i]);
+           return square.rms();
+         });
 }
 
 TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]") {
@@ -111,31 +107,26 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
               "In a wave of permanent form the second harmonic is (k a^2/4) (3 - s^2)/s^3, s = tanh k, after Stokes. "
               "That of the water's surface with gamma = 1/15 and alpha = 2/5 must agree to the order k^4 of its error; "
               "that of the markers and of Serre's equations agree to k^2 only. And waves that begin with the markers' "
-              "own second harmonic keep it.");
-  std::vector<double> depths, of_surface, of_markers;
-  for (const double k : {0.1, 0.15, 0.2, 0.3}) {
-    const double sigma = std::tanh(k);
-    const double stokes = k / 4 * (3 - sigma * sigma) / std::pow(sigma, 3);
-    const double markers = bound_second_harmonic(0.4, improved, 2, k);
-    depths.push_back(k);
-    of_markers.push_back(std::abs(markers / stokes - 1));
-    of_surface.push_back(
-        std::abs(markers * surface_of_wave(improved, 2 * k) / std::pow(surface_of_wave(improved, k), 2) / stokes - 1));
-  }
-  const auto claim = [&](const std::string& id, const std::string& whose, double order, double band) {
-    check.that({.id = id,
-                .text = fmt::format("The second harmonic of {} differs from Stokes's by k^{:g}.", whose, order),
-                .quantity = "order of the relative difference",
-                .source = "Stokes, Trans. Camb. Phil. Soc. 8 (1847) 441"},
-               observed_order(depths, id == "surface" ? of_surface : of_markers), Order{order, band, "expansion in k"});
-  };
-  claim("surface", "the water's surface", 4, 0.2);
-  claim("markers", "the markers", 2, 0.2);
+              "own second harmonic keep it.",
+              "Stokes, Trans. Camb. Phil. Soc. 8 (1847) 441");
+  refine(check, {"k", {0.1, 0.15, 0.2, 0.3}},
+         {{"surface",
+           "The second harmonic of the water's surface differs from Stokes's by k^4.",
+           {4, 0.2, "expansion in k"}},
+          {"markers", "The second harmonic of the markers differs from Stokes's by k^2.", {2, 0.2, "expansion in k"}}},
+         [](double k) {
+           const double sigma = std::tanh(k);
+           const double stokes = k / 4 * (3 - sigma * sigma) / std::pow(sigma, 3);
+           const double markers = bound_second_harmonic(0.4, improved, 2, k);
+           const double surface =
+               markers * surface_of_wave(improved, 2 * k) / std::pow(surface_of_wave(improved, k), 2);
+           return std::array{std::abs(surface / stokes - 1), std::abs(markers / stokes - 1)};
+         });
 
   // A wavelength of 2 pi in a ring.
   constexpr double amplitude = 0.01;
   constexpr std::size_t n = 128;
-  Channel channel{.bottom = std::make_shared<seiche::LevelBottom>(1.0), .period = 2 * pi, .alpha = 0.4};
+  Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .period = 2 * pi, .alpha = 0.4};
   channel.gamma = improved;
   const double second = bound_second_harmonic(channel.alpha, channel.gamma, channel.depth_power, 1) * amplitude;
   const double speed = std::sqrt((1 + channel.gamma) / (1 + channel.alpha));
@@ -154,22 +145,20 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
     march(flow, k, stable_steps(flow, 0.02));
     deviation.add(std::abs(harmonic(flow.elevation_at(places), 2) / (amplitude * second) - 1));
   }
-  check.that({.id = "kept",
-              .text = "A wave with the markers' own second harmonic keeps it for six periods.",
-              .quantity = "largest change over it",
-              .source = derived},
-             {.value = deviation.value(), .resolution = "128 markers, steps of 0.02"},
-             Bound{0.02,
-                   "terms of the third order in the slope, and straight lines between markers, are parts of a "
-                   "thousand of it; a free one beside it would beat with twice what is wrong"});
+  check.from(derived).that("kept", "A wave with the markers' own second harmonic keeps it for six periods.",
+                           "largest change over it",
+                           {.value = deviation.value(), .resolution = "128 markers, steps of 0.02"},
+                           Bound{0.02,
+                                 "terms of the third order in the slope, and straight lines between markers, are parts "
+                                 "of a thousand of it; a free one beside it would beat with twice what is wrong"});
 }
 
 TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
   Check check(
       "water_surface_shoaling", "The water's surface over a slope",
-      "Small waves with kh = 1.5 climb a gentle slope from the depth 1 to 0.3. What the surface's amplitude has "
-      "become there is compared with the flux of energy: Airy's, a^2 c_g, and the model's own, "
-      "y^2 (1 + gamma (kh)^2) c_g.");
+      "Small waves with kh = 1.5 climb a gentle slope from the depth 1 to 0.3. What the surface's amplitude has become "
+      "there is compared with the flux of energy: Airy's, a^2 c_g, and the model's own, y^2 (1 + gamma (kh)^2) c_g.",
+      derived);
   constexpr double shallow = 0.3;
   const double omega = std::sqrt(1.5 * std::tanh(1.5));
   struct Wave {
@@ -195,8 +184,8 @@ TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
   const double airy = std::sqrt(deep.airy / high.airy);
   const double own = std::sqrt(deep.surface / high.surface);
 
-  Channel channel{.bottom = std::make_shared<seiche::PiecewiseLinearBottom>(std::vector<double>{-260, 0, 40, 140},
-                                                                            std::vector<double>{-1, -1, -0.3, -0.3}),
+  Channel channel{.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector<double>{-260, 0, 40, 140},
+                                                                    std::vector<double>{-1, -1, -0.3, -0.3}),
                   .kinetics = Kinetics::green_naghdi,
                   .alpha = 0.4};
   channel.gamma = improved;
@@ -240,20 +229,15 @@ TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
   }
   const std::string resolution = "7980 markers, 85 a wavelength";
   check.that(
-      {.id = "own",
-       .text = "The amplitude agrees with the model's own flux of energy.",
-       .quantity = "amplitude above over below",
-       .source = derived},
+      "own", "The amplitude agrees with the model's own flux of energy.", "amplitude above over below",
       {.value = after / before, .resolution = resolution},
       Bound{0.005 * own,
             "what corners and slope reflect and what is left of the train's front, a few parts of a thousand", own});
-  check.that({.id = "airy",
-              .text = "The amplitude agrees with Airy's flux of energy.",
-              .quantity = "amplitude above over below",
-              .source = "Airy's energy flux, e.g. Dean and Dalrymple, Water Wave Mechanics (1991), ch. 4"},
-             {.value = after / before, .resolution = resolution},
-             Bound{std::abs(own - airy) + 0.005 * airy,
-                   "as before, and what the two laws of energy flux differ by at kh = 1.5", airy});
+  check.from("Airy's energy flux, e.g. Dean and Dalrymple, Water Wave Mechanics (1991), ch. 4")
+      .that("airy", "The amplitude agrees with Airy's flux of energy.", "amplitude above over below",
+            {.value = after / before, .resolution = resolution},
+            Bound{std::abs(own - airy) + 0.005 * airy,
+                  "as before, and what the two laws of energy flux differ by at kh = 1.5", airy});
 }
 
-}  // namespace dispersive_water_surface_test
+}  // namespace seiche::verification::dispersive_water_surface_test

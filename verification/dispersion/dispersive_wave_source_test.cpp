@@ -14,26 +14,22 @@
 #include "validation/instruments/wave_statistics.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_wave_source_test {
+namespace seiche::verification::dispersive_wave_source_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using seiche::Largest;
-using seiche::Mean;
-using namespace seiche::verification;
-using seiche::validation::wave_statistics;
+using namespace dispersive_shallow_water_1d;
+using validation::wave_statistics;
 
 constexpr double pi = std::numbers::pi;
 const std::string derived = "derived in wave_source.hpp";
 
 TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
-  Check check(
-      "wave_source", "Waves out of a force along the bottom",
-      "A channel 1 m deep, a force at 0, and as the record at x = 6 three small waves of 3.75, 2.5 and 1.875 s that "
-      "repeat after 15 s, with phases. After 45 s, when the slowest has long come, the water's surface at x = 6 "
-      "is the record, with improved dispersion and without; at x = -6 it is the record upside down, for the force "
-      "pushes away from there what it pushes here. It sets in over 15 s.");
+  Check check("wave_source", "Waves out of a force along the bottom",
+              "A channel 1 m deep, a force at 0, and as the record at x = 6 three small waves of 3.75, 2.5 and 1.875 s "
+              "that repeat after 15 s, with phases. After 45 s, when the slowest has long come, the water's surface at "
+              "x = 6 is the record, with improved dispersion and without; at x = -6 it is the record upside down, for "
+              "the force pushes away from there what it pushes here. It sets in over 15 s.");
   for (const double gamma : {0.0, 1.0 / 15}) {
-    Channel channel{.bottom = std::make_shared<seiche::LevelBottom>(1.0), .gravity = 9.81, .alpha = 1.0 / 3 + gamma};
+    Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .gravity = 9.81, .alpha = 1.0 / 3 + gamma};
     channel.gamma = gamma;
     const auto record_at = [](double t) {
       return 1e-5 * (std::cos(2 * pi * t / 3.75 + 0.3) + 0.7 * std::cos(2 * pi * t / 2.5 - 1) +
@@ -69,9 +65,9 @@ TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
     const auto claim = [&](const std::string& side, double square) {
       check.holds(fmt::format("With {} the record is made on the {}.", which, side), {std::sqrt(square / size.value())},
                   Bound{0.02,
-                        "markers and steps: (omega tau)^2/24 of 3.4 rad/s and (k h)^2 of a wave of 4.6 m are parts "
-                        "of a thousand, and so is what the switched on waves leave of themselves; straight lines "
-                        "between samples of F, 0.0125 s, far less"});
+                        "markers and steps: (omega tau)^2/24 of 3.4 rad/s and (k h)^2 of a wave of 4.6 m are parts of "
+                        "a thousand, and so is what the switched on waves leave of themselves; straight lines between "
+                        "samples of F, 0.0125 s, far less"});
     };
     claim("right", right.value());
     claim("left", left.value());
@@ -81,8 +77,8 @@ TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
 TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   Check check("wave_statistics", "Standard deviation, skewness and asymmetry of a wave with its second harmonic",
               "a cos t + b cos(2 t + p) has the variance (a^2 + b^2)/2, and 3 a^2 b/4 times cos p and -sin p for its "
-              "mean cube and for that of its Hilbert transform a sin t + b sin(2 t + p). With p > 0 "
-              "the wave pitches forward in time: its front comes first.");
+              "mean cube and for that of its Hilbert transform a sin t + b sin(2 t + p). With p > 0 the wave pitches "
+              "forward in time: its front comes first.");
   constexpr int n = 48;
   Largest deviation, skewness, asymmetry;
   for (const double phase : {0.0, 0.7, -0.7, 1.5, -2.4}) {
@@ -110,4 +106,4 @@ TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   CHECK_THROWS_AS(wave_statistics(std::vector<double>{1, 2, 3}), std::invalid_argument);
 }
 
-}  // namespace dispersive_wave_source_test
+}  // namespace seiche::verification::dispersive_wave_source_test

@@ -9,13 +9,12 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace frank_dispersion_test {
+namespace seiche::verification::frank_dispersion_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
+using namespace dispersive_shallow_water_1d;
 using validation::StandingBox;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 /// Elevations count from rest and are rounded relative to the amplitude, whatever it is; places to 1e-16 of the box.
@@ -23,12 +22,12 @@ const Roundoff round_off{
     .operations = 150,
     .scale = 4.0 / 3,
     .reason =
-        "widths of up to 25 cells are differences of places, rounded to the part 2^-52 of the box: each is off by "
-        "the number of cells, their mean by its root, as if there were 25 cells of two places in each of two "
-        "runs; fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
+        "widths of up to 25 cells are differences of places, rounded to the part 2^-52 of the box: each is off by the "
+        "number of cells, their mean by its root, as if there were 25 cells of two places in each of two runs; fifty "
+        "roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
 const Bound fed_back{1e-11,
-                     "volumes that are fed back bring the rounding of places of size 1, 1e-16, into an "
-                     "amplitude of 1e-4, divided by phases of a step of about a tenth"};
+                     "volumes that are fed back bring the rounding of places of size 1, 1e-16, into an amplitude of "
+                     "1e-4, divided by phases of a step of about a tenth"};
 
 /// Numbers in [0, 1) that fill the cube of nine dimensions evenly: additive recurrence with powers of the root of
 /// x^10 = x + 1, which generalises the golden ratio.
@@ -102,9 +101,8 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
   Check check(
       "dispersion_frank", "Dispersion of the discrete dispersive shallow-water model",
       "Standing waves between walls, for 60 sets of depth, gravity, spacing, wavenumber up to the shortest that "
-      "markers "
-      "resolve, time step, and factors alpha, beta, gamma of the energies, spread evenly over their ranges. The "
-      "frequency, fitted to the series and extrapolated to no amplitude, is that of the closed form.");
+      "markers resolve, time step, and factors alpha, beta, gamma of the energies, spread evenly over their ranges. "
+      "The frequency, fitted to the series and extrapolated to no amplitude, is that of the closed form.");
   const EvenSequence number;
   auto& figure = check.figure("deviation", "Deviation of measured frequencies from the law",
                               "60 sets of parameters; a deviation of zero is drawn as $10^{-17}$.");
@@ -114,8 +112,7 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
        {Stepping::one_step_feedback, "one-step with volume feedback"},
        {Stepping::conservative, "conservative"}}};
   for (const auto& [stepping, label] : schemes) {
-    std::vector<double> resolution;
-    std::vector<double> deviation;
+    std::vector<double> resolution, deviation;
     Largest worst;
     // Fed back volumes bring their own rounding into the velocities, divided by the time step.
     const double amplitude = stepping == Stepping::one_step_feedback ? 1e-4 : 1e-5;
@@ -137,8 +134,7 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
 
 TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion]") {
   Check check("dispersion_progressive", "Progressive waves in a periodic channel",
-              "The matrix of a periodic channel is cyclic and there are no walls: another program path, "
-              "the same law.");
+              "The matrix of a periodic channel is cyclic and there are no walls: another program path, the same law.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const double direction : {1.0, -1.0}) {
       Worst worst;
@@ -158,27 +154,28 @@ TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion
 
 TEST_CASE("compositions approach the law of the continuous time with the fourth power of the step", "[dispersion]") {
   Check check("dispersion_compositions", "Frequencies of the fourth-order compositions",
-              "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of "
-              "continuous time with $\\tau^4$.");
+              "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of continuous time "
+              "with $\\tau^4$.",
+              "Yoshida (1990); Suzuki (1990)");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const TimeComposition composition : {TimeComposition::triple_jump, TimeComposition::suzuki}) {
+      const std::string id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
+                                         composition == TimeComposition::suzuki ? "suzuki" : "triple-jump");
       std::vector<double> steps;
-      std::vector<double> errors;
-      for (double tau = 0.32; tau > 0.03; tau /= std::numbers::sqrt2) {
-        const StandingBox box{
-            .wavenumber = 1.5, .cells = 10, .tau = tau, .scheme = {.stepping = stepping, .composition = composition}};
-        steps.push_back(tau);
-        errors.push_back(std::abs(validation::smallest_wave_frequency(box, 12) / box.law().frequency(1.5) - 1));
-      }
-      check.that({.id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
-                                    composition == TimeComposition::suzuki ? "suzuki" : "triple-jump"),
-                  .text = "The composition's frequency is of fourth order.",
-                  .quantity = "order in tau of the relative error of the frequency",
-                  .source = "Yoshida (1990); Suzuki (1990)"},
-                 observed_order(steps, errors, 1e-12),
-                 Order{4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"});
+      for (double tau = 0.32; tau > 0.03; tau /= std::numbers::sqrt2) steps.push_back(tau);
+      refine(check, {"tau", steps, id, "Frequency, " + id, 1e-12},
+             {{id,
+               "The composition's frequency is of fourth order: " + id + ".",
+               {4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"}}},
+             [&](double tau) {
+               const StandingBox box{.wavenumber = 1.5,
+                                     .cells = 10,
+                                     .tau = tau,
+                                     .scheme = {.stepping = stepping, .composition = composition}};
+               return std::abs(validation::smallest_wave_frequency(box, 12) / box.law().frequency(1.5) - 1);
+             });
     }
   }
 }
 
-}  // namespace frank_dispersion_test
+}  // namespace seiche::verification::frank_dispersion_test

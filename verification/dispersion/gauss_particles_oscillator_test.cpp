@@ -1,6 +1,5 @@
 // The linear law of the conservative scheme of free particles: leapfrog's, with its limit of stability.
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,13 +11,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_oscillator_test {
+namespace seiche::verification::gauss_particles_oscillator_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Point;
-using seiche::Worst;
+using namespace gauss_particles;
+using namespace mechanics;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 
@@ -78,16 +74,15 @@ class Slosh {
 
  private:
   Model model_;
-  double inertia_ = 0;
-  double frequency_ = 0;
+  double inertia_ = 0, frequency_ = 0;
 };
 
 TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]") {
-  Check check(
-      "gauss_particles_oscillator", "Free particles: phase and stability of one mode",
-      "Water that can only slosh by the stream function (x^2 - 1) y has one frequency omega_0, which follows from "
-      "sums over its particles. With steps of length tau it oscillates with $\\sin(\\omega\\tau/2) = "
-      "\\omega_0\\tau/2$; beyond omega_0 tau = 2 it grows, by leapfrog's rate.");
+  Check check("gauss_particles_oscillator", "Free particles: phase and stability of one mode",
+              "Water that can only slosh by the stream function (x^2 - 1) y has one frequency omega_0, which follows "
+              "from sums over its particles. With steps of length tau it oscillates with $\\sin(\\omega\\tau/2) = "
+              "\\omega_0\\tau/2$; beyond omega_0 tau = 2 it grows, by leapfrog's rate.",
+              source);
   Slosh water;
   for (const double phase : {0.2, 1.0, 1.9}) {
     const double omega_tau = 2 * std::asin(phase / 2);
@@ -103,11 +98,8 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
   }
   {
     const std::vector<double> found = water.amplitudes(1.99 / water.frequency(), 2000);
-    check.that({.id = "stable",
-                .text = "At omega_0 tau = 1.99 the amplitude stays bounded.",
-                .quantity = "largest amplitude over 2000 steps",
-                .source = source},
-               {.value = seiche::worst(found), .resolution = "128 particles, amplitude 1e-6"},
+    check.that("stable", "At omega_0 tau = 1.99 the amplitude stays bounded.", "largest amplitude over 2000 steps",
+               {.value = worst(found), .resolution = "128 particles, amplitude 1e-6"},
                Bound{1 + 2e-6,
                      "the law gives 1; 2000 steps of roundings of 1e-10 of it, which near the limit are magnified by "
                      "1/sqrt(1 - (omega_0 tau/2)^2) = 10"});
@@ -115,15 +107,12 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
   const double unstable = 2.01;
   const double rate = std::acosh(unstable * unstable / 2 - 1);
   const std::vector<double> found = water.amplitudes(unstable / water.frequency(), 30);
-  check.that({.id = "unstable",
-              .text = "At omega_0 tau = 2.01 it grows as leapfrog does.",
-              .quantity = "amplitude after 30 steps",
-              .source = source},
+  check.that("unstable", "At omega_0 tau = 2.01 it grows as leapfrog does.", "amplitude after 30 steps",
              {.value = found.back(), .resolution = "128 particles, amplitude 1e-6"},
              Bound{1e-6,
-                   "the square of the largest amplitude, 2e-4, over the 25 steps or so in which it is as "
-                   "large; roundings of 1e-10 over 30 steps are less",
+                   "the square of the largest amplitude, 2e-4, over the 25 steps or so in which it is as large; "
+                   "roundings of 1e-10 over 30 steps are less",
                    std::cosh(30 * rate), true});
 }
 
-}  // namespace gauss_particles_oscillator_test
+}  // namespace seiche::verification::gauss_particles_oscillator_test

@@ -4,21 +4,18 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace gauss_particles_surface_gravity_test {
+namespace seiche::verification::gauss_particles_surface_gravity_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::Mean;
-using seiche::Point;
-using seiche::exact::StokesWave;
+using namespace gauss_particles;
+using exact::StokesWave;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 
@@ -93,39 +90,29 @@ constexpr int periods = 5;
 const std::string resolution = "20 cells, 6 particles to a side, 100 steps per period";
 
 void check_surface_and_momentum(Check& check, const Wave& wave) {
-  check.that({.id = "surface",
-              .text = "After five periods the surface agrees with the wave.",
-              .quantity = "rms difference of the markers' elevations",
-              .unit = "1/k",
-              .source = source},
-             {.value = wave.difference(), .resolution = resolution},
+  check.that("surface", "After five periods the surface agrees with the wave.",
+             "rms difference of the markers' elevations [1/k]", {.value = wave.difference(), .resolution = resolution},
              Bound{1.5 * of_phase(steps, periods),
                    "the phase errs by (omega tau)^2/12, so much of an amplitude of 0.2 over five periods; the lattice "
                    "may add half as much, or it and not the steps would be the larger error"});
-  check.that(
-      {.id = "momentum",
-       .text = "The momentum is conserved to round-off: the potential energy does not depend on where the water is.",
-       .quantity = "largest defect over the momentum",
-       .source = source},
-      {.value = wave.momentum_defect(), .resolution = resolution},
-      Roundoff{steps * periods, 5,
-               "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
+  check.that("momentum",
+             "The momentum is conserved to round-off: the potential energy does not depend on where the water is.",
+             "largest defect over the momentum", {.value = wave.momentum_defect(), .resolution = resolution},
+             Roundoff{steps * periods, 5,
+                      "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
 }
 
 TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]") {
-  Check check(
-      "gauss_particles_surface_gravity", "Free particles: gravity on the surface",
-      "A Stokes wave of height 0.4 (wavelength 2 pi, depth pi) runs for five periods without the penalty. With "
-      "gravity on every particle it is lost by then: sums over particles do work on small eddies. With the "
-      "potential energy of the line of markers there is nothing that they could take. With the force of the middle "
-      "of a step the energy is not exact.");
+  Check check("gauss_particles_surface_gravity", "Free particles: gravity on the surface",
+              "A Stokes wave of height 0.4 (wavelength 2 pi, depth pi) runs for five periods without the penalty. With "
+              "gravity on every particle it is lost by then: sums over particles do work on small eddies. With the "
+              "potential energy of the line of markers there is nothing that they could take. With the force of the "
+              "middle of a step the energy is not exact.",
+              source);
   Wave wave(false, 0.6);
   wave.run(steps, periods);
   check_surface_and_momentum(check, wave);
-  check.that({.id = "energy",
-              .text = "The energy errs by less than the square of the step.",
-              .quantity = "largest defect over the kinetic energy",
-              .source = source},
+  check.that("energy", "The energy errs by less than the square of the step.", "largest defect over the kinetic energy",
              {.value = wave.energy_defect(), .resolution = resolution},
              Bound{turn / steps * turn / steps / 12,
                    "(omega tau)^2/12, by which the energy that the steps keep differs from the exact one; a force that "
@@ -136,31 +123,25 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
   Check check("gauss_particles_surface_energy", "Free particles: exact energy with gravity on the surface",
               "The same wave with the discrete gradient of the potential energy over the markers' way, and inner cells "
               "0.9 full: after five periods without the penalty the surface, the momentum and the energy are those of "
-              "the beginning. The phase lags by (omega tau)^2/12.");
+              "the beginning. The phase lags by (omega tau)^2/12.",
+              source);
   Wave wave(true, 0.9);
   wave.run(steps, periods);
   check_surface_and_momentum(check, wave);
-  check.that({.id = "energy",
-              .text = "The energy is conserved to round-off.",
-              .quantity = "largest defect over the kinetic energy",
-              .source = source},
+  check.that("energy", "The energy is conserved to round-off.", "largest defect over the kinetic energy",
              {.value = wave.energy_defect(), .resolution = resolution},
              Roundoff{steps * periods, 2, "one rounding per step of the kinetic and the potential energy"});
-  const std::vector<int> counts{28, 40, 56, 80};
-  Convergence found;
-  for (const int count : counts) {
-    Wave one_period(true, 0.9);
-    one_period.run(count, 1);
-    found.add(turn / count, one_period.difference());
-  }
-  check.that({.id = "order",
-              .text = "The surface converges with the second order of the step.",
-              .quantity = "order of the rms difference after one period",
-              .source = source},
-             found.order(),
-             Order{2, 0.2,
-                   "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the "
-                   "lattice adds 1e-4 to differences from 5e-4"});
+  refine(check, {"omega tau", widths(turn, {28, 40, 56, 80})},
+         {{"order",
+           "The surface converges with the second order of the step.",
+           {2, 0.2,
+            "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the lattice "
+            "adds 1e-4 to differences from 5e-4"}}},
+         [](double step) {
+           Wave one_period(true, 0.9);
+           one_period.run(static_cast<int>(cells_of(turn, step)), 1);
+           return one_period.difference();
+         });
 }
 
-}  // namespace gauss_particles_surface_gravity_test
+}  // namespace seiche::verification::gauss_particles_surface_gravity_test

@@ -10,16 +10,15 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace hexahedral_dispersion_test {
+namespace seiche::verification::hexahedral_dispersion_test {
 
-using namespace seiche;
 using exact::AiryDispersion;
 using exact::HexahedralDispersion;
 using exact::PlanDispersion;
 using exact::SurfaceInertia;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
@@ -38,17 +37,11 @@ double plan_error(double wavelength, double spacing) {
 }
 
 void claim_limits(Check& check) {
-  Convergence errors;
-  for (std::size_t layers = 16; layers <= 256; layers *= 2) {
-    const double h = 1 / static_cast<double>(layers);
-    errors.add(h, std::abs(layers_error(3, h, layers, 0.5)));
-  }
-  check.that({.id = "order",
-              .text = "With cubes the law tends to Airy's with the square of their size.",
-              .quantity = "order of the error at a wavelength of three depths, 29 degrees",
-              .source = source},
-             errors.order(),
-             Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"});
+  refine(check, {"size of the cubes", widths(1, {16, 32, 64, 128, 256})},
+         {{"order",
+           "With cubes the law tends to Airy's with the square of their size.",
+           {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"}}},
+         [](double h) { return std::abs(layers_error(3, h, cells_of(1, h), 0.5)); });
   // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine plan lattice
   for (const std::size_t layers : {1UL, 2UL, 3UL}) {
     for (const bool tuned : {false, true}) {
@@ -59,23 +52,17 @@ void claim_limits(Check& check) {
                               tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h3^2/6"),
                   {(64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
                   Bound{1.4e-7,
-                        "extrapolation leaves the product of the three k^2, 1e-6, times the "
-                        "coefficient of k^8, at most the 1/16 of 1/(1 + k^2/2); the plan lattice "
-                        "h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
+                        "extrapolation leaves the product of the three k^2, 1e-6, times the coefficient of k^8, at "
+                        "most the 1/16 of 1/(1 + k^2/2); the plan lattice h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
                         1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
     }
   }
   const HexahedralDispersion fine(9.81, 2, 1e-4, 1e-4, 20000);
   Worst airy;
   for (const double k : {0.3, 1.0, 3.0}) airy.add(fine.frequency_error(k, 0.3));
-  check.that({.id = "airy",
-              .text = "With 20000 layers of cubes the law is k tanh kH.",
-              .quantity = "largest relative error of the frequency, k H = 0.6, 2, 6",
-              .source = source},
-             {.value = airy.value()},
-             Bound{9e-8,
-                   "(k h)^2 of the shortest wave; the leading coefficient is "
-                   "below 1"});
+  check.that("airy", "With 20000 layers of cubes the law is k tanh kH.",
+             "largest relative error of the frequency, k H = 0.6, 2, 6", {airy.value()},
+             Bound{9e-8, "(k h)^2 of the shortest wave; the leading coefficient is below 1"});
 }
 
 void draw(Check& check) {
@@ -129,9 +116,10 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
   Check check(
       "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
       "The errors against Airy's law known to two digits, beside those of the plan model: Frank's remark that waves "
-      "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three "
-      "per cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer "
-      "against the plan model, the coefficient of long waves for both surface inertias, and the order in the size.");
+      "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three per "
+      "cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer against "
+      "the plan model, the coefficient of long waves for both surface inertias, and the order in the size.",
+      source);
   check_table(check, "wavelength-10", "errors, per cent, wavelength 10 H, h1 = H/2: 1, 2, 3 layers, 2DH model",
               {{layers_error(10, 0.5, 1), "-3.1"},
                {layers_error(10, 0.5, 2), "-0.91"},
@@ -167,4 +155,4 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
   CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.5, 0.5, 2).frequency(0, 0), std::invalid_argument);
 }
 
-}  // namespace hexahedral_dispersion_test
+}  // namespace seiche::verification::hexahedral_dispersion_test

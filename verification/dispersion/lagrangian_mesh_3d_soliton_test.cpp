@@ -1,6 +1,5 @@
 // A solitary wave on coarse hexahedra keeps its amplitude, and its speed is the better the more layers there are.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,11 +12,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_3d_soliton_test {
+namespace seiche::verification::lagrangian_mesh_3d_soliton_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_3d;
 
 constexpr double amplitude = 0.3;
 const double celerity = std::sqrt(1 + amplitude);
@@ -122,8 +119,8 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
     panel.line(id, all_times, all_tops, Role::data);
     check.holds(id + ": mean amplitude.", {mean},
                 Bound{0.0005,
-                      "four digits, and the choice of the curve through the crest, which lies up to "
-                      "h^2/8 of its curvature from the nodes",
+                      "four digits, and the choice of the curve through the crest, which lies up to h^2/8 of its "
+                      "curvature from the nodes",
                       expected.amplitude});
     check.holds(id + ": speed.", {speed},
                 Bound{0.0005, "four digits, and the place of the crest, up to a tenth of a cell over 50 depths of way",
@@ -133,4 +130,4 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
   }
 }
 
-}  // namespace lagrangian_mesh_3d_soliton_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_soliton_test

@@ -12,13 +12,11 @@
 #include "validation/instruments/mesh/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_dispersion_test {
+namespace seiche::verification::lagrangian_mesh_dispersion_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
+using namespace lagrangian_mesh_2d;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 
@@ -45,9 +43,8 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
   Check check(
       "dispersion_lagrangian_mesh", "Dispersion of the two-dimensional Lagrangian mesh",
       "The model is linearised about still water by its own calls: forces, constraints, masses. The eigenvalues of "
-      "that "
-      "matrix are the frequencies of the tank, from one half-wave to the shortest, $k h_1 = \\pi$. They are those of "
-      "the closed form. All other modes are motionless: vortices, among them the hourglass motions.");
+      "that matrix are the frequencies of the tank, from one half-wave to the shortest, $k h_1 = \\pi$. They are those "
+      "of the closed form. All other modes are motionless: vortices, among them the hourglass motions.");
   auto& figure = check.figure("frequencies", "Frequencies of six meshes",
                               "Lines: closed form. Circles: eigenvalues of the linearised model.");
   auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});
@@ -58,15 +55,13 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
     Model model = tank.model();
     const LagrangianMeshDispersion law = tank.law();
     const auto modes = validation::linear_modes(model, law.row_height() / 32);
-    std::vector<double> wavenumbers;
-    std::vector<double> expected;
+    std::vector<double> wavenumbers, expected;
     for (std::size_t m = 1; m <= tank.columns; ++m) {
       wavenumbers.push_back(tank.wavenumber(m));
       expected.push_back(law.frequency(wavenumbers.back()));
     }
     const double unit = std::sqrt(tank.gravity / tank.depth);
-    std::vector<double> kh;
-    std::vector<double> line;
+    std::vector<double> kh, line;
     for (int i = 1; i <= 200; ++i) {
       const double k = i * wavenumbers.back() / 200;
       kh.push_back(k * tank.depth);
@@ -79,9 +74,7 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
     check.holds("waves-" + tank.name() + ": " +
                     fmt::format("The {} mesh has one wave per column, and otherwise no frequency.", tank.name()),
                 {static_cast<double>(modes.frequencies.size())},
-                Bound{0,
-                      "only the surface has potential energy; one equation for all its nodes: the "
-                      "water's volume",
+                Bound{0, "only the surface has potential energy; one equation for all its nodes: the water's volume",
                       static_cast<double>(tank.columns)});
     Worst worst;
     for (std::size_t m = 0; m < std::min(sorted.size(), modes.frequencies.size()); ++m) {
@@ -90,12 +83,11 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
     check.holds(fmt::format("The frequencies of the {} mesh agree with the closed form.", tank.name()), {worst.value()},
                 Roundoff{6.0 * static_cast<double>((tank.columns + 1) * (tank.rows + 1)),
                          0.5 * std::pow(sorted.back() / sorted.front(), 2),
-                         "two products with the basis and the reflections of the eigenvalues' solution round an "
-                         "entry once per coordinate, two on each node; entries are of the size of the largest "
-                         "omega^2, to which the lowest is compared, and a root has half the error. Forces are "
-                         "linear in elevations from rest: their rounding is relative"});
-    std::vector<double> places;
-    std::vector<double> found;
+                         "two products with the basis and the reflections of the eigenvalues' solution round an entry "
+                         "once per coordinate, two on each node; entries are of the size of the largest omega^2, to "
+                         "which the lowest is compared, and a root has half the error. Forces are linear in elevations "
+                         "from rest: their rounding is relative"});
+    std::vector<double> places, found;
     for (std::size_t m = 0; m < tank.columns; ++m) {
       const auto rank = std::lower_bound(sorted.begin(), sorted.end(), expected[m]) - sorted.begin();
       places.push_back(wavenumbers[m] * tank.depth);
@@ -106,4 +98,4 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
   }
 }
 
-}  // namespace lagrangian_mesh_dispersion_test
+}  // namespace seiche::verification::lagrangian_mesh_dispersion_test

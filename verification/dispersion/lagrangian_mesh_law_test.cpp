@@ -1,6 +1,5 @@
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -8,15 +7,14 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace lagrangian_mesh_law_test {
+namespace seiche::verification::lagrangian_mesh_law_test {
 
-using namespace seiche;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
 using exact::TimeScheme;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
@@ -36,12 +34,11 @@ double error_against_airy(double wavelength, double column_width, std::size_t ro
 }
 
 TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[dispersion]") {
-  Check check(
-      "exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
-      "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's law "
-      "that "
-      "Frank's remark on long waves rests on, the coefficient of long waves for both surface inertias, and second "
-      "order in the cells' size.");
+  Check check("exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
+              "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's "
+              "law that Frank's remark on long waves rests on, the coefficient of long waves for both surface "
+              "inertias, and second order in the cells' size.",
+              source);
   check_table(check, "digits", "k = 1.3, h1 = 0.7, h2 = 0.25",
               {{LagrangianMeshDispersion(1, 1, 0.7, 4).frequency(1.3), "1.02635447534987"}}, source);
   const double mode = LagrangianMeshDispersion(1, 1, 6.0 / 16, 4).frequency(pi / 6);
@@ -73,30 +70,20 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
                       fmt::format("Long waves on {} rows, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", rows,
                                   tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h2^2/6"),
                   {dispersion_coefficient(law)},
-                  Bound{1e-6,
-                        "extrapolation leaves the product of the three k^2, 1e-6, times a "
-                        "coefficient below 1",
+                  Bound{1e-6, "extrapolation leaves the product of the three k^2, 1e-6, times a coefficient below 1",
                         1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
     }
   }
-  std::vector<double> sizes;
-  std::vector<double> errors;
-  for (std::size_t rows = 32; rows <= 512; rows *= 2) {
-    const double h = 1.0 / static_cast<double>(rows);
-    sizes.push_back(h);
-    errors.push_back(std::abs(error_against_airy(3, h, rows)));
-  }
-  check.that(
-      {.id = "order",
-       .text = "The law tends to Airy's with the square of the cells' size.",
-       .quantity = "order in h1 = h2 of the error at a wavelength of three depths",
-       .source = source},
-      observed_order(sizes, errors),
-      Order{2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"});
+  refine(
+      check, {"h1 = h2", widths(1, {32, 64, 128, 256, 512})},
+      {{"order",
+        "The law tends to Airy's with the square of the cells' size.",
+        {2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"}}},
+      [](double h) { return std::abs(error_against_airy(3, h, cells_of(1, h))); });
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0, 1), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(2.001 * pi), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(0), std::invalid_argument);
 }
 
-}  // namespace lagrangian_mesh_law_test
+}  // namespace seiche::verification::lagrangian_mesh_law_test

@@ -11,13 +11,11 @@
 #include "validation/instruments/mesh/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_stability_test {
+namespace seiche::verification::lagrangian_mesh_stability_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using seiche::Largest;
-using namespace seiche::verification;
-using seiche::mechanics::State;
-using seiche::validation::LinearModes;
+using namespace lagrangian_mesh_2d;
+using mechanics::State;
+using validation::LinearModes;
 
 struct Tank {
   std::string id, text;
@@ -32,7 +30,7 @@ struct Tank {
 
 LinearModes modes_of(const Tank& tank) {
   Model model = tank.model();
-  return seiche::validation::linear_modes(model, 1.0 / 64);
+  return validation::linear_modes(model, 1.0 / 64);
 }
 
 /// Largest share of the fastest mode in the displacements over the initial one, released with an amplitude of 1e-8.
@@ -53,7 +51,7 @@ double growth(const Tank& tank, const LinearModes& modes, double share_of_limit,
     }
     return std::abs(sum) / amplitude;
   };
-  seiche::mechanics::OneStep<Model> scheme(model);
+  mechanics::OneStep<Model> scheme(model);
   Largest largest;
   for (int step = 0; step < steps && !(largest.value() >= 1e3); ++step) {
     scheme.step(state, share_of_limit * 2 / modes.frequencies.back());
@@ -73,12 +71,11 @@ std::vector<Tank> other_tanks() {
 }
 
 TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of the fastest mode", "[dispersion]") {
-  Check check(
-      "lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
-      "The fastest mode of the linearised mesh is released with an amplitude of 1e-8. The scheme gives a mode of "
-      "frequency $\\Omega$ the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$: bounded 2 % "
-      "below $\\tau = 2/\\Omega$, exploding 2 % above. The limit that a flow reports is the closed law's: the "
-      "true one, or below it where the fastest wave does not fit the tank or potentials add.");
+  Check check("lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
+              "The fastest mode of the linearised mesh is released with an amplitude of 1e-8. The scheme gives a mode "
+              "of frequency $\\Omega$ the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$: bounded 2 "
+              "% below $\\tau = 2/\\Omega$, exploding 2 % above. The limit that a flow reports is the closed law's: "
+              "the true one, or below it where the fastest wave does not fit the tank or potentials add.");
   for (const Tank& tank : tanks()) {
     const LinearModes found = modes_of(tank);
     check.holds(tank.text + ": bounded at 0.98 of the limit.", {growth(tank, found, 0.98, 10000)},
@@ -99,4 +96,4 @@ TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of
   }
 }
 
-}  // namespace lagrangian_mesh_stability_test
+}  // namespace seiche::verification::lagrangian_mesh_stability_test

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -12,21 +10,18 @@
 #include "verification/check.hpp"
 #include "verification/dispersion/bloch_wave.hpp"
 
-namespace lattice_energies_test {
+namespace seiche::verification::lattice_energies_test {
 
-using namespace seiche;
 using exact::HexahedralDispersion;
 using exact::PlanDispersion;
 using exact::SurfaceInertia;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1, 4.2; closed forms of the cells";
 
 /// Deviation of the largest squared frequency, and the largest of the others, over the zone of wavenumbers.
 struct Deviation {
-  Worst wave;
-  Worst vortex;
+  Worst wave, vortex;
 };
 
 template <class Law>
@@ -52,8 +47,8 @@ void claim(Check& check, const std::string& name, const std::string& lattice, co
                   lattice + ".",
               {found.wave.value()},
               Bound{1e-12,
-                    "second differences over a quarter of a depth leave 1e-15 of a cell's energy; "
-                    "the longest wave has 1e-3 of the largest omega^2"});
+                    "second differences over a quarter of a depth leave 1e-15 of a cell's energy; the longest wave has "
+                    "1e-3 of the largest omega^2"});
   check.holds("vortices-" + name + ": All other motions that the volumes allow are motionless, on " + lattice + ".",
               {found.vortex.value()}, Bound{1e-13, "the same differences, 1e-14 of a cell's energy"});
 }
@@ -87,7 +82,8 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
       "exact_lattice_energies", "Waves on lattices of cells from energies and volumes alone",
       "Potential energy and volumes of bilinear and trilinear cells by Gauss quadrature, differentiated twice about "
       "rest, joined to an infinite lattice by the phases of a plane wave: the eigenvalues of the motions that keep the "
-      "volumes are the squared frequencies. One is the wave of the closed form, all others vanish.");
+      "volumes are the squared frequencies. One is the wave of the closed form, all others vanish.",
+      source);
   const double third = 1.0 / 3;
   for (const auto& [name, g, depth, hx, hy, alpha] : {std::tuple{"plan-square", 1.0, 1.0, 0.5, 0.5, third},
                                                       {"plan-oblong", 9.81, 0.7, 0.4, 0.3, third},
@@ -113,15 +109,14 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
       }
     }
   }
-  check.that({.id = "multipliers",
-              .text = "The tridiagonal problem of the layers' multipliers has the frequencies of the closed form, for "
-                      "T = K h3/2 below and above 1.",
-              .quantity = "largest relative deviation of omega",
-              .source = source},
+  check.that("multipliers",
+             "The tridiagonal problem of the layers' multipliers has the frequencies of the closed form, for T = K "
+             "h3/2 below and above 1.",
+             "largest relative deviation of omega",
              {.value = multipliers.value(), .resolution = "1, 2, 3, 5 layers, 100 wavenumbers over the zone"},
              Bound{1e-12,
-                   "the problem is a difference from 1 of which the longest wave leaves 0.01, "
-                   "solved to some ten roundings times the matrix's condition, below 1e2"});
+                   "the problem is a difference from 1 of which the longest wave leaves 0.01, solved to some ten "
+                   "roundings times the matrix's condition, below 1e2"});
 }
 
-}  // namespace lattice_energies_test
+}  // namespace seiche::verification::lattice_energies_test

@@ -1,5 +1,4 @@
 // Small oscillations of a hanging chain: frequencies of both schemes, and the largest stable step.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -11,12 +10,10 @@
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace one_step_linear_modes_test {
+namespace seiche::verification::one_step_linear_modes_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::rigid_chain;
-using seiche::Worst;
-using namespace seiche::verification;
+using namespace mechanics;
+using namespace rigid_chain;
 
 const std::string source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), I.1.4, I.5";
 constexpr double amplitude = 1e-7;
@@ -73,8 +70,7 @@ double phase_of_a_step(Integrator integrator, const Modes& all, std::size_t mode
   std::vector<double> before = state.q;
   step(state, tau);
   std::vector<double> now = state.q;
-  double product = 0;
-  double square = 0;
+  double product = 0, square = 0;
   for (int n = 0; n < 40; ++n) {
     step(state, tau);
     for (std::size_t i = 0; i < now.size(); i += 3) {
@@ -128,13 +124,12 @@ double growth(double share_of_limit, int steps) {
 }
 
 TEST_CASE("frequencies of small oscillations and the largest stable step", "[dispersion]") {
-  Check check(
-      "one_step_linear_modes", "Small oscillations: phase error and stability",
-      "Four masses hang from a pin; a mode of frequency $\\Omega$ has amplitude 1e-7. The one-step scheme gives "
-      "it the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$, too high, and is stable for "
-      "$\\Omega\\tau < 2$; the fully conservative one $\\tan(\\omega\\tau/2) = \\Omega\\tau/2$, too low by twice "
-      "as much. The modes are those of the linearised chain, by an eigenvalue solver.");
-  check.source(source);
+  Check check("one_step_linear_modes", "Small oscillations: phase error and stability",
+              "Four masses hang from a pin; a mode of frequency $\\Omega$ has amplitude 1e-7. The one-step scheme "
+              "gives it the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$, too high, and is stable "
+              "for $\\Omega\\tau < 2$; the fully conservative one $\\tan(\\omega\\tau/2) = \\Omega\\tau/2$, too low by "
+              "twice as much. The modes are those of the linearised chain, by an eigenvalue solver.",
+              source);
   const Modes all = modes();
   // Beyond 1.2 the sweeps of the implicit scheme, which gain (Omega tau)^2/4 each, take too many.
   const Deviation one_step = deviation(Integrator::one_step, all, {0.1, 0.3, 0.6, 0.9, 1.2, 1.5, 1.8});
@@ -148,25 +143,19 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
   const Bound small{1e-10,
                     "rounding of cos(omega tau), up to 1e-15, over its slope (omega tau)^2 of 3e-4 in the slowest mode "
                     "at the smallest step; terms of second order in the amplitude are 1e-14"};
-  check.that({.id = "one-step",
-              .text = "The one-step scheme follows the arcsine law.",
-              .quantity = "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.8"},
-             {.value = one_step.largest.value()}, small);
-  check.that({.id = "conservative",
-              .text = "The fully conservative scheme follows the arctangent law.",
-              .quantity = "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.2"},
-             {.value = conservative.largest.value()}, small);
-  check.that({.id = "stable",
-              .text = "At 0.98 of the limit tau = 2/Omega_max the fastest mode stays bounded.",
-              .quantity = "largest displacement over the initial one, 10000 steps"},
-             {.value = growth(0.98, 10000)},
+  check.that("one-step", "The one-step scheme follows the arcsine law.",
+             "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.8", {one_step.largest.value()},
+             small);
+  check.that("conservative", "The fully conservative scheme follows the arctangent law.",
+             "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.2",
+             {conservative.largest.value()}, small);
+  check.that("stable", "At 0.98 of the limit tau = 2/Omega_max the fastest mode stays bounded.",
+             "largest displacement over the initial one, 10000 steps", {growth(0.98, 10000)},
              Bound{1.01, "a mode released from rest oscillates between its ends; other modes enter by rounding"});
   check.that(
-      {.id = "unstable",
-       .text = "At 1.02 of it the mode explodes.",
-       .quantity = "displacement grows by a factor of 1000 in 100 steps"},
-      {.value = growth(1.02, 100) >= 1e3 ? 1.0 : 0.0},
+      "unstable", "At 1.02 of it the mode explodes.", "displacement grows by a factor of 1000 in 100 steps",
+      {growth(1.02, 100) >= 1e3 ? 1.0 : 0.0},
       Qualitative{"largest displacement >= 1000 times the initial", "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
 }
 
-}  // namespace one_step_linear_modes_test
+}  // namespace seiche::verification::one_step_linear_modes_test

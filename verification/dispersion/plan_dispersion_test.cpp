@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,13 +10,12 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace plan_dispersion_test {
+namespace seiche::verification::plan_dispersion_test {
 
-using namespace seiche;
 using exact::PlanDispersion;
-using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 constexpr double diagonal = pi / 4;
@@ -41,53 +41,42 @@ void claim_misprints(Check& check) {
   for (const Misprint& m : {Misprint{"axis-0-5", 0.5, 0, 0.5, -3.9e-4, 0.05e-4, -3.85e-4},
                             {"axis-1", 0.5, 0, 1, -5.1e-3, 0.05e-3, -5.05e-3},
                             {"diagonal-0-25", 1, diagonal, 0.25, -2.7e-3, 0.05e-3, -2.65e-3}}) {
-    check.known_failure(
-        {.id = "digits-" + m.id,
-         .text = fmt::format("The error {} for h = {:g} H, k H = {:g} is {:g}.",
-                             m.direction == 0 ? "along an axis" : "at 45 degrees", m.spacing, m.k, m.printed),
-         .quantity = "relative error of the frequency",
-         .source = printed_once},
-        {.value = square(m.spacing).frequency_error(m.k, m.direction)},
-        Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
-        {.value = m.three_digits,
-         .width = 0.1 * m.half_unit,
-         .reason = "printed after rounding twice, to three digits and to two; the law agrees with the eigenvalues of "
-                   "the cells"});
+    check.from(printed_once)
+        .known_failure("digits-" + m.id,
+                       fmt::format("The error {} for h = {:g} H, k H = {:g} is {:g}.",
+                                   m.direction == 0 ? "along an axis" : "at 45 degrees", m.spacing, m.k, m.printed),
+                       "relative error of the frequency", {square(m.spacing).frequency_error(m.k, m.direction)},
+                       Bound{m.half_unit, "half a unit of the last digit printed", m.printed},
+                       {.value = m.three_digits,
+                        .width = 0.1 * m.half_unit,
+                        .reason = "printed after rounding twice, to three digits and to two; the law agrees with the "
+                                  "eigenvalues of the cells"});
   }
 }
 
 void claim_orders(Check& check) {
   constexpr double k = 1.2;
   constexpr double direction = 0.5;
-  std::vector<double> spacings;
-  std::vector<double> errors;
-  std::vector<double> rests;
-  for (double h = 0.4; h > 0.02; h /= 2) {
-    spacings.push_back(h);
-    const PlanDispersion law(1, 1, h, 0.7 * h);
-    errors.push_back(std::abs(law.frequency_error(k, direction)));
-    rests.push_back(std::abs(law.frequency_error(k, direction) - law.leading_error(k, direction)));
-  }
-  check.that({.id = "order",
-              .text = "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
-              .quantity = "order in h1 at k H = 1.2, 29 degrees, h2 = 0.7 h1",
-              .source = source},
-             observed_order(spacings, errors),
-             Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
-  check.that({.id = "leading-term",
-              .text = "Beyond its leading error the law deviates with the fourth power of the spacing.",
-              .quantity = "order in h1 of the error minus its leading term",
-              .source = source},
-             observed_order(spacings, rests),
-             Order{4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"});
+  check.source(source);
+  refine(check, {"h1", {0.4, 0.2, 0.1, 0.05, 0.025}},
+         {{"order",
+           "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
+           {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"}},
+          {"leading-term",
+           "Beyond its leading error the law deviates with the fourth power of the spacing.",
+           {4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"}}},
+         [](double spacing) {
+           const PlanDispersion law(1, 1, spacing, 0.7 * spacing);
+           const double error = law.frequency_error(k, direction);
+           return std::array{std::abs(error), std::abs(error - law.leading_error(k, direction))};
+         });
   const double h = 0.5;
   const double small = 0.02;
-  check.that({.id = "anisotropy",
-              .text = "For long waves at 45 degrees the relative error of omega^2 is -(h k)^2/12.",
-              .quantity = "2 delta omega/omega over (h k)^2 at k H = 0.02",
-              .source = source},
-             {.value = 2 * square(h).frequency_error(small, diagonal) / (h * h * small * small)},
-             Bound{3e-4 / 12, "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4", -1.0 / 12});
+  check.from(source).that(
+      "anisotropy", "For long waves at 45 degrees the relative error of omega^2 is -(h k)^2/12.",
+      "2 delta omega/omega over (h k)^2 at k H = 0.02",
+      {2 * square(h).frequency_error(small, diagonal) / (h * h * small * small)},
+      Bound{3e-4 / 12, "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4", -1.0 / 12});
 }
 
 void draw(Check& check) {
@@ -111,10 +100,7 @@ void draw(Check& check) {
   auto& polar = rose.panel({.x = "error along x [%]", .y = "error along y [%]", .equal_aspect = true});
   auto& angles = rose.panel({.x = "direction [degrees]", .y = "omega/omega_GN - 1 [%]"});
   for (const double length : {4.0, 6.0, 10.0}) {
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> degrees;
-    std::vector<double> errors;
+    std::vector<double> x, y, degrees, errors;
     for (int i = 0; i <= 180; ++i) {
       const double direction = 2 * pi * i / 180;
       const double percent = 100 * square(0.5).frequency_error(2 * pi / length, direction);
@@ -132,9 +118,8 @@ void draw(Check& check) {
 
 TEST_CASE("the law of the plan model has the known digits and limits", "[dispersion]") {
   Check check("exact_plan_dispersion", "Dispersion law of dispersive shallow water in plan",
-              "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, "
-              "the leading error with its anisotropy, and "
-              "the order in the spacing.");
+              "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, the leading "
+              "error with its anisotropy, and the order in the spacing.");
   check_table(check, "digits-axis", "errors along an axis, h = 0.5 H, k H = 0.25, 1.5; h = H, 0.25, 0.5, 1, 1.5",
               {error(0.5, 0, 0.25, 5, "-2.5"), error(0.5, 0, 1.5, 2, "-2.0"), error(1, 0, 0.25, 5, "-8.8"),
                error(1, 0, 0.5, 3, "-1.35"), error(1, 0, 1, 2, "-1.8"), error(1, 0, 1.5, 2, "-7.1")},
@@ -157,4 +142,4 @@ TEST_CASE("the law of the plan model has the known digits and limits", "[dispers
   CHECK_THROWS_AS(square(0.5).frequency(0.1, 2.001 * pi), std::invalid_argument);
 }
 
-}  // namespace plan_dispersion_test
+}  // namespace seiche::verification::plan_dispersion_test

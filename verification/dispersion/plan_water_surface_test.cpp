@@ -11,11 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace plan_water_surface_test {
+namespace seiche::verification::plan_water_surface_test {
 
-using namespace seiche;
 using dispersive_shallow_water_2d::WaterSurface;
-using namespace seiche::verification;
 using plan_lattice::Shape;
 
 constexpr double pi = std::numbers::pi;
@@ -26,8 +24,7 @@ const std::string derived = "derived in dispersive_shallow_water_2d/water_surfac
 /// Markers and the water of cells.
 struct Sheet {
   Shape shape;
-  std::vector<double> q;
-  std::vector<double> volumes;
+  std::vector<double> q, volumes;
 
   explicit Sheet(Shape of) : shape(of), q(3 * of.nodes()), volumes(of.cells()) {}
 
@@ -59,7 +56,8 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
   Check check("plan_water_surface_factor", "The water's surface in plan: factor of waves over a level bottom",
               "Rectangles of 0.3 x 0.2 depths between walls along a turned square: every wave cos(k x) cos(l y) of the "
               "lattice is one of the water's surface, (1 + 3 s/4)/(1 + s/4) times as high, s = gamma Q with the Q of "
-              "dispersion_energy.hpp.");
+              "dispersion_energy.hpp.",
+              derived);
   const Shape shape{12, 9};
   constexpr double h1 = 0.3;
   constexpr double h2 = 0.2;
@@ -85,20 +83,18 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
       }
     }
   }
-  check.that({.id = "factor",
-              .text = "Every wave is higher by its factor.",
-              .quantity = "largest deviation over the amplitude",
-              .source = derived},
+  check.that("factor", "Every wave is higher by its factor.", "largest deviation over the amplitude",
              {.value = deviation.value(), .resolution = "12 x 9 rectangles, all waves"},
              Bound{2 * std::sqrt(13.0 * 10.0) * accuracy,
-                   "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three "
-                   "times as high as the markers"});
+                   "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three times as "
+                   "high as the markers"});
 }
 
 TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion]") {
   Check check("plan_water_surface_channel", "The water's surface in plan: as in a channel",
               "Columns of unequal widths and depths, three rows of unequal widths, elevations at random along the "
-              "channel: each row's nodes against those of a channel with the water of a unit of width.");
+              "channel: each row's nodes against those of a channel with the water of a unit of width.",
+              derived);
   const Shape shape{20, 3};
   Sheet sheet(shape);
   std::minstd_rand random(7);
@@ -129,10 +125,8 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
     difference.add(std::abs(found[node] - channel[node % (shape.columns + 1)]));
     moved.add(std::abs(found[node] - sheet.z(node)));
   }
-  check.that({.id = "same",
-              .text = "The surface of the 2DH model equals the surface of the 1D channel.",
-              .quantity = "largest difference over the largest elevation above the markers",
-              .source = derived},
+  check.that("same", "The surface of the 2DH model equals the surface of the 1D channel.",
+             "largest difference over the largest elevation above the markers",
              {.value = difference.value() / moved.value(), .resolution = "20 x 3 cells"},
              Bound{std::sqrt(84.0) * 3 * accuracy,
                    "the solution's relative accuracy in the mean of 84 nodes whose areas differ 9 times"});
@@ -141,7 +135,8 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
 TEST_CASE("the surface holds the markers' water, whichever way the lattice lies", "[dispersion]") {
   Check check("plan_water_surface_water", "The water's surface in plan: water and turns",
               "Cells off a square at random with elevations and depths at random: the water between markers and "
-              "surface, and the surface of the same lattice turned by 40 degrees.");
+              "surface, and the surface of the same lattice turned by 40 degrees.",
+              derived);
   Sheet sheet = turned({14, 11}, 1, 1, 0);
   std::minstd_rand random(5);
   std::uniform_real_distribution<double> uniform(-0.25, 0.25);
@@ -152,22 +147,18 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
   WaterSurface surface(sheet.shape, improved);
   const auto read = surface.read(sheet.volumes, sheet.q);
   const std::vector<double> found(read.begin(), read.end());
-  double water = 0;
-  double moved = 0;
+  double water = 0, moved = 0;
   for (std::size_t cell = 0; cell < sheet.shape.cells(); ++cell) {
     for (const std::size_t node : sheet.shape.corners(cell)) {
       water += 0.25 * sheet.area(cell) * (found[node] - sheet.z(node));
       moved += 0.25 * sheet.area(cell) * std::abs(found[node] - sheet.z(node));
     }
   }
-  check.that({.id = "water",
-              .text = "Markers and surface hold the same water.",
-              .quantity = "water between them over what was moved",
-              .source = derived},
+  check.that("water", "Markers and surface hold the same water.", "water between them over what was moved",
              {.value = water / moved, .resolution = "14 x 11 cells"},
              Bound{20 * accuracy,
-                   "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the "
-                   "surface over what the solution moves"});
+                   "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the surface over "
+                   "what the solution moves"});
   Sheet other = sheet;
   for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) {
     const double angle = 40 * pi / 180;
@@ -178,12 +169,10 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
   const auto same = again.read(other.volumes, other.q);
   Largest difference;
   for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) difference.add(std::abs(same[node] - found[node]));
-  check.that({.id = "turned",
-              .text = "The surface of the turned lattice is the same.",
-              .quantity = "largest difference",
-              .source = "rotation"},
-             {.value = difference.value(), .resolution = "14 x 11 cells"},
-             Roundoff{400, 1, "some twenty iterations of twenty operations"});
+  check.from("rotation")
+      .that("turned", "The surface of the turned lattice is the same.", "largest difference",
+            {.value = difference.value(), .resolution = "14 x 11 cells"},
+            Roundoff{400, 1, "some twenty iterations of twenty operations"});
 }
 
-}  // namespace plan_water_surface_test
+}  // namespace seiche::verification::plan_water_surface_test

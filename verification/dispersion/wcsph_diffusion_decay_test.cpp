@@ -1,9 +1,7 @@
 // Sound in weakly compressible SPH with density diffusion: it dies away as the linear equations on the lattice say.
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,10 +10,9 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_diffusion_decay_test {
+namespace seiche::verification::wcsph_diffusion_decay_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr std::size_t cells = 32;
 constexpr std::size_t rows = 16;
@@ -58,18 +55,17 @@ Amplitudes of(const Flow& flow, double k) {
 }
 
 TEST_CASE("density diffusion damps sound at the rate of the linear equations on the lattice", "[dispersion]") {
-  Check check(
-      "wcsph_diffusion_decay", "Standing sound waves: decay by density diffusion",
-      "$u = 10^{-6} c_0 \\sin kx$ on a square lattice in a periodic box, $\\delta = 0.1$, no viscosity. Density "
-      "and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the sums "
-      "of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
-      "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
-  seiche::evidence::Table table{.id = "decay",
-                                .title = "Amplitude of a sound wave",
-                                .caption = "Over that of the beginning, at the end.",
-                                .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
-                                .rows = {},
-                                .atlas = {}};
+  Check check("wcsph_diffusion_decay", "Standing sound waves: decay by density diffusion",
+              "$u = 10^{-6} c_0 \\sin kx$ on a square lattice in a periodic box, $\\delta = 0.1$, no viscosity. "
+              "Density and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the "
+              "sums of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
+              "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
+  evidence::Table table{.id = "decay",
+                        .title = "Amplitude of a sound wave",
+                        .caption = "Over that of the beginning, at the end.",
+                        .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
+                        .rows = {},
+                        .atlas = {}};
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     const bool spline = kernel == KernelName::cubic_spline;
     const double smoothing = spline ? 1.3 : 2.0;
@@ -119,11 +115,11 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
       check.holds(fmt::format("decay-{}-{}", name_of(kernel), mode) + ": Sound dies away as the linear equations say.",
                   {apart},
                   Bound{std::pow(2 * mach * k * sound_speed * duration, 2) + 1e-8,
-                        "((gamma + 1)/4 M k c_0 t)^2, what comes back from the second harmonic; 1e-8: densities "
-                        "of 1 are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
+                        "((gamma + 1)/4 M k c_0 t)^2, what comes back from the second harmonic; 1e-8: densities of 1 "
+                        "are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
     }
   }
   check.table(std::move(table));
 }
 
-}  // namespace wcsph_diffusion_decay_test
+}  // namespace seiche::verification::wcsph_diffusion_decay_test

@@ -11,11 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_standing_wave_test {
+namespace seiche::verification::wcsph_standing_wave_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double gravity = 9.81;
 constexpr double k = 2 * std::numbers::pi;  // one wave in a period of 1 m
@@ -48,8 +46,7 @@ struct Oscillation {
   [[nodiscard]] double frequency() const {
     const std::vector<double> t = zeros();
     const double middle = 0.5 * static_cast<double>(t.size() - 1);
-    double numerator = 0;
-    double denominator = 0;
+    double numerator = 0, denominator = 0;
     for (std::size_t n = 0; n < t.size(); ++n) {
       const double offset = static_cast<double>(n) - middle;
       numerator += offset * t[n];
@@ -102,8 +99,7 @@ Oscillation run(KernelName kernel, double smoothing, double xsph, const Layer& l
   Oscillation oscillation{};
   const auto record = [&] {
     const Particles& p = flow.particles();
-    double sum = 0;
-    double norm = 0;
+    double sum = 0, norm = 0;
     for (std::size_t a = 0; a < p.size(); ++a) {
       if (p.kind[a] != Kind::fluid) continue;
       const auto [u, w] = mode(p.x[a], p.z[a]);
@@ -124,13 +120,12 @@ struct Row {
   std::string id, name;
   KernelName kernel;
   double smoothing, xsph;
-  double limit;
-  double printed;
+  double limit, printed;
   Layer layer = {};
 };
 
 void judge(Check& check, const std::vector<Row>& rows, const std::string& reason) {
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "frequencies",
       .title = "Frequency over that of linear theory, and damping",
       .caption = "Three and a quarter periods.",
@@ -159,13 +154,11 @@ void judge(Check& check, const std::vector<Row>& rows, const std::string& reason
 }
 
 void judge_narrow(const std::vector<Row>& rows) {
-  Check check(
-      "wcsph_standing_wave_narrow", "Standing wave, cubic spline with h = 1.3 dx",
-      "Wave of length 1 m and amplitude 0.02 m on 0.5 m of water between periodic sides, over dynamic wall "
-      "particles, $\\alpha = 0.02$, three periods from a level surface. With 20 neighbours the square lattice "
-      "under hydrostatic "
-      "pressure is a little stiff against shear: the frequency is 2 to 4 % high, whatever amplitude, spacing, depth "
-      "and sound speed are, and the excess is gone from $h = 1.5$ dx on.");
+  Check check("wcsph_standing_wave_narrow", "Standing wave, cubic spline with h = 1.3 dx",
+              "Wave of length 1 m and amplitude 0.02 m on 0.5 m of water between periodic sides, over dynamic wall "
+              "particles, $\\alpha = 0.02$, three periods from a level surface. With 20 neighbours the square lattice "
+              "under hydrostatic pressure is a little stiff against shear: the frequency is 2 to 4 % high, whatever "
+              "amplitude, spacing, depth and sound speed are, and the excess is gone from $h = 1.5$ dx on.");
   judge(check, rows, "stiffness of the lattice with 20 neighbours, 1.3 to 3.2 % in an earlier program (regression)");
 }
 
@@ -182,10 +175,9 @@ TEST_CASE("it has so on a finer lattice too", "[dispersion][full]") {
 }
 
 TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory within 1.5 %", "[dispersion][full]") {
-  Check check(
-      "wcsph_standing_wave_wide", "Standing wave, wider kernels",
-      "The same with $h \\ge 1.5$ dx: what is left are the amplitude, $(ka)^2/8 = 0.2\\,\\%$ for standing waves, and "
-      "the walls' gap of a part of h.");
+  Check check("wcsph_standing_wave_wide", "Standing wave, wider kernels",
+              "The same with $h \\ge 1.5$ dx: what is left are the amplitude, $(ka)^2/8 = 0.2\\,\\%$ for standing "
+              "waves, and the walls' gap of a part of h.");
   judge(check,
         {{"cubic-1-5", "cubic spline, h = 1.5 dx", KernelName::cubic_spline, 1.5, 0.5, 0.015, 0.994},
          {"cubic-2", "cubic spline, h = 2 dx", KernelName::cubic_spline, 2.0, 0.5, 0.015, 0.996},
@@ -194,4 +186,4 @@ TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory
         "kernel's error of the first derivative of 0.1 to 0.7 %");
 }
 
-}  // namespace wcsph_standing_wave_test
+}  // namespace seiche::verification::wcsph_standing_wave_test

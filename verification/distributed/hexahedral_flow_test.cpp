@@ -11,11 +11,9 @@
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 
-namespace hexahedral_flow_test {
+namespace seiche::verification::hexahedral_flow_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using namespace seiche::verification::distributed_flows;
+using namespace distributed_flows;
 using distributed::rank;
 using distributed::ranks;
 
@@ -54,32 +52,25 @@ void compare_with_one(const std::string& id, const std::string& where, const std
     reference.numbers.insert(reference.numbers.end(), values.begin() + static_cast<std::ptrdiff_t>(below),
                              values.end());
   }
-  Check check(
-      fmt::format("distributed_hexahedral_{}_{}", id, ranks()),
-      fmt::format("Hexahedral model{} shared out among {} process(es)", where, ranks()),
-      "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
-      "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, which "
-      "change velocities by less than the largest velocity $U$ in a step.");
+  Check check(fmt::format("distributed_hexahedral_{}_{}", id, ranks()),
+              fmt::format("Hexahedral model{} shared out among {} process(es)", where, ranks()),
+              "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
+              "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, "
+              "which change velocities by less than the largest velocity $U$ in a step.",
+              "decomposition of the lattice");
   const std::string resolution = fmt::format("{} x {} x {} cells, {} steps of {}, relative residual {:.0e}",
                                              mesh.plan.columns, mesh.plan.rows, mesh.layers, steps, step, tolerance);
-  check.that({.id = "same",
-              .text = fmt::format("The flow shared out among processes equals the flow of one process: {}.", what),
-              .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth), at the "
-                          "surface",
-              .source = "Frank, Discrete models of incompressible fluid (1994), chapter 4"},
-             {.value = largest_difference(shared, reference), .resolution = resolution},
-             Bound{steps * shared.condition * tolerance * speed(reference),
-                   fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", shared.condition, speed(reference))});
-  check.that({.id = "copies",
-              .text = "The copies that several processes hold of a node are bitwise equal.",
-              .quantity = "largest difference between copies",
-              .source = "decomposition of the lattice"},
-             {.value = shared.rim_difference, .resolution = resolution}, Bound{0, "copies are copied"});
+  check.from("Frank, Discrete models of incompressible fluid (1994), chapter 4")
+      .that("same", fmt::format("The flow shared out among processes equals the flow of one process: {}.", what),
+            "largest difference of a coordinate over the depth or a velocity over sqrt(g depth), at the surface",
+            {.value = largest_difference(shared, reference), .resolution = resolution},
+            Bound{steps * shared.condition * tolerance * speed(reference),
+                  fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", shared.condition, speed(reference))});
+  check.that("copies", "The copies that several processes hold of a node are bitwise equal.",
+             "largest difference between copies", {.value = shared.rim_difference, .resolution = resolution},
+             Bound{0, "copies are copied"});
   if (window.reach) {
-    check.that({.id = "shifts",
-                .text = "The window moves as on one process.",
-                .quantity = "columns left behind, less those on one process",
-                .source = "decomposition of the lattice"},
+    check.that("shifts", "The window moves as on one process.", "columns left behind, less those on one process",
                {.value = static_cast<double>(shared.shifts - reference.shifts),
                 .resolution = fmt::format("{} columns left behind", shared.shifts)},
                Bound{0, "the water at the window's front is at rest"});
@@ -128,4 +119,4 @@ TEST_CASE("a flow of hexahedra in a moving window shared out among processes is 
   compare_with_one("window", " in a moving window", in_plan.what, mesh, velocity, in_plan.window);
 }
 
-}  // namespace hexahedral_flow_test
+}  // namespace seiche::verification::hexahedral_flow_test

@@ -12,11 +12,9 @@
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 
-namespace plan_flow_test {
+namespace seiche::verification::plan_flow_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using namespace seiche::verification::distributed_flows;
+using namespace distributed_flows;
 using distributed::rank;
 using distributed::ranks;
 
@@ -24,12 +22,11 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 const std::string article =
     "The lattice is shared out among the processes of one program (MPI); each computes on its own block and a ring of "
     "its neighbours' cells, and PETSc solves the system of all cells by conjugate gradients, preconditioned by the "
-    "diagonal. The flow on one process is stepped by the model itself, with a direct solver.\n\n"
-    "The two may differ by what the iterations leave. A relative residual $\\varepsilon$ leaves at most the part "
-    "$\\kappa\\varepsilon$ of the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from "
-    "the Lanczos coefficients of the last solution), and they change velocities by less than the largest velocity $U$ "
-    "in a step: after $N$ steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, "
-    "in proportion.";
+    "diagonal. The flow on one process is stepped by the model itself, with a direct solver.\n\nThe two may differ by "
+    "what the iterations leave. A relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of "
+    "the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from the Lanczos coefficients "
+    "of the last solution), and they change velocities by less than the largest velocity $U$ in a step: after $N$ "
+    "steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, in proportion.";
 
 void compare_with_one(const std::string& id, const std::string& title, const std::vector<Problem>& problems) {
   const std::vector<double> tolerances{1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
@@ -41,7 +38,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
   if (rank() > 0) return;
 
   Check check(fmt::format("distributed_{}_{}", id, ranks()),
-              fmt::format("{} shared out among {} process(es)", title, ranks()), article);
+              fmt::format("{} shared out among {} process(es)", title, ranks()), article, source);
   auto& panel = check.figure("tolerance", "Difference from the flow on one process", "Against the solver's tolerance.")
                     .panel({.x = "tolerance (relative residual)",
                             .y = "largest difference, depths or sqrt(g depth)",
@@ -59,43 +56,31 @@ void compare_with_one(const std::string& id, const std::string& title, const std
     const Outcome& finest = outcomes[p].back();
     const std::string resolution = fmt::format("{} steps of {}, relative residual {:.0e}, {} process(es)",
                                                problem.steps, problem.step, tolerances.back(), ranks());
-    check.that(
-        {.id = "same-" + problem.id,
-         .text = fmt::format("The flow shared out among processes equals the flow of one process: {}.", problem.what),
-         .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
-         .source = source},
-        {.value = differences.back(), .resolution = resolution},
-        Bound{static_cast<double>(problem.steps) * finest.condition * tolerances.back() * speed(reference),
-              fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", finest.condition, speed(reference))});
-    check.that({.id = "vanishes-" + problem.id,
-                .text = "The difference vanishes with the tolerance, in proportion.",
-                .quantity = "order of the largest difference in the tolerance",
-                .source = source},
-               observed_order(tolerances, differences),
-               Order{.theory = 1,
-                     .tolerance = 0.25,
-                     .reason = "the residual at which the iteration stops lies anywhere within the factor of "
-                               "one iteration below the tolerance"});
-    check.that({.id = "copies-" + problem.id,
-                .text = "The copies that several processes hold of a node are bitwise equal.",
-                .quantity = "largest difference between copies",
-                .source = source},
-               {.value = rim.value(), .resolution = resolution}, Bound{0, "copies are copied"});
+    check.that("same-" + problem.id,
+               fmt::format("The flow shared out among processes equals the flow of one process: {}.", problem.what),
+               "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
+               {.value = differences.back(), .resolution = resolution},
+               Bound{static_cast<double>(problem.steps) * finest.condition * tolerances.back() * speed(reference),
+                     fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", finest.condition, speed(reference))});
+    check.that("vanishes-" + problem.id, "The difference vanishes with the tolerance, in proportion.",
+               "order of the largest difference in the tolerance", observed_order(tolerances, differences),
+               Order{1, 0.25,
+                     "the residual at which the iteration stops lies anywhere within the factor of one iteration below "
+                     "the tolerance"});
+    check.that("copies-" + problem.id, "The copies that several processes hold of a node are bitwise equal.",
+               "largest difference between copies", {.value = rim.value(), .resolution = resolution},
+               Bound{0, "copies are copied"});
     const double part = static_cast<double>(problem.steps) * finest.condition * tolerances.back();
     check.that(
-        {.id = "energy-" + problem.id,
-         .text = "The energy of the water that the processes hold together equals the energy in one process.",
-         .quantity = "difference over the energy",
-         .source = source},
-        {.value = finest.energy / reference.energy - 1, .resolution = resolution},
-        Bound{2 * part, fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs "
-                                    "by N kappa eps",
-                                    finest.condition)});
+        "energy-" + problem.id,
+        "The energy of the water that the processes hold together equals the energy in one process.",
+        "difference over the energy", {.value = finest.energy / reference.energy - 1, .resolution = resolution},
+        Bound{2 * part,
+              fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs by N kappa eps",
+                          finest.condition)});
     if (problem.window.reach) {
-      check.that({.id = "shifts-" + problem.id,
-                  .text = "The window moves as on one process.",
-                  .quantity = "columns left behind, less those on one process",
-                  .source = source},
+      check.that("shifts-" + problem.id, "The window moves as on one process.",
+                 "columns left behind, less those on one process",
                  {.value = static_cast<double>(finest.shifts - reference.shifts),
                   .resolution = fmt::format("{} columns left behind", finest.shifts)},
                  Bound{0, "the water at the window's front is at rest"});
@@ -121,13 +106,12 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
     outcomes.push_back(shared_out(problem, tolerance, mechanics::Stepping::conservative));
   }
   if (rank() > 0) return;
-  Check check(
-      fmt::format("distributed_conservative_{}", ranks()),
-      fmt::format("Conservative scheme shared out among {} process(es)", ranks()),
-      "Flows over level and uneven bottoms, with a wave maker and with shorelines, by the conservative scheme. Sweeps "
-      "of a step end when velocities no longer change at any process; every process does as many. The flow on one "
-      "process has a direct solver and ends its own sweeps.");
-  check.source(source);
+  Check check(fmt::format("distributed_conservative_{}", ranks()),
+              fmt::format("Conservative scheme shared out among {} process(es)", ranks()),
+              "Flows over level and uneven bottoms, with a wave maker and with shorelines, by the conservative scheme. "
+              "Sweeps of a step end when velocities no longer change at any process; every process does as many. The "
+              "flow on one process has a direct solver and ends its own sweeps.",
+              source);
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const Problem& problem = problems[p];
     const Outcome& shared = outcomes[p];
@@ -137,25 +121,23 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
     constexpr double settled = 1e-11;
     const bool driven = std::holds_alternative<plan_lattice::DrivenSide>(problem.lattice.sides.west);
     if (!driven) {
-      check.that({.id = "energy-" + problem.id,
-                  .text = fmt::format("Energy is conserved by the shared flow: {}.", problem.what),
-                  .quantity = "change over the first value"},
+      check.that("energy-" + problem.id, fmt::format("Energy is conserved by the shared flow: {}.", problem.what),
+                 "change over the first value",
                  {.value = shared.energy / shared.first_energy - 1, .resolution = resolution},
                  Bound{static_cast<double>(problem.steps) * settled,
                        "sweeps end at the latest when velocities change by 1e-11 of the largest"});
     }
-    check.that({.id = "same-" + problem.id,
-                .text = fmt::format("The flow of several processes equals the flow of one: {}.", problem.what),
-                .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)"},
+    check.that("same-" + problem.id,
+               fmt::format("The flow of several processes equals the flow of one: {}.", problem.what),
+               "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
                {.value = largest_difference(shared, reference), .resolution = resolution},
                Bound{static_cast<double>(problem.steps) * (settled + shared.condition * tolerance) * speed(reference),
-                     fmt::format("as for the one-step scheme, N kappa eps U with kappa = {:.3g}; and what sweeps "
-                                 "may still change, 1e-11 of U each time",
+                     fmt::format("as for the one-step scheme, N kappa eps U with kappa = {:.3g}; and what sweeps may "
+                                 "still change, 1e-11 of U each time",
                                  shared.condition)});
-    check.that({.id = "copies-" + problem.id,
-                .text = "The copies that several processes hold of a node are bitwise equal.",
-                .quantity = "largest difference between copies"},
-               {.value = shared.rim_difference, .resolution = resolution}, Bound{0, "copies are copied"});
+    check.that("copies-" + problem.id, "The copies that several processes hold of a node are bitwise equal.",
+               "largest difference between copies", {.value = shared.rim_difference, .resolution = resolution},
+               Bound{0, "copies are copied"});
   }
 }
 
@@ -175,11 +157,9 @@ TEST_CASE("a lattice that folds at one process stops all of them") {
   const double all_stopped = distributed::Decomposition::least(stopped);
   if (rank() > 0) return;
   Check check(fmt::format("distributed_breakdown_{}", ranks()), fmt::format("A breakdown on {} process(es)", ranks()),
-              "A jet in the south-west corner of the box folds the lattice there.");
-  check.that({.id = "all-stop",
-              .text = "What one process finds infeasible is a Divergence on all, with time and step.",
-              .quantity = "1 if all processes stopped",
-              .source = source},
+              "A jet in the south-west corner of the box folds the lattice there.", source);
+  check.that("all-stop", "What one process finds infeasible is a Divergence on all, with time and step.",
+             "1 if all processes stopped",
              {.value = all_stopped, .resolution = fmt::format("{} steps before it", flow.steps())},
              Qualitative{"every process caught Divergence", "a process that goes on alone waits for ever"});
 }
@@ -209,12 +189,9 @@ TEST_CASE("a shoreline that leaves the bottom at one process stops all of them")
   if (rank() > 0) return;
   Check check(fmt::format("distributed_shore_breakdown_{}", ranks()),
               fmt::format("A shoreline that leaves the bottom, on {} process(es)", ranks()),
-              "Water runs up the western shore of a canal, beyond the place up to which the bottom is known.");
-  check.that({.id = "all-stop",
-              .text = "What one process finds infeasible at the end of a step is a Divergence on all.",
-              .quantity = "1 if all processes stopped",
-              .source = source},
-             {.value = all_stopped, .resolution = why},
+              "Water runs up the western shore of a canal, beyond the place up to which the bottom is known.", source);
+  check.that("all-stop", "What one process finds infeasible at the end of a step is a Divergence on all.",
+             "1 if all processes stopped", {.value = all_stopped, .resolution = why},
              Qualitative{"every process caught Divergence", "a process that goes on alone waits for ever"});
 }
 
@@ -285,12 +262,9 @@ TEST_CASE("what all processes write is read back as it was") {
   }
   Check check(fmt::format("distributed_fields_file_{}", ranks()),
               fmt::format("Fields written by {} process(es) together", ranks()),
-              "All processes write their parts of one HDF5 file; a reader with another HDF5 library reads it.");
-  check.that({.id = "read-back",
-              .text = "Coordinates and velocities are read back as they were, row by row.",
-              .quantity = "largest difference",
-              .source = source},
+              "All processes write their parts of one HDF5 file; a reader with another HDF5 library reads it.", source);
+  check.that("read-back", "Coordinates and velocities are read back as they were, row by row.", "largest difference",
              {.value = worst.value(), .resolution = "40 x 20 cells"}, Bound{0, "the file keeps all digits"});
 }
 
-}  // namespace plan_flow_test
+}  // namespace seiche::verification::plan_flow_test

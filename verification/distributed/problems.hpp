@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -21,8 +20,7 @@ namespace seiche::verification::distributed_flows {
 namespace plan = dispersive_shallow_water_2d;
 
 struct Problem {
-  std::string id;
-  std::string what;
+  std::string id, what;
   plan::Lattice lattice;
   double step = 0.2;
   long steps = 50;
@@ -169,9 +167,7 @@ inline Problem island() {
 struct Outcome {
   std::vector<double> numbers;
   long shifts = 0;  ///< of a moving window
-  double first_energy = 0;
-  double energy = 0;
-  double rim_difference = 0;
+  double first_energy = 0, energy = 0, rim_difference = 0;
   double condition = 0;   ///< of the last step's preconditioned matrix
   double iterations = 0;  ///< per solution
 };

@@ -7,17 +7,14 @@
 #include "validation/instruments/agreement.hpp"
 #include "verification/check.hpp"
 
-namespace agreement_test {
+namespace seiche::verification::agreement_test {
 
-using namespace seiche::validation;
-using namespace seiche::verification;
-using seiche::evidence::Claim;
+using namespace validation;
 
 constexpr double pi = std::numbers::pi;
 
 struct Points {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   [[nodiscard]] Curve curve() const { return {x, y}; }
 };
 
@@ -29,10 +26,6 @@ Points sampled(double from, double to, int intervals, Function f) {
     points.y.push_back(f(points.x.back()));
   }
   return points;
-}
-
-Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
-  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
 }
 
 TEST_CASE("measures of agreement have their known values", "[evidence]") {
@@ -102,4 +95,4 @@ TEST_CASE("measures of agreement have their known values", "[evidence]") {
   CHECK(std::isnan(first_crossing(ramp.curve(), 11)));
 }
 
-}  // namespace agreement_test
+}  // namespace seiche::verification::agreement_test

@@ -1,7 +1,6 @@
 // Waves that lose height or phase on their way are told, by any solver.
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "seiche/exact/stokes_wave.hpp"
 #include "validation/case/job.hpp"
@@ -10,11 +9,9 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace attenuation_scores_test {
+namespace seiche::verification::attenuation_scores_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 using evidence::Verdict;
 
 /// The exact wave, changed, at the centres of cells of a wavelength.
@@ -76,52 +73,48 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
   Check check("attenuation_scores", "Waves that lose on their way",
               "The exact wave after every three quarters of a period, at the centres of 200 cells, with a known loss "
               "of height or phase.");
-  const auto measured = [&](const std::string& id, const std::string& text, const evidence::Record& record,
-                            const std::string& quantity, double expected) {
-    check.holds(id + ": " + text, {record.measurements().at(quantity)},
+  const auto measured = [&](const std::string& text, const evidence::Record& record, const std::string& quantity,
+                            double expected) {
+    check.holds(text, {record.measurements().at(quantity)},
                 Bound{1e-4, "straight lines between 200 points, the same for every period", expected});
   };
-  const auto is = [&](const std::string& id, const std::string& text, Verdict got, Verdict expected) {
-    check.holds(id + ": " + text, {got == expected ? 1.0 : 0.0},
+  const auto is = [&](const std::string& text, Verdict got, Verdict expected) {
+    check.holds(text, {got == expected ? 1.0 : 0.0},
                 Qualitative{"verdict " + std::string(evidence::name(expected)), "it was made so"});
   };
   const evidence::Record right = scored([](const auto& wave, double x, double t) { return wave.elevation(x, t); });
-  measured("right-decay", "The decay read off the exact wave is zero.", right, "decay_per_wavelength", 0);
-  measured("right-lead", "The phase lead read off the exact wave is zero.", right, "lead_per_wavelength", 0);
-  measured("cells", "Cells in the height are counted.", right, "cells_per_height", 2);
-  measured("seconds", "The time read off is the time of one wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
-  is("right", "The exact wave passes the attenuation score.", verdict_of(right, "decay"), Verdict::pass);
+  measured("The decay read off the exact wave is zero.", right, "decay_per_wavelength", 0);
+  measured("The phase lead read off the exact wave is zero.", right, "lead_per_wavelength", 0);
+  measured("Cells in the height are counted.", right, "cells_per_height", 2);
+  measured("The time read off is the time of one wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
+  is("The exact wave passes the attenuation score.", verdict_of(right, "decay"), Verdict::pass);
   const auto dying = [](double rate) {
     return scored([rate](const auto& wave, double x, double t) {
       return wave.elevation(x, t) * std::exp(-rate * t * wave.phase_speed() / wave.wavelength());
     });
   };
-  measured("decay", "A loss of 0.8 per cent in a wavelength is measured.", dying(0.008), "decay_per_wavelength", 0.008);
-  is("dying", "A wave that loses 0.8 % of its height per wavelength fails the score.",
-     verdict_of(dying(0.008), "decay"), Verdict::fail);
-  is("dying-little", "A wave that loses 0.3 % of its height per wavelength passes the score.",
-     verdict_of(dying(0.003), "decay"), Verdict::pass);
-  is("growing", "A wave whose height grows fails the score.", verdict_of(dying(-0.008), "decay"), Verdict::fail);
+  measured("A loss of 0.8 per cent in a wavelength is measured.", dying(0.008), "decay_per_wavelength", 0.008);
+  is("A wave that loses 0.8 % of its height per wavelength fails the score.", verdict_of(dying(0.008), "decay"),
+     Verdict::fail);
+  is("A wave that loses 0.3 % of its height per wavelength passes the score.", verdict_of(dying(0.003), "decay"),
+     Verdict::pass);
+  is("A wave whose height grows fails the score.", verdict_of(dying(-0.008), "decay"), Verdict::fail);
   // More than half a wavelength late at the end: the phase is followed from period to period.
   const evidence::Record slow =
       scored([](const auto& wave, double x, double t) { return wave.elevation(x - 0.92 * wave.phase_speed() * t); });
-  measured("late", "A wave that is 8 per cent slow is 0.08 wavelengths late in one.", slow, "lead_per_wavelength",
-           -0.08);
-  is("slow", "A wave that is 8 % too slow fails the score.", verdict_of(slow, "phase"), Verdict::fail);
+  measured("A wave that is 8 per cent slow is 0.08 wavelengths late in one.", slow, "lead_per_wavelength", -0.08);
+  is("A wave that is 8 % too slow fails the score.", verdict_of(slow, "phase"), Verdict::fail);
   const evidence::Record frozen = scored([](const auto& wave, double x, double) { return wave.elevation(x); });
-  is("frozen", "A wave that stands where it began fails.", verdict_of(frozen, "phase"), Verdict::fail);
+  is("A wave that stands where it began fails.", verdict_of(frozen, "phase"), Verdict::fail);
   const evidence::Record back =
       scored([](const auto& wave, double x, double t) { return wave.elevation(x + wave.phase_speed() * t); });
-  is("backwards", "A wave that travels in the opposite direction fails the score.", verdict_of(back, "phase"),
-     Verdict::fail);
+  is("A wave that travels in the opposite direction fails the score.", verdict_of(back, "phase"), Verdict::fail);
 
-  measured("flume-right", "In a flume the exact wave loses nothing.", scored_flume(0, 0), "decay_per_wavelength", 0);
-  measured("flume-decay", "Along a flume a loss is measured by the way.", scored_flume(0.008, 0),
-           "decay_per_wavelength", 0.008);
-  measured("flume-late", "Waves a hundredth too short are late by it in a wavelength.", scored_flume(0, 0.01),
-           "lead_per_wavelength", -0.01);
-  is("flume-backwards", "In a flume one that runs towards the wavemaker fails.",
-     verdict_of(scored_flume(0, -2), "phase"), Verdict::fail);
+  measured("In a flume the exact wave loses nothing.", scored_flume(0, 0), "decay_per_wavelength", 0);
+  measured("Along a flume a loss is measured by the way.", scored_flume(0.008, 0), "decay_per_wavelength", 0.008);
+  measured("Waves a hundredth too short are late by it in a wavelength.", scored_flume(0, 0.01), "lead_per_wavelength",
+           -0.01);
+  is("In a flume one that runs towards the wavemaker fails.", verdict_of(scored_flume(0, -2), "phase"), Verdict::fail);
 
   // After three periods the surface is the same: one that is right but for rounding is not taken for another's.
   const Case& one = find_case("wave_attenuation");
@@ -139,4 +132,4 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
               Bound{0, "nothing differs"});
 }
 
-}  // namespace attenuation_scores_test
+}  // namespace seiche::verification::attenuation_scores_test

@@ -4,11 +4,9 @@
 #include "validation/scoring/baseline.hpp"
 #include "verification/check.hpp"
 
-namespace baseline_test {
+namespace seiche::verification::baseline_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 using evidence::Summary;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -41,36 +39,34 @@ TEST_CASE("a score is worse than its baseline where an error grew beyond both un
   Check check(
       "score_baseline", "Worse than before, or noise",
       "One claim with a limit of 1, before and after: what counts as worse, as an unexpected pass, as neither.");
-  const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
-                      const std::string& expected) {
-    check.holds(id + ": " + text, {got == expected ? 1.0 : 0.0}, Qualitative{expected, "it was made so"});
+  const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
+    check.holds(text, {got == expected ? 1.0 : 0.0}, Qualitative{expected, "it was made so"});
   };
-  is("same", "The same numbers are the same.", change(claim(0.5, "pass"), claim(0.5, "pass")), "same");
-  is("noise", "Less than a hundredth of the limit is noise.", change(claim(0.5, "pass"), claim(0.509, "pass")), "same");
-  is("worse", "More of it is worse, even where the claim is still met.", change(claim(0.5, "pass"), claim(0.6, "pass")),
+  is("The same numbers are the same.", change(claim(0.5, "pass"), claim(0.5, "pass")), "same");
+  is("Less than a hundredth of the limit is noise.", change(claim(0.5, "pass"), claim(0.509, "pass")), "same");
+  is("More of it is worse, even where the claim is still met.", change(claim(0.5, "pass"), claim(0.6, "pass")),
      "worse");
-  is("sign", "An error of the other sign is as good.", change(claim(0.5, "pass"), claim(-0.5, "pass")), "same");
-  is("within", "Within both uncertainties it is not.", change(claim(0.5, "pass", 0.1), claim(0.62, "pass", 0.1)),
-     "same");
-  is("beyond", "A change beyond both uncertainties is reported as a change.",
+  is("An error of the other sign is as good.", change(claim(0.5, "pass"), claim(-0.5, "pass")), "same");
+  is("Within both uncertainties it is not.", change(claim(0.5, "pass", 0.1), claim(0.62, "pass", 0.1)), "same");
+  is("A change beyond both uncertainties is reported as a change.",
      change(claim(0.5, "pass", 0.1), claim(0.65, "pass", 0.1)), "worse");
-  is("verdict", "A verdict that changes within the uncertainties is shown.",
+  is("A verdict that changes within the uncertainties is shown.",
      change(claim(0.95, "pass", 0.1), claim(1.05, "fail", 0.1)), "other");
-  is("fails", "A failure that grows is worse, too.", change(claim(2, "fail"), claim(3, "fail")), "worse");
-  is("pass", "A claim that was not met and is now is an unexpected pass.",
-     change(claim(1.5, "fail"), claim(0.5, "pass")), "unexpected pass");
-  is("undecided", "A claim that was undecided and is now met is an unexpected pass.",
+  is("A failure that grows is worse, too.", change(claim(2, "fail"), claim(3, "fail")), "worse");
+  is("A claim that was not met and is now is an unexpected pass.", change(claim(1.5, "fail"), claim(0.5, "pass")),
+     "unexpected pass");
+  is("A claim that was undecided and is now met is an unexpected pass.",
      change(claim(0.5, "inconclusive"), claim(0.5, "pass")), "unexpected pass");
-  is("lost", "What is no number any more is worse.", change(claim(0.5, "pass"), claim(unknown, "error")), "worse");
-  is("feature", "A feature that is gone is worse.",
+  is("What is no number any more is worse.", change(claim(0.5, "pass"), claim(unknown, "error")), "worse");
+  is("A feature that is gone is worse.",
      change(claim(0, "pass", unknown, "qualitative"), claim(1, "fail", unknown, "qualitative")), "worse");
-  is("roundoff", "Round-off that stays round-off is the same.",
+  is("Round-off that stays round-off is the same.",
      change(claim(0.1, "pass", unknown, "roundoff"), claim(0.9, "pass", unknown, "roundoff")), "same");
   Summary was;
   was.claims = {claim(0.5, "pass")};
   const std::vector<Since> gone = changes_since(was, {});
-  is("gone", "A claim that is gone is worse.",
-     gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other", "worse");
+  is("A claim that is gone is worse.", gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other",
+     "worse");
 }
 
-}  // namespace baseline_test
+}  // namespace seiche::verification::baseline_test

@@ -16,10 +16,9 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace checkpoints_test {
+namespace seiche::verification::checkpoints_test {
 
-using namespace seiche;
-using namespace seiche::validation;
+using namespace validation;
 
 struct Gauge {
   std::string name;
@@ -168,4 +167,4 @@ TEST_CASE("a folder that cannot be written is a note, not the end", "[checkpoint
   CHECK(checkpoints.notes().size() == 1);
 }
 
-}  // namespace checkpoints_test
+}  // namespace seiche::verification::checkpoints_test

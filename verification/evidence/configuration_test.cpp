@@ -4,9 +4,9 @@
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
 
-namespace configuration_test {
+namespace seiche::verification::configuration_test {
 
-using namespace seiche::validation;
+using namespace validation;
 using Catch::Matchers::Contains;
 
 Values configured(const std::string& text, const std::string& name = "riemann") {
@@ -45,4 +45,4 @@ TEST_CASE("a configuration's mistake is named by file, line and parameter, in on
   CHECK_THROWS_WITH(configured("\"a\\nb\" = 1\n"), !Contains("\n"));
 }
 
-}  // namespace configuration_test
+}  // namespace seiche::verification::configuration_test

@@ -5,9 +5,9 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace data_folder_test {
+namespace seiche::verification::data_folder_test {
 
-using seiche::validation::data_folder;
+using validation::data_folder;
 
 std::filesystem::path made(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
@@ -15,7 +15,7 @@ std::filesystem::path made(const std::filesystem::path& folder) {
 }
 
 TEST_CASE("a program finds its data beside itself, wherever the tree is moved", "[data_folder]") {
-  const seiche::verification::ScratchFolder scratch("seiche_data_folder_test");
+  const verification::ScratchFolder scratch("seiche_data_folder_test");
   const auto installed = made(scratch.path() / "prefix/share/seiche/render");
   CHECK(data_folder(scratch.path() / "prefix/bin/seiche", "render") == installed);
 
@@ -25,7 +25,7 @@ TEST_CASE("a program finds its data beside itself, wherever the tree is moved", 
 }
 
 TEST_CASE("a program in the build tree prefers the build tree's data", "[data_folder]") {
-  const seiche::verification::ScratchFolder scratch("seiche_data_folder_test");
+  const verification::ScratchFolder scratch("seiche_data_folder_test");
   const auto built = made(scratch.path() / "build/share/seiche/render");
   made(scratch.path() / "share/seiche/render");
   CHECK(data_folder(scratch.path() / "build/seiche", "render") == built);
@@ -33,7 +33,7 @@ TEST_CASE("a program in the build tree prefers the build tree's data", "[data_fo
 }
 
 TEST_CASE("a program without its data says which places it looked at", "[data_folder]") {
-  const seiche::verification::ScratchFolder scratch("seiche_data_folder_test");
+  const verification::ScratchFolder scratch("seiche_data_folder_test");
   std::ofstream(made(scratch.path() / "prefix/share/seiche") / "render") << "a file, not a folder";
   const std::string prefix = (scratch.path() / "prefix").string();
   std::string message;
@@ -47,4 +47,4 @@ TEST_CASE("a program without its data says which places it looked at", "[data_fo
   CHECK(message.find(prefix + "/bin/share/seiche/render") != std::string::npos);
 }
 
-}  // namespace data_folder_test
+}  // namespace seiche::verification::data_folder_test

@@ -5,10 +5,7 @@
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
 
-namespace declared_claims_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::declared_claims_test {
 
 std::string reason_of(const evidence::Criterion& criterion) {
   return std::visit([](const auto& c) { return c.reason; }, criterion);
@@ -72,4 +69,4 @@ TEST_CASE("declared failures fail within their whole band", "[evidence]") {
   }
 }
 
-}  // namespace declared_claims_test
+}  // namespace seiche::verification::declared_claims_test

@@ -3,9 +3,8 @@
 #include "reports/evidence/evidence_of_record.hpp"
 #include "verification/check.hpp"
 
-namespace evidence_of_record_test {
+namespace seiche::verification::evidence_of_record_test {
 
-using namespace seiche;
 using Catch::Matchers::Contains;
 using evidence::RecordedClaim;
 
@@ -117,4 +116,4 @@ TEST_CASE("what cannot be compared has changed", "[evidence]") {
   }
 }
 
-}  // namespace evidence_of_record_test
+}  // namespace seiche::verification::evidence_of_record_test

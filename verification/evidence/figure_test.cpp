@@ -7,10 +7,9 @@
 
 #include "verification/check.hpp"
 
-namespace figure_test {
+namespace seiche::verification::figure_test {
 
-using namespace seiche;
-using namespace seiche::evidence;
+using namespace evidence;
 
 constexpr std::size_t columns = 60, rows = 40;
 
@@ -67,4 +66,4 @@ TEST_CASE("a lattice whose arrays do not fit its cells is refused with their num
   CHECK(panel.series().empty());
 }
 
-}  // namespace figure_test
+}  // namespace seiche::verification::figure_test

@@ -2,17 +2,13 @@
 #include <cmath>
 #include <functional>
 
-#include <fmt/format.h>
-
 #include "validation/scoring/first_look.hpp"
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace first_look_test {
+namespace seiche::verification::first_look_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 std::vector<double> places() {
   std::vector<double> x;
@@ -73,56 +69,51 @@ Ladder ladder_of_errors(double falling, double staying) {
 TEST_CASE("the first screen says where an error is, of what kind, whose it is and what to do", "[evidence]") {
   Check check("first_look", "Summary of a score",
               "A sine with errors of known kinds: two wavelengths, joined by straight lines between 201 points.");
-  const auto share = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value}, Bound{0.01, "differences of neighbours for the slope, and small shifts", 1});
+  const auto share = [&](const std::string& text, double value) {
+    check.holds(text, {value}, Bound{0.01, "differences of neighbours for the slope, and small shifts", 1});
   };
-  const auto says = [&](const std::string& id, const std::string& text, const std::string& got,
-                        const std::string& expected) {
-    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+  const auto says = [&](const std::string& text, const std::string& got, const std::string& expected) {
+    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
                 Qualitative{"\"" + expected + "\"", "it was made so"});
   };
-  share("phase", "A wave that is late has an error of phase.",
-        kind_of([](double x) { return std::sin(x - 0.05); }).phase);
-  share("amplitude", "A wave that is too high has an error of amplitude.",
+  share("A wave that is late has an error of phase.", kind_of([](double x) { return std::sin(x - 0.05); }).phase);
+  share("A wave that is too high has an error of amplitude.",
         kind_of([](double x) { return 1.1 * std::sin(x); }).amplitude);
-  share("level", "A surface that stands too high has an error of level.",
+  share("A surface that stands too high has an error of level.",
         kind_of([](double x) { return std::sin(x) + 0.1; }).level);
   const auto bump = [](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); };
-  share("place", "A bump has its error where it is.", kind_of(bump).near);
+  share("A bump has its error where it is.", kind_of(bump).near);
   check.holds("The position of the largest error is named.", {kind_of(bump).where},
               Bound{0.0315, "half a distance of points", 4.5});
-  says("local shape", "No single number explains a bump.", kind_of(bump).words(), "local shape");
-  says("words", "The kind of the error is named in the summary.",
-       kind_of([](double x) { return std::sin(x - 0.05); }).words(), "phase: 100 %");
+  says("No single number explains a bump.", kind_of(bump).words(), "local shape");
+  says("The kind of the error is named in the summary.", kind_of([](double x) { return std::sin(x - 0.05); }).words(),
+       "phase: 100 %");
 
   const auto high = [](double x) { return 1.2 * std::sin(x); };
-  says("right", "The next step of a right result is none.",
-       answer([](double x) { return std::sin(x); }, "likely cause"), "all errors are within their limits");
-  says("result", "The number of claims met is in the summary.", answer(high, "result"),
-       "1 of 2 claims are met, 1 not met");
-  says("line", "The claim that is missed farthest is named in the summary.", answer(high, "closest limit"),
+  says("The next step of a right result is none.", answer([](double x) { return std::sin(x); }, "likely cause"),
+       "all errors are within their limits");
+  says("The number of claims met is in the summary.", answer(high, "result"), "1 of 2 claims are met, 1 not met");
+  says("The claim that is missed farthest is named in the summary.", answer(high, "closest limit"),
        "The wave is right. fail (eta-relative_l2: error 0.2");
   const auto place = [&](const std::string& unit) {
     return answer(bump, "largest error", evidence::Role::exact, {}, unit);
   };
-  says("unit", "The position of the largest error has its unit.", place("m"),
-       "eta: largest at x = 4.524 m, +0.197 m; ");
-  says("dimensionless", "The position of a dimensionless error has no unit.", place("1"),
-       "eta: largest at x = 4.524, +0.197; ");
-  says("solver", "The likely cause against an exact reference is the solver or its set-up.",
-       answer(high, "likely cause"), "three cell sizes (--sizes) show which");
-  says("next", "The summary asks for several cell sizes next.", answer(high, "next step"), "--sizes");
-  says("data", "The likely cause against data without uncertainty is left open.",
+  says("The position of the largest error has its unit.", place("m"), "eta: largest at x = 4.524 m, +0.197 m; ");
+  says("The position of a dimensionless error has no unit.", place("1"), "eta: largest at x = 4.524, +0.197; ");
+  says("The likely cause against an exact reference is the solver or its set-up.", answer(high, "likely cause"),
+       "three cell sizes (--sizes) show which");
+  says("The summary asks for several cell sizes next.", answer(high, "next step"), "--sizes");
+  says("The likely cause against data without uncertainty is left open.",
        answer(high, "likely cause", evidence::Role::data), "your solver's or the data's");
-  says("resolution", "The likely cause of an error that falls with the cell size is the resolution.",
+  says("The likely cause of an error that falls with the cell size is the resolution.",
        answer(high, "likely cause", evidence::Role::exact, ladder_of_errors(0.2, 0)), "your resolution's");
-  says("finer", "The next step for the resolution's error names a finer cell size.",
+  says("The next step for the resolution's error names a finer cell size.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.2, 0)), "run dx = 0.05: 1 % of eta");
-  says("model", "An error that remains on fine cells is attributed to the model's equations.",
+  says("An error that remains on fine cells is attributed to the model's equations.",
        answer(high, "likely cause", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "your model's or set-up's");
-  says("model-next", "The summary states that refinement does not remove the model's error.",
+  says("The summary states that refinement does not remove the model's error.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)),
        "refinement will not remove this error");
 }
 
-}  // namespace first_look_test
+}  // namespace seiche::verification::first_look_test

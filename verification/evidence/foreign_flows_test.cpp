@@ -1,15 +1,13 @@
 // What cases ask of others, and what they refuse: too few points, and instants at which a wrong result looks right.
 // Which wrong results are detected is tried by ci/tests/test_resolving_power.py.
 #include <stdexcept>
-#include <string>
 
 #include "validation/case/registry.hpp"
-#include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace foreign_flows_test {
+namespace seiche::verification::foreign_flows_test {
 
-using namespace seiche::validation;
+using namespace validation;
 
 TEST_CASE("too few points of a foreign flow are refused", "[evidence]") {
   for (const char* name : {"riemann", "moving_bore", "bore_reflection", "colliding_bores", "steady_bump",
@@ -27,7 +25,7 @@ TEST_CASE("too few points of a foreign flow are refused", "[evidence]") {
       }
       few[table.name].push_back(two);
     }
-    seiche::evidence::Record record;
+    evidence::Record record;
     CHECK_THROWS_AS(one.submission.judge(values, few, {}, record), std::invalid_argument);
   }
 }
@@ -41,4 +39,4 @@ TEST_CASE("a periodic wave is not asked for where one that never moved is right"
   }
 }
 
-}  // namespace foreign_flows_test
+}  // namespace seiche::verification::foreign_flows_test

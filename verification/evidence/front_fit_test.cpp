@@ -6,18 +6,17 @@
 #include "validation/dam_break/submitted_front.hpp"
 #include "verification/check.hpp"
 
-namespace front_fit_test {
+namespace seiche::verification::front_fit_test {
 
-using namespace seiche;
-using namespace seiche::validation;
+using namespace validation;
 using evidence::Bound;
 using evidence::Qualitative;
-using verification::Check;
 
 TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   Check check("front_fit", "Shift and rate of a front",
               "Points of a known front, read from a clock that is late and slow: both are found, and the stated "
-              "uncertainty of the front is carried to its rate.");
+              "uncertainty of the front is carried to its rate.",
+              "linear propagation");
   const auto front = [](double T) { return 1 + T * T / (1 + 0.55 * T); };
   std::vector<double> T, X;
   for (int k = 0; k <= 2000; ++k) {
@@ -33,16 +32,12 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   }
   const FrontFit fit = front_fit({T, X}, data, 100, 0.02);
   const auto close = [&](const std::string& id, double value, double expected) {
-    check.that(
-        {.id = id,
-         .text = "The planted " + id + " of the front is found.",
-         .quantity = id,
-         .source = "definition of the fit"},
-        {.value = value},
-        Bound{.limit = 1e-5,
-              .reason = "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
-                        "0.005^2/4 = 6e-6",
-              .expected = expected});
+    check.from("definition of the fit")
+        .that(id, "The planted " + id + " of the front is found.", id, {value},
+              Bound{1e-5,
+                    "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
+                    "0.005^2/4 = 6e-6",
+                    expected});
   };
   close("shift", fit.shift, shift);
   close("rate", fit.rate, rate);
@@ -54,35 +49,22 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   close("late-rate", late.rate, rate);
   const FrontFit exact = front_fit({T, X}, data, 100, 0.0);
   const FrontFit twice = front_fit({T, X}, data, 100, 0.04);
-  check.that({.id = "uncertainty",
-              .text = "Twice the uncertainty of the front gives twice the uncertainty of its rate.",
-              .quantity = "ratio",
-              .source = "linear propagation"},
-             {.value = *twice.rate_numerical / *fit.rate_numerical},
-             Bound{.limit = 1e-12, .reason = "round-off", .expected = 2});
-  check.that({.id = "certain",
-              .text = "A front that is known exactly adds no uncertainty.",
-              .quantity = "numerical uncertainty of the rate",
-              .source = "linear propagation"},
-             {.value = *exact.rate_numerical}, Bound{.limit = 0, .reason = "nothing was stated to be uncertain"});
-  check.that({.id = "unstated",
-              .text = "Where no uncertainty is stated, none is returned.",
-              .quantity = "an uncertainty is given",
-              .source = "linear propagation"},
-             {.value = front_fit({T, X}, data, 100, std::nullopt).rate_numerical ? 1.0 : 0.0},
+  check.that("uncertainty", "Twice the uncertainty of the front gives twice the uncertainty of its rate.", "ratio",
+             {*twice.rate_numerical / *fit.rate_numerical}, Bound{1e-12, "round-off", 2});
+  check.that("certain", "A front that is known exactly adds no uncertainty.", "numerical uncertainty of the rate",
+             {*exact.rate_numerical}, Bound{0, "nothing was stated to be uncertain"});
+  check.that("unstated", "Where no uncertainty is stated, none is returned.", "an uncertainty is given",
+             {front_fit({T, X}, data, 100, std::nullopt).rate_numerical ? 1.0 : 0.0},
              Qualitative{"an uncertainty", "none was stated", false});
   // An X that is wrong by 0.02 with the sign of the weights moves the rate by as much as is said, to first order.
-  check.that({.id = "bound",
-              .text = "The stated bound covers the change of the rate by a front 0.02 too far.",
-              .quantity = "change of the rate over its bound",
-              .source = "triangle inequality"},
-             {.value =
-                  [&] {
-                    std::vector<double> farther = X;
-                    for (double& x : farther) x += 0.02;
-                    return std::abs(front_fit({T, farther}, data, 100, 0.02).rate - fit.rate) / *fit.rate_numerical;
-                  }()},
-             Bound{.limit = 1, .reason = "a bound of errors of every sign, to first order"});
+  check.from("triangle inequality")
+      .that("bound", "The stated bound covers the change of the rate by a front 0.02 too far.",
+            "change of the rate over its bound", {[&] {
+              std::vector<double> farther = X;
+              for (double& x : farther) x += 0.02;
+              return std::abs(front_fit({T, farther}, data, 100, 0.02).rate - fit.rate) / *fit.rate_numerical;
+            }()},
+            Bound{1, "a bound of errors of every sign, to first order"});
 }
 
-}  // namespace front_fit_test
+}  // namespace seiche::verification::front_fit_test

@@ -1,7 +1,6 @@
 // Instruments that read a number off a series or a profile, on curves for which that number is known.
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "seiche/samples.hpp"
@@ -14,11 +13,9 @@
 #include "validation/instruments/straight_line.hpp"
 #include "verification/check.hpp"
 
-namespace instruments_test {
+namespace seiche::verification::instruments_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 constexpr double pi = std::numbers::pi;
 
@@ -66,8 +63,8 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   for (int n = 0; n <= 400; ++n) wave.push_back(std::cos(2 * pi * n * 0.05 / 3.37));
   check.holds("The period of a wave of 67 points.", {period_of(wave, 0.05).length - 3.37},
               Bound{0.01 * 3.37,
-                    "the ends of a window of six periods that is no multiple of them shift the top of the "
-                    "correlation by less than a hundredth of one"});
+                    "the ends of a window of six periods that is no multiple of them shift the top of the correlation "
+                    "by less than a hundredth of one"});
 
   CrestTrack track;
   for (int n = 0; n <= 50; ++n) {
@@ -103,10 +100,9 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
 
 TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
   using namespace shallow_water;
-  Check check(
-      "profile_errors", "Errors of shallow-water profiles",
-      "A step of depth from 3 to 1 at x = 1.8 with velocities 2 and 0, cells of unequal width whose mean depths "
-      "are a tenth too high and whose velocities are a tenth too low: the errors follow by hand.");
+  Check check("profile_errors", "Errors of shallow-water profiles",
+              "A step of depth from 3 to 1 at x = 1.8 with velocities 2 and 0, cells of unequal width whose mean "
+              "depths are a tenth too high and whose velocities are a tenth too low: the errors follow by hand.");
   const Exactly exactly(check);
   const auto exact = [](double x) { return x < 1.8 ? State{3, 2} : State{1, 0}; };
   // The third cell holds the step: mean depth 2.2, momentum 3.6 over mass 2.2.
@@ -144,4 +140,4 @@ TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
           10, "a sum of five cells");
 }
 
-}  // namespace instruments_test
+}  // namespace seiche::verification::instruments_test

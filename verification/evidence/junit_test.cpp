@@ -8,10 +8,9 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace junit_test {
+namespace seiche::verification::junit_test {
 
-using namespace seiche;
-using namespace seiche::evidence;
+using namespace evidence;
 
 /// One claim for every pair of verdict and declaration.
 Record sample(const std::string& solver, const std::string& tier = "quick", const std::string& set = "") {
@@ -152,4 +151,4 @@ TEST_CASE("JUnit of a run that did not finish is an error, whatever bytes its me
   CHECK(std::string(error.attribute("message").value()) == "diverged?[31m <at> \"t = 1\"");
 }
 
-}  // namespace junit_test
+}  // namespace seiche::verification::junit_test

@@ -10,17 +10,15 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan/plan_gauges.hpp"
-#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
-#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
+#include "validation/instruments/plan_gauges.hpp"
+#include "validation/laboratory/dispersive_flume.hpp"
+#include "validation/laboratory/wave_basin.hpp"
 #include "verification/check.hpp"
 
-namespace laboratory_basin_test {
+namespace seiche::verification::laboratory_basin_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::validation::laboratory;
-using namespace seiche::verification;
+using namespace validation;
+using namespace validation::laboratory;
 
 constexpr double depth = 0.4572;
 constexpr double channel = 9;  // before the layer
@@ -29,8 +27,7 @@ constexpr double amplitude = 1e-5;  // so small that waves are linear
 
 /// Waves of a period in a level channel, and what is known of them.
 struct Channel {
-  double period = 1;
-  double spacing = 0.1;
+  double period = 1, spacing = 0.1;
 
   [[nodiscard]] double layer() const { return 6 * period; }
   [[nodiscard]] long steps() const { return std::lround(4 * period / spacing); }
@@ -46,8 +43,8 @@ struct Channel {
   [[nodiscard]] Bound bound() const {
     return {.limit = std::pow(k() * spacing, 2) / 12 + 2 * left() + rate / (4 * omega() * k() * layer()),
             .reason =
-                "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice "
-                "exp(-int r dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
+                "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice exp(-int r "
+                "dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
   }
 };
 
@@ -103,20 +100,17 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
   Check check("laboratory_basin", "Waves in a laboratory basin",
               "A level channel 0.4572 m deep and 9 m long, with 6 to 18 m more in which waves are absorbed; waves of "
               "1, 2 and 3 s, so small that they are linear. Amplitude of the elevation over half a wavelength before "
-              "the layer: its mean, and how it varies, which tells the wave that returns.");
+              "the layer: its mean, and how it varies, which tells the wave that returns.",
+              "validation/laboratory/wave_basin.hpp");
   for (const double period : {1.0, 2.0, 3.0}) {
     const Channel waves{.period = period, .spacing = 0.1};
     const Envelope found = envelope(waves);
     const std::string id = fmt::format("{:g}s", period);
-    check.that({.id = "amplitude-" + id,
-                .text = "The wave amplitude agrees with linear theory of the model.",
-                .quantity = "amplitude over the stated one, less 1",
-                .source = "validation/studies/dispersive_shallow_water/wave_basin.hpp"},
-               {.value = found.mean - 1, .resolution = "h = 0.1 m"}, waves.bound());
-    check.that({.id = "reflection-" + id,
-                .text = "The wave reflected by the absorbing layer is small.",
-                .quantity = "amplitude of the wave that returns, over that of the one that comes",
-                .source = "validation/studies/dispersive_shallow_water/wave_basin.hpp"},
+    check.that("amplitude-" + id, "The wave amplitude agrees with linear theory of the model.",
+               "amplitude over the stated one, less 1", {.value = found.mean - 1, .resolution = "h = 0.1 m"},
+               waves.bound());
+    check.that("reflection-" + id, "The wave reflected by the absorbing layer is small.",
+               "amplitude of the wave that returns, over that of the one that comes",
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
   }
 }
@@ -124,7 +118,8 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
 TEST_CASE("gauges read the surface where they stand while the lattice moves", "[evidence]") {
   Check check("laboratory_gauges", "Gauges on a moving lattice",
               "A plane surface over 12 x 9 cells off a square at random: bilinear patches hold it exactly. Gauges "
-              "inside, on a node, on a side; the lattice then drifts by 2.5 cells.");
+              "inside, on a node, on a side; the lattice then drifts by 2.5 cells.",
+              "bilinear maps hold planes");
   const Sheet before(0);
   const Sheet after(2.5);
   std::vector<Point> places{{before.x[30], before.y[30]},
@@ -136,19 +131,14 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   for (std::size_t k = 0; k < places.size(); ++k) worst.add(first[k] - Sheet::height(places[k]));
   const auto second = gauges.read({after.x, after.y, after.z});
   for (std::size_t k = 2; k < places.size(); ++k) worst.add(second[k] - Sheet::height(places[k]));
-  check.that({.id = "plane",
-              .text = "Gauges read a plane surface exactly, on the grid before and after rezoning.",
-              .quantity = "largest error",
-              .source = "bilinear maps hold planes"},
-             {.value = worst.value()}, Roundoff{40, 10, "forty roundings of places up to 10"});
+  check.that("plane", "Gauges read a plane surface exactly, on the grid before and after rezoning.", "largest error",
+             {worst.value()}, Roundoff{40, 10, "forty roundings of places up to 10"});
   PlanGauges outside(before.shape, {{-2, 4}, {20, 4}, {6, 12}});
   double numbers = 0;
   for (const double z : outside.read({before.x, before.y, before.z})) numbers += std::isnan(z) ? 0 : 1;
-  check.that({.id = "outside",
-              .text = "Where there is no water they read nothing.",
-              .quantity = "gauges outside that read a number",
-              .source = "validation/instruments/plan/plan_gauges.hpp"},
-             {.value = numbers}, Bound{0, "none stands in the water"});
+  check.from("validation/instruments/plan_gauges.hpp")
+      .that("outside", "Where there is no water they read nothing.", "gauges outside that read a number", {numbers},
+            Bound{0, "none stands in the water"});
 }
 
-}  // namespace laboratory_basin_test
+}  // namespace seiche::verification::laboratory_basin_test

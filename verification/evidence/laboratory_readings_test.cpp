@@ -14,12 +14,10 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace laboratory_readings_test {
+namespace seiche::verification::laboratory_readings_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::validation::laboratory;
-using namespace seiche::verification;
+using namespace validation;
+using namespace validation::laboratory;
 
 Measured sampled(double from, double to, int count, const std::function<double(double)>& y, double u, double u_x = 0) {
   Measured curve{.group = 0, .x = {}, .y = {}, .u = {}, .u_x = u_x};
@@ -33,8 +31,9 @@ Measured sampled(double from, double to, int count, const std::function<double(d
 
 void is(Check& check, const std::string& id, const std::string& text, double value, double expected, double limit,
         const std::string& reason) {
-  check.that({.id = id, .text = text, .quantity = "value", .source = "validation/laboratory/reading.hpp"},
-             {.value = value, .uncertainty = 0, .resolution = "a curve that is known"}, Bound{limit, reason, expected});
+  check.from("validation/laboratory/reading.hpp")
+      .that(id, text, "value", {.value = value, .uncertainty = 0, .resolution = "a curve that is known"},
+            Bound{limit, reason, expected});
 }
 
 Values values_of(const std::string& name, const std::string& wave = {}) {
@@ -45,8 +44,7 @@ Values values_of(const std::string& name, const std::string& wave = {}) {
 
 /// A record of a case scored with what its own reference becomes; claims that are not met, and verdicts of error.
 struct Scored {
-  long missed = 0;
-  long errors = 0;
+  long missed = 0, errors = 0;
   std::map<std::string, double> numbers;
 };
 
@@ -184,12 +182,10 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
     wet.push_back(arrival(one.group, 0.02, {0.05, 2}).expected(one));
   }
   const bool order = wet.at(2) < wet.at(1) && wet.at(1) < wet.at(0);
-  check.that({.id = "places",
-              .text = "The probe nearest to the door gets wet first, the one behind the box last.",
-              .quantity = "order of arrivals",
-              .source = "the geometry of the tank"},
-             {.value = order ? 1.0 : 0.0},
-             Qualitative{"arrivals at x = 1.488, 0.992, 0.496 m increase", "water runs from the door to the wall"});
+  check.from("the geometry of the tank")
+      .that("places", "The probe nearest to the door gets wet first, the one behind the box last.", "order of arrivals",
+            {order ? 1.0 : 0.0},
+            Qualitative{"arrivals at x = 1.488, 0.992, 0.496 m increase", "water runs from the door to the wall"});
 }
 
 TEST_CASE("the metric of two readings is that of their covariance", "[evidence]") {
@@ -261,11 +257,12 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
   }
   const auto none = [&](const std::string& id, const std::string& text, const std::vector<std::string>& cases_of,
                         const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = "cases that are judged otherwise", .source = "what scoring means"},
-               {.value = static_cast<double>(cases_of.size()),
-                .resolution = std::to_string(cases) + " cases",
-                .where = fmt::format("{}", fmt::join(cases_of, ", "))},
-               Bound{.limit = 0, .reason = reason});
+    check.from("what scoring means")
+        .that(id, text, "cases that are judged otherwise",
+              {.value = static_cast<double>(cases_of.size()),
+               .resolution = std::to_string(cases) + " cases",
+               .where = fmt::format("{}", fmt::join(cases_of, ", "))},
+              Bound{0, reason});
   };
   none("own", "The measured records meet every claim of their own experiment.", own, "nothing is off");
   none("thinned", "Every second sample of the measured records can be scored.", halved,
@@ -292,18 +289,13 @@ TEST_CASE("a common shift of time or of zero is not held against a record, that 
   const Scored late = scored("dingemans_bar", shift(0.3));
   is(check, "clock", "Where the origin of time is unknown, a common shift of 0.3 s is found.",
      late.numbers.at("gauges_time_shift"), 0.3, 0.005, "a parabola through lags 0.007 s apart");
-  check.that({.id = "clock-passes",
-              .text = "A common shift of the clock does not count against the result.",
-              .quantity = "claims that are missed",
-              .source = "what scoring means"},
-             {.value = static_cast<double>(late.missed)}, Bound{0, "the shift is common"});
+  check.from("what scoring means")
+      .that("clock-passes", "A common shift of the clock does not count against the result.", "claims that are missed",
+            {static_cast<double>(late.missed)}, Bound{0, "the shift is common"});
   const Scored near = scored("henderson_collision", raised(0.0002));
-  check.that({.id = "within-data",
-              .text = "What is off by less than the uncertainty of the data passes.",
-              .quantity = "claims that are missed",
-              .source = "ASME V&V 20-2009"},
-             {.value = static_cast<double>(near.missed)},
-             Bound{.limit = 0, .reason = "0.2 mm, of points that are known to 0.25 mm"});
+  check.from("ASME V&V 20-2009")
+      .that("within-data", "What is off by less than the uncertainty of the data passes.", "claims that are missed",
+            {static_cast<double>(near.missed)}, Bound{0, "0.2 mm, of points that are known to 0.25 mm"});
   is(check, "zero", "Where the zero of a gauge is its level before the wave, another zero is not held against it.",
      static_cast<double>(scored("island_gauges", raised(0.003)).missed), 0, 0,
      "it is taken off the submitted record as off the measured one");
@@ -314,4 +306,4 @@ TEST_CASE("a common shift of time or of zero is not held against a record, that 
      "one claim for all readings");
 }
 
-}  // namespace laboratory_readings_test
+}  // namespace seiche::verification::laboratory_readings_test

@@ -7,11 +7,9 @@
 #include "validation/scoring/ladder.hpp"
 #include "verification/check.hpp"
 
-namespace ladder_test {
+namespace seiche::verification::ladder_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 const std::vector<double> sizes{0.1, 0.05, 0.025};
 
@@ -73,36 +71,33 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   Check check("score_ladder", "How fast somebody else's solver converges",
               "Made-up results with an error of a known power of the size, on three sizes: what the score says of them "
               "must be what they were made with.");
-  const auto close = [&](const std::string& id, const std::string& text, double value, double expected, double limit,
-                         const std::string& why) {
-    check.holds(id + ": " + text, {value / expected - 1}, Bound{limit, why});
+  const auto close = [&](const std::string& text, double value, double expected, double limit, const std::string& why) {
+    check.holds(text, {value / expected - 1}, Bound{limit, why});
   };
-  const auto is = [&](const std::string& id, const std::string& text, bool holds, const std::string& shown = {}) {
+  const auto is = [&](const std::string& text, bool holds, const std::string& shown = {}) {
     INFO(shown);
-    check.holds(id + ": " + text, {holds ? 1.0 : 0.0}, Qualitative{"comparison", "it was made so"});
+    check.holds(text, {holds ? 1.0 : 0.0}, Qualitative{"comparison", "it was made so"});
   };
   const std::string rounding = "powers of a few digits, a dozen roundings";
   const Ladder first = ladder(1);
   const LadderQuantity& eta = first.quantities.at(0);
   const LadderQuantity& height = first.quantities.at(1);
-  is("sizes", "Sizes are put in order, coarse first.", first.size == std::vector{0.1, 0.05, 0.025});
-  close("order", "Of a first-order result the order is 1.", eta.order.order, 1, 1e-9, rounding);
-  close("order-number", "The order of a result that is one number is 1.", height.order.order, 1, 1e-9, rounding);
-  close("error", "The error on the finest cells is the error that was made.", height.error.back(), 0.075, 1e-12,
-        rounding);
-  close("second", "Of a second-order one it is 2.", ladder(2).quantities.at(0).order.order, 2, 1e-9, rounding);
+  is("Sizes are put in order, coarse first.", first.size == std::vector{0.1, 0.05, 0.025});
+  close("Of a first-order result the order is 1.", eta.order.order, 1, 1e-9, rounding);
+  close("The order of a result that is one number is 1.", height.order.order, 1, 1e-9, rounding);
+  close("The error on the finest cells is the error that was made.", height.error.back(), 0.075, 1e-12, rounding);
+  close("Of a second-order one it is 2.", ladder(2).quantities.at(0).order.order, 2, 1e-9, rounding);
   const auto reach = first.reach(height, 0.01);
-  close("reach", "An error of 1 % from 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
-  close("cost", "At a cost that grows with the cube it takes 27000 times a thousandth of a second.",
+  close("An error of 1 % from 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
+  close("At a cost that grows with the cube it takes 27000 times a thousandth of a second.",
         reach && reach->seconds ? *reach->seconds : 0, 27000, 1e-9, rounding);
   const Ladder second = ladder(2);
   const auto sooner = second.reach(second.quantities.at(1), 0.01);
-  close("reach-second", "Of 3 h^2 it needs h = sqrt(1/300).", sooner ? sooner->size : 0, std::sqrt(1.0 / 300), 1e-9,
-        rounding);
+  close("Of 3 h^2 it needs h = sqrt(1/300).", sooner ? sooner->size : 0, std::sqrt(1.0 / 300), 1e-9, rounding);
   // A scalar with error a h has 1.25 a h for its half-width: the safety factor of Roache.
-  close("numerical", "The numerical error is 1.25 times the finest one.", height.numerical, 1.25 * 0.075, 1e-3,
+  close("The numerical error is 1.25 times the finest one.", height.numerical, 1.25 * 0.075, 1e-3,
         "the scan for the order has steps of 0.005");
-  is("says", "The printed line states order, error and reach.",
+  is("The printed line states order, error and reach.",
      first.line(height).find("your order is 1 (") != std::string::npos &&
          first.line(height).find("1 % needs dx = 0.0033 and 2.7e+04 s") != std::string::npos,
      first.line(height));
@@ -112,11 +107,10 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
     rough.push_back({.size = h, .submitted = submitted(h == 0.05 ? 0.09 : h, 1, 0)});
   }
   const Ladder scattered = ladder_of(wanted_of(evidence::Role::exact), rough);
-  is("scatter", "Where three sizes scatter, that is said.",
+  is("Where three sizes scatter, that is said.",
      scattered.line(scattered.quantities.at(1)).find("but 3 sizes hardly tell the order") != std::string::npos,
      scattered.line(scattered.quantities.at(1)));
-  int ranges = 0;
-  int outside = 0;
+  int ranges = 0, outside = 0;
   for (const double scale : {1e-3, 0.05, 0.1, 1.0}) {  // errors of the finest from 0.0075 to 7.5 per cent
     for (const double middle : {0.0255, 0.03, 0.05, 0.09, 0.3}) {
       std::vector<Rung> rungs;
@@ -130,36 +124,36 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
       outside += range->least <= range->size && range->size <= range->most ? 0 : 1;
     }
   }
-  is("range", "The range of the size for one per cent holds that size, whatever the order's interval.",
+  is("The range of the size for one per cent holds that size, whatever the order's interval.",
      outside == 0 && ranges >= 12, fmt::format("{} of {} without", outside, ranges));
   const Ladder wrong = ladder(1, 0.5);
-  is("stays", "An error that stays is said to stay.",
+  is("An error that stays is said to stay.",
      wrong.line(wrong.quantities.at(1)).find("not to zero") != std::string::npos, wrong.line(wrong.quantities.at(1)));
-  is("unreachable", "No size reaches one per cent then.", !wrong.reach(wrong.quantities.at(1), 0.01).has_value());
+  is("No size reaches one per cent then.", !wrong.reach(wrong.quantities.at(1), 0.01).has_value());
 
   // Against data, what converges is the distance from the result's own limit, wherever that is.
   const Ladder measured = ladder(1, 0.5, evidence::Role::data);
-  close("own-order", "Against data the order agrees with the result's own convergence.",
-        measured.quantities.at(1).order.order, 1, 0.02, "the scan for the limit has steps of 0.005 in the order");
+  close("Against data the order agrees with the result's own convergence.", measured.quantities.at(1).order.order, 1,
+        0.02, "the scan for the limit has steps of 0.005 in the order");
   std::map<std::string, StatedUncertainty> uncertainty{{"height", {.value = 0.7}}};
   add_numerical(measured, uncertainty);
-  close("stated", "A stated uncertainty is kept beside the uncertainty of the series.", uncertainty.at("height").value,
-        0.7, 0, "the same number");
-  close("standard", "An uncertainty that was not stated comes from the series, as a standard uncertainty.",
+  close("A stated uncertainty is kept beside the uncertainty of the series.", uncertainty.at("height").value, 0.7, 0,
+        "the same number");
+  close("An uncertainty that was not stated comes from the series, as a standard uncertainty.",
         uncertainty.at("eta").value, measured.quantities.at(0).typical / 2, 1e-15, "the same number");
   std::map<std::string, StatedUncertainty> none;
   add_numerical(first, none);
-  is("exact-none", "Against an exact reference nothing is added.", none.empty());
+  is("Against an exact reference nothing is added.", none.empty());
 
-  is("two", "A series of two cell sizes is rejected.",
+  is("A series of two cell sizes is rejected.",
      refusal({{.size = 1}, {.size = 2}}).find("three or more") != std::string::npos);
-  is("same", "A series of equal cell sizes is rejected.",
+  is("A series of equal cell sizes is rejected.",
      refusal({{.size = 1}, {.size = 1}, {.size = 2}}).find("all different") != std::string::npos);
   std::vector<Rung> untimed;
   for (const double h : sizes) untimed.push_back({.size = h, .submitted = submitted(h, 1, 0)});
   untimed.back().seconds = 3;
-  is("times", "Run times for some of the cell sizes alone are rejected.",
+  is("Run times for some of the cell sizes alone are rejected.",
      refusal(untimed).find("1 times for 3 sizes") != std::string::npos);
 }
 
-}  // namespace ladder_test
+}  // namespace seiche::verification::ladder_test

@@ -8,11 +8,9 @@
 #include "validation/scoring/misreading.hpp"
 #include "verification/check.hpp"
 
-namespace misreading_test {
+namespace seiche::verification::misreading_test {
 
-using namespace seiche::validation;
-using namespace seiche::verification;
-using seiche::evidence::Claim;
+using namespace validation;
 using Kind = Misreading::Kind;
 
 constexpr double spacing = 0.05;
@@ -24,7 +22,7 @@ double gauge(double t) {
 
 struct Points {
   std::vector<double> x, y;
-  [[nodiscard]] Curve curve() const { return {x, y}; }
+  [[nodiscard]] validation::Curve curve() const { return {x, y}; }
 };
 
 template <class Function>
@@ -37,15 +35,10 @@ Points sampled(Function f, double last = 20) {
   return points;
 }
 
-Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
-  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the change"};
-}
-
 TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {
-  Check check(
-      "misreading", "What a difference looks like",
-      "A gauge is shifted, lifted, turned, slowed, scaled or written in other units; each is recognised. Noise, a "
-      "small difference and the reference itself are not explained.");
+  Check check("misreading", "What a difference looks like",
+              "A gauge is shifted, lifted, turned, slowed, scaled or written in other units; each is recognised. "
+              "Noise, a small difference and the reference itself are not explained.");
   const Points reference = sampled(gauge);
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
@@ -89,21 +82,20 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
   Points noisy = reference;
   for (std::size_t i = 0; i < noisy.y.size(); ++i)
     noisy.y[i] += 0.03 * std::sin(1e4 * static_cast<double>(i * i % 977));
-  const auto nothing = [&](const std::string& id, const std::string& text, const Points& submitted) {
-    check.holds(id + ": " + text, {misreading(submitted.curve(), reference.curve()) ? 1.0 : 0.0},
+  const auto nothing = [&](const std::string& text, const Points& submitted) {
+    check.holds(text, {misreading(submitted.curve(), reference.curve()) ? 1.0 : 0.0},
                 Qualitative{"misreading()", "no single change was planted", false});
   };
-  nothing("same", "Of the reference itself nothing is said.", reference);
-  nothing("small", "A difference of less than a hundredth of the range is none.",
+  nothing("Of the reference itself nothing is said.", reference);
+  nothing("A difference of less than a hundredth of the range is none.",
           sampled([](double t) { return gauge(t) + 0.002; }));
-  nothing("noise", "Noise is explained by no change.", noisy);
+  nothing("Noise is explained by no change.", noisy);
 }
 
 TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {
-  Check check(
-      "diagnosis", "What is said of a submission",
-      "Two gauges that were exchanged, a series that ends early, both gauges late by the same time, a number in "
-      "another unit.");
+  Check check("diagnosis", "What is said of a submission",
+              "Two gauges that were exchanged, a series that ends early, both gauges late by the same time, a number "
+              "in another unit.");
   std::vector<double> times;
   for (int k = 0; k <= 200; ++k) times.push_back(0.1 * k);
   const auto reference = [](Place p) { return std::sin(p.abscissa - 2 * p.group) + 0.3 * p.group; };
@@ -150,4 +142,4 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
        "centimetres for metres");
 }
 
-}  // namespace misreading_test
+}  // namespace seiche::verification::misreading_test

@@ -10,9 +10,9 @@
 #include "reports/evidence/verdict.hpp"
 #include "verification/check.hpp"
 
-namespace observed_order_test {
+namespace seiche::verification::observed_order_test {
 
-using namespace seiche::evidence;
+using namespace evidence;
 
 const std::vector<double> sizes{0.1, 0.05, 0.025, 0.0125, 0.00625};
 
@@ -76,7 +76,8 @@ TEST_CASE("an error that is not a finite number is an error, sizes must be posit
   CHECK_THROWS_AS(observed_order({0.1}, {1, 1}), std::invalid_argument);
 }
 
-TEST_CASE("the half-width of an observed order is Student's of a straight line and what the next order moves", "[order]") {
+TEST_CASE("the half-width of an observed order is Student's of a straight line and what the next order moves",
+          "[order]") {
   // Residuals with neither mean nor slope over equidistant logarithms of the size, multiples of 0.01; the closed form
   // t(0.975, n - 2) sqrt(sum r^2/(n - 2)/sum (x - mean)^2) with quantiles of Student's distribution from a table.
   struct Sample {
@@ -87,8 +88,7 @@ TEST_CASE("the half-width of an observed order is Student's of a straight line a
        {Sample{{1, -1, -1, 1}, 4.302653, 4, 5}, Sample{{2, -1, -2, -1, 2}, 3.182446, 14, 10},
         Sample{{5, -1, -4, -4, -1, 5}, 2.776445, 84, 17.5}}) {
     const auto n = static_cast<double>(residuals.size());
-    std::vector<double> h;
-    std::vector<double> errors;
+    std::vector<double> h, errors;
     for (std::size_t k = 0; k < residuals.size(); ++k) {
       h.push_back(std::exp(-static_cast<double>(k)));
       errors.push_back(std::exp(-1.7 * static_cast<double>(k) + 0.3 + 0.01 * residuals[k]));
@@ -159,4 +159,4 @@ TEST_CASE("an order that cannot be trusted widens the uncertainty", "[grid-conve
   CHECK_THROWS_AS(grid_convergence({1, 1, 1}, {1, 1, 1}, 2), std::invalid_argument);
 }
 
-}  // namespace observed_order_test
+}  // namespace seiche::verification::observed_order_test

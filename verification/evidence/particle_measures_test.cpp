@@ -1,7 +1,5 @@
 // The measures of the particle cases on curves for which they are known, and the start of the steep wave against the
 // boundary-integral solution that it is compared with.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -13,19 +11,12 @@
 #include "validation/instruments/shifted_front.hpp"
 #include "verification/check.hpp"
 
-namespace particle_measures_test {
+namespace seiche::verification::particle_measures_test {
 
-using namespace seiche::validation;
-using seiche::Worst;
-using namespace seiche::verification;
-using seiche::evidence::Claim;
-using seiche::exact::OverturningWave;
+using namespace validation;
+using exact::OverturningWave;
 
 constexpr double pi = std::numbers::pi;
-
-Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
-  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
-}
 
 Polyline circle(double radius, int points) {
   Polyline curve;
@@ -61,13 +52,13 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
   }
   check.holds("The shift that fits equals the shift of the points.", {fit.shift},
               Bound{of_lines * slopes / squares + of_halving,
-                    "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
-                    "the last of 20 halved steps is 2^-19 of 0.0035",
+                    "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; the last of "
+                    "20 halved steps is 2^-19 of 0.0035",
                     0.17});
   check.holds("The rms distance after the shift is zero.", {fit.rms},
               Bound{of_lines + of_halving * std::sqrt(squares / 4),
-                    "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
-                    "of halving times the slopes"});
+                    "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left of "
+                    "halving times the slopes"});
   check.holds("Points beyond the tank are left out.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
@@ -112,9 +103,7 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
   constexpr double tau = 1e-4;
   const auto soon = wave.profile(tau);
   const auto later = wave.profile(2 * tau);
-  Worst velocity;
-  Worst acceleration;
-  Worst fastest;
+  Worst velocity, acceleration, fastest;
   constexpr double step = 1e-5;
   for (std::size_t i = 0; i < at_rest.x.size(); ++i) {
     const double x = at_rest.x[i], y = at_rest.y[i];
@@ -141,4 +130,4 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
   CHECK_THROWS_AS(SteepWaveStart(0.05, 1, 0.04, gravity), std::invalid_argument);
 }
 
-}  // namespace particle_measures_test
+}  // namespace seiche::verification::particle_measures_test

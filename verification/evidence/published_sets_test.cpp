@@ -6,10 +6,9 @@
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
 
-namespace published_sets_test {
+namespace seiche::verification::published_sets_test {
 
-using namespace seiche;
-using namespace seiche::validation;
+using namespace validation;
 using Catch::Matchers::Contains;
 
 const NamedValues theirs{{"particles", 10}, {"time_step", 1}, {"scheme", "H2"}};
@@ -131,4 +130,4 @@ TEST_CASE("a published set that cannot be run is refused", "[evidence]") {
   refused({{.tiles = {"a"}, .values = {{"particles", 10.5}}}}, "particles");
 }
 
-}  // namespace published_sets_test
+}  // namespace seiche::verification::published_sets_test

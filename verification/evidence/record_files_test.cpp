@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
 
 #include <H5Cpp.h>
 #include <nlohmann/json.hpp>
@@ -11,10 +10,9 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace record_files_test {
+namespace seiche::verification::record_files_test {
 
-using namespace seiche;
-using namespace seiche::evidence;
+using namespace evidence;
 
 Record sample() {
   Record record;
@@ -34,7 +32,7 @@ Record sample() {
 }
 
 TEST_CASE("a record is read back as it was written", "[record]") {
-  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
+  const verification::ScratchFolder scratch("seiche_record_files_test");
   write(sample(), scratch.path());
   CHECK(std::filesystem::exists(scratch.path() / "sample.h5"));
   CHECK(std::filesystem::exists(scratch.path() / "sample.xdmf"));
@@ -51,7 +49,7 @@ TEST_CASE("a record is read back as it was written", "[record]") {
 }
 
 TEST_CASE("points of a snapshot are joined by a line or stand alone", "[record]") {
-  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
+  const verification::ScratchFolder scratch("seiche_record_files_test");
   Record record = sample();
   record.snapshot({.time = 2, .x = {0, 1}, .z = {0, 1}, .unit = "depth", .fields = {}, .joined = false});
   write(record, scratch.path());
@@ -76,7 +74,7 @@ TEST_CASE("numbers that are not finite become null, not invalid JSON", "[record]
 }
 
 TEST_CASE("a damaged record is an error that names the file", "[record]") {
-  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
+  const verification::ScratchFolder scratch("seiche_record_files_test");
   io::write_file(scratch.path() / "broken.json", R"({"case": "brok)");
   try {
     read_summaries(scratch.path());
@@ -87,7 +85,7 @@ TEST_CASE("a damaged record is an error that names the file", "[record]") {
 }
 
 TEST_CASE("a file that is not committed leaves nothing behind and the old one in place", "[record]") {
-  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
+  const verification::ScratchFolder scratch("seiche_record_files_test");
   const auto target = scratch.path() / "file.txt";
   io::write_file(target, "old");
   {
@@ -111,4 +109,4 @@ TEST_CASE("SHA-256 of known texts", "[record]") {
   CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-}  // namespace record_files_test
+}  // namespace seiche::verification::record_files_test

@@ -9,10 +9,8 @@
 #include "validation/case/reference_source.hpp"
 #include "verification/check.hpp"
 
-namespace reference_data_test {
+namespace seiche::verification::reference_data_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using validation::ReferenceSource;
 
 const std::set<std::string> known_units = {"1", "m", "cm", "s", "1/s", "m/s", "m^2", "m^2/s", "deg", "rad", "Pa"};
@@ -134,13 +132,12 @@ class Faults {
 };
 
 TEST_CASE("every reference table says where it comes from and how well it is known", "[evidence]") {
-  Check check(
-      "reference_data", "The reference tables",
-      "One folder per source under `reference_data`: `table.csv`, numbers only, and `source.toml`. Every folder is "
-      "checked: citation, what the numbers are, how they were obtained, checksum, units, the order of the abscissae "
-      "within each series, and for every measured or computed column a standard uncertainty with its reason, marked "
-      "where the source states none and it had to be assumed. Finite numbers and full rows are demanded by the "
-      "reader.");
+  Check check("reference_data", "The reference tables",
+              "One folder per source under `reference_data`: `table.csv`, numbers only, and `source.toml`. Every "
+              "folder is checked: citation, what the numbers are, how they were obtained, checksum, units, the order "
+              "of the abscissae within each series, and for every measured or computed column a standard uncertainty "
+              "with its reason, marked where the source states none and it had to be assumed. Finite numbers and full "
+              "rows are demanded by the reader.");
   const std::vector<std::string> names = validation::reference_sources();
   std::vector<std::string> faults;
   std::size_t numbers = 0;
@@ -170,4 +167,4 @@ TEST_CASE("an unknown reference table is refused by name", "[evidence]") {
   CHECK_THROWS_AS(validation::reference_source("nobody_1900"), std::invalid_argument);
 }
 
-}  // namespace reference_data_test
+}  // namespace seiche::verification::reference_data_test

@@ -14,11 +14,9 @@
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 
-namespace reflection_pattern_test {
+namespace seiche::verification::reflection_pattern_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 constexpr double a = 0.3;
 constexpr double spacing = 0.5;
@@ -38,8 +36,7 @@ ParabolaError parabola_limit(double disorder, double lean) {
 
 struct Configuration {
   std::string id;
-  double kappa;
-  double disorder;
+  double kappa, disorder;
 };
 
 /// With a stem: when its end is 25 depths from the wall, but not before the wall has its limit to 1e-4.
@@ -113,16 +110,14 @@ void draw(Check& check) {
   const ReflectionPattern pattern = measured_reflection(surface, a);
   auto& figure = check.figure(
       "pattern", "Crests found on an exact surface of Mach reflection",
-      fmt::format(
-          "Kadomtsev-Petviashvili equation, $a_i = {:g}$, $\\kappa = 0.5$, $t = {:.0f}$: elevations of the rows "
-          "of a lattice, ten times exaggerated; the crests that are measured and the lines through them. The "
-          "incident line meets the crest on the wall at the end of the stem.",
-          a, t));
+      fmt::format("Kadomtsev-Petviashvili equation, $a_i = {:g}$, $\\kappa = 0.5$, $t = {:.0f}$: elevations of the "
+                  "rows of a lattice, ten times exaggerated; the crests that are measured and the lines through them. "
+                  "The incident line meets the crest on the wall at the end of the stem.",
+                  a, t));
   auto& panel = figure.panel({.x = "x [depths]", .y = "distance from the wall y + 10 eta [depths]", .y_max = 150});
   const double origin = waves.wall().at(0, t);
   for (std::size_t j = 0; j <= surface.rows; j += 8) {
-    std::vector<double> x;
-    std::vector<double> raised;
+    std::vector<double> x, raised;
     for (std::size_t i = 0; i <= surface.columns; ++i) {
       const std::size_t n = surface.node(i, j);
       x.push_back(surface.x[n] - origin);
@@ -131,8 +126,7 @@ void draw(Check& check) {
     panel.line(j == 0 ? "surface" : "", x, raised, Role::water);
   }
   const auto points = [&](const std::string& label, const std::vector<Crest>& crests, Role role) {
-    std::vector<double> x;
-    std::vector<double> raised;
+    std::vector<double> x, raised;
     for (const Crest& crest : crests) {
       x.push_back(crest.x - origin);
       raised.push_back(crest.y + 10 * crest.height);
@@ -159,8 +153,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
       "What is measured of the reflection of a solitary wave (amplitudes at the wall and of the incident and reflected "
       "wave, their angles, the stem's length and angle), on exact surfaces of the Kadomtsev-Petviashvili equation with "
       "$a_i = 0.3$ sampled every half depth, on uniform lattices and on lattices whose nodes are displaced by up to 15 "
-      "% of "
-      "the spacing. The limits are the error of the parabola through three nodes.");
+      "% of the spacing. The limits are the error of the parabola through three nodes.");
   for (const double disorder : {0.0, 0.15}) {
     for (const double kappa : {0.4, 0.6, 0.8, 1.3}) {
       claim_pattern(check,
@@ -169,8 +162,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   }
 
   const ExactReflection waves(a, 0.6);
-  std::vector<double> wall_x;
-  std::vector<double> stem;
+  std::vector<double> wall_x, stem;
   for (const double later : {0.0, 60.0}) {
     const double t = time_of(waves) + later;
     const ReflectionPattern pattern =
@@ -189,13 +181,10 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
               Roundoff{10, 1, "a line through two points and its angle"});
 
   const double exact_height = highest_on_wall(waves, time_of(waves));
-  std::vector<double> spacings;
-  std::vector<double> three_nodes;
-  std::vector<double> five_nodes;
+  std::vector<double> spacings, three_nodes, five_nodes;
   for (double h = 0.3; h > 0.07; h /= std::numbers::sqrt2) {
     // The crest wanders over the spacing between the nodes as the lattice moves.
-    Worst worst_of_three;
-    Worst worst_of_five;
+    Worst worst_of_three, worst_of_five;
     for (int shift = 0; shift < 8; ++shift) {
       const SampledReflection row(waves, time_of(waves), 4.5 * h, h, 0, h * shift / 8);
       const Crest crest = wall_crest(row.lattice(), 0.01 * a);
@@ -228,4 +217,4 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   CHECK_THROWS_AS(measured_reflection({4, 4, x, y, z}, a), std::invalid_argument);
 }
 
-}  // namespace reflection_pattern_test
+}  // namespace seiche::verification::reflection_pattern_test

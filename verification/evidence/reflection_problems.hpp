@@ -50,8 +50,7 @@ class ExactReflection {
     std::vector<double> weights;
     for (const Term& e : terms_) weights.push_back(e.in_x * (x - t) + e.in_y * y + e.in_t * t / 1.5);
     const double largest = *std::max_element(weights.begin(), weights.end());
-    double tau = 0;
-    double mean = 0;
+    double tau = 0, mean = 0;
     for (std::size_t m = 0; m < terms_.size(); ++m) {
       weights[m] = terms_[m].constant * std::exp(weights[m] - largest);
       tau += weights[m];
@@ -118,8 +117,7 @@ class SampledReflection {
   [[nodiscard]] validation::SurfaceLattice lattice() const { return {columns_, rows_, x_, y_, z_}; }
 
  private:
-  std::size_t columns_;
-  std::size_t rows_;
+  std::size_t columns_, rows_;
   std::vector<double> x_, y_, z_;
 };
 

@@ -4,11 +4,9 @@
 #include "validation/scoring/repeats.hpp"
 #include "verification/check.hpp"
 
-namespace repeats_test {
+namespace seiche::verification::repeats_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 /// A table of one group: a straight line, higher by `above`, on points `step` apart.
 Submitted line(double above, double step) {
@@ -24,25 +22,24 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
   Check check("repeats", "Runs of one set-up",
               "Three straight lines, 0.01 below, on and above one another, the second on other points.");
   const Repeats repeats = repeats_of({line(-0.01, 0.5), line(0, 0.25), line(0.01, 0.5)});
-  const auto is = [&](const std::string& id, const std::string& text, double got, double expected) {
-    check.holds(id + ": " + text, {got}, Roundoff{30, 3, "three numbers up to 3 at 9 points", expected});
+  const auto is = [&](const std::string& text, double got, double expected) {
+    check.holds(text, {got}, Roundoff{30, 3, "three numbers up to 3 at 9 points", expected});
   };
   const SubmittedGroup& mean = repeats.mean.at("wave").front();
-  is("points", "The mean is given at the points of the first run.", static_cast<double>(mean.abscissa.size()), 9);
-  is("mean", "The mean of the repeats is the mean at every point.", mean.values.at("eta").back(), 3);
-  is("scatter", "The scatter is the standard deviation of single runs.", repeats.scatter.at("eta"), 0.01);
+  is("The mean is given at the points of the first run.", static_cast<double>(mean.abscissa.size()), 9);
+  is("The mean of the repeats is the mean at every point.", mean.values.at("eta").back(), 3);
+  is("The scatter is the standard deviation of single runs.", repeats.scatter.at("eta"), 0.01);
 
   std::map<std::string, StatedUncertainty> stated{{"eta", {.value = 0.01}}};
   add_scatter(repeats, stated);
-  is("added", "The uncertainty of the mean is added to the stated uncertainty.", stated.at("eta").of(3),
+  is("The uncertainty of the mean is added to the stated uncertainty.", stated.at("eta").of(3),
      std::sqrt(1e-4 + 1e-4 / 3));
   std::map<std::string, StatedUncertainty> share{{"eta", {.value = 0, .relative = true}}};
   add_scatter(repeats, share);
-  is("relative", "Beside a share it is the same, however small the reference.", share.at("eta").of(0.1),
-     0.01 / std::sqrt(3.0));
+  is("Beside a share it is the same, however small the reference.", share.at("eta").of(0.1), 0.01 / std::sqrt(3.0));
   std::map<std::string, StatedUncertainty> nothing;
   add_scatter(repeats, nothing);
-  is("unknown", "Where nothing is stated nothing is known.", static_cast<double>(nothing.size()), 0);
+  is("Where nothing is stated nothing is known.", static_cast<double>(nothing.size()), 0);
 
   CHECK_THROWS_WITH(repeats_of({line(0, 0.5)}), "--repeats 1: must be at least 2");
   Submitted other = line(0, 0.5);
@@ -54,4 +51,4 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
                     "--repeats: the runs have 0 points of table wave in common, needed: 2");
 }
 
-}  // namespace repeats_test
+}  // namespace seiche::verification::repeats_test

@@ -7,9 +7,7 @@
 
 #include "verification/check.hpp"
 
-namespace samples_test {
-
-using namespace seiche;
+namespace seiche::verification::samples_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -42,14 +40,14 @@ TEST_CASE("a NaN first, in the middle or last makes every measure NaN", "[sample
 TEST_CASE("without samples every measure is NaN", "[samples]") {
   const std::vector<double> none;
   for (const double measured : {Worst().value(), Largest().value(), Smallest().value(), Mean().value(), Mean().rms(),
-                                Mean().sum(), Count().value(), largest(none), smallest(none), worst(none)}) {
+                                Mean().sum(), Count().value(), largest(none), smallest(none), seiche::worst(none)}) {
     CHECK(std::isnan(measured));
   }
 }
 
 TEST_CASE("measures of numbers are those of their definitions", "[samples]") {
   const std::vector<double> samples{0.5, -3, 2, 1, 0};
-  CHECK(worst(samples) == 3);
+  CHECK(seiche::worst(samples) == 3);
   CHECK(largest(samples) == 2);
   CHECK(smallest(samples) == -3);
   Mean mean;
@@ -69,9 +67,7 @@ TEST_CASE("measures of numbers are those of their definitions", "[samples]") {
 }
 
 TEST_CASE("extremes of parts are those of the whole, and a part without samples adds nothing", "[samples]") {
-  Worst whole;
-  Worst first;
-  Worst second;
+  Worst whole, first, second;
   first.add(1, 10);
   second.add(-4, 20);
   second.add(2, 30);
@@ -88,4 +84,4 @@ TEST_CASE("extremes of parts are those of the whole, and a part without samples 
   CHECK(std::isnan(whole.value()));
 }
 
-}  // namespace samples_test
+}  // namespace seiche::verification::samples_test

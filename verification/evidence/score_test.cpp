@@ -11,11 +11,9 @@
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 
-namespace score_test {
+namespace seiche::verification::score_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 /// A wave sin(x - t) at two times, and one measured height 2.0 +- 0.1 m.
 std::vector<WantedTable> wanted_tables() {
@@ -100,53 +98,50 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   Check check("declared_submission", "Scoring by declaration",
               "A case that only declares what it wants gets templates, measures, claims and errors. Here: profiles at "
               "two times and a measured number.");
-  const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
-                      const std::string& expected) {
+  const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
     INFO(got << " / " << expected);
-    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
                 Qualitative{"\"" + expected + "\"", "stated in the interface"});
   };
   const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
-  is("good", "Exact profiles with a stated uncertainty pass.", verdict(good, "eta-relative_l2"), "pass");
+  is("Exact profiles with a stated uncertainty pass.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
-  is("worst", "Wrong profiles at one of two times fail the claim.", verdict(bad, "eta-relative_l2"), "fail");
+  is("Wrong profiles at one of two times fail the claim.", verdict(bad, "eta-relative_l2"), "fail");
   const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
-  is("farthest", "Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"),
-     "t = 2");
-  is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
-  is("absent", "Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
+  is("Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"), "t = 2");
+  is("A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
+  is("Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
   check.holds("Each time is measured by itself.", {bad.measurements().at("eta_relative_l2_t_2")},
               Roundoff{2 * 51, 0.1, "a rounded term and a rounded sum for each of 51 points", 0.1});
 
   // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
   // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.
   const std::string run_up = "runup [m]\n2.25\n";
-  is("unstated", "Without a stated uncertainty nothing can be said.",
-     verdict(scored({table(run_up, "r")}), "runup-value"), "inconclusive");
-  is("exact", "A stated uncertainty of 0 gives the strictest comparison.",
+  is("Without a stated uncertainty nothing can be said.", verdict(scored({table(run_up, "r")}), "runup-value"),
+     "inconclusive");
+  is("A stated uncertainty of 0 gives the strictest comparison.",
      verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
-  is("absolute", "A stated absolute uncertainty enters the comparison.",
+  is("A stated absolute uncertainty enters the comparison.",
      verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
-  is("relative", "A stated relative uncertainty enters the comparison.",
-     verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
-  is("excessive", "A stated uncertainty beyond its ceiling does not turn a failure into a pass.",
+  is("A stated relative uncertainty enters the comparison.", verdict(scored({table(run_up, "r")}, "5%"), "runup-value"),
+     "pass");
+  is("A stated uncertainty beyond its ceiling does not turn a failure into a pass.",
      verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
 
-  is("group", "A result without one of the times is no full result.",
+  is("A result without one of the times is no full result.",
      verdict(scored({table("t,x,eta\n1,0,0\n1,10,0\n", "mine.csv")}), "profiles-given"), "fail");
   const std::string in_order = profiles(0);
   std::istringstream lines(in_order.substr(in_order.find('\n') + 1));
   std::string reversed;
   for (std::string line; std::getline(lines, line);) reversed = line + "\n" + reversed;
-  is("order", "Rows in the reverse order are sorted.",
+  is("Rows in the reverse order are sorted.",
      verdict(scored({table("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
-  is("several", "What the rows differ in is named, where the file says.",
+  is("What the rows differ in is named, where the file says.",
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
-  is("single", "Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
+  is("Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
-  is("foreign", "A file that holds nothing wanted is rejected.", refusal("a,b\n1,2\n"),
-     "is missing: the file has a, b");
-  is("template", "The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
+  is("A file that holds nothing wanted is rejected.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
+  is("The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
 }
 
@@ -178,4 +173,4 @@ TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
               Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
 }
 
-}  // namespace score_test
+}  // namespace seiche::verification::score_test

@@ -2,7 +2,6 @@
 // it.
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,9 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace sealed_records_test {
+namespace seiche::verification::sealed_records_test {
 
-using namespace seiche;
-using namespace seiche::evidence;
-using namespace seiche::verification;
+using namespace evidence;
 
 Record sample(double depth) {
   Record record;
@@ -140,4 +137,4 @@ TEST_CASE("a record has one writer, and its lock goes with it", "[record]") {
   CHECK_NOTHROW(RecordLock(scratch.path(), "sample"));
 }
 
-}  // namespace sealed_records_test
+}  // namespace seiche::verification::sealed_records_test

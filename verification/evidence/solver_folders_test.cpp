@@ -12,12 +12,10 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace solver_folders_test {
+namespace seiche::verification::solver_folders_test {
 
-using namespace seiche;
 using validation::Reading;
 using validation::ResultFile;
-using namespace seiche::verification;
 using Columns = std::vector<std::vector<double>>;
 
 /// Names and rows as text: "t,x,h|0,1,2|0.5,1,3".
@@ -103,8 +101,8 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("probes/0.5/h", probes + "1 22 23\n");
   folder.write("probes/0.5/p", probes + "1 7 8\n");
   folder.is("restart", "What a restart repeats stands below what was before.", "probes",
-            "x,y,z,t,h,p|1,0,0,0,10,1|1,0.5,0,0,11,2|1,0,0,1,12,3|1,0.5,0,1,13,4|1,0,0,2,14,5|1,0.5,0,2,15,6|"
-            "1,0,0,1,22,7|1,0.5,0,1,23,8");
+            "x,y,z,t,h,p|1,0,0,0,10,1|1,0.5,0,0,11,2|1,0,0,1,12,3|1,0.5,0,1,13,4|1,0,0,2,14,5|1,0.5,0,2,15,6|1,0,0,1,"
+            "22,7|1,0.5,0,1,23,8");
   const validation::RowOrder order = validation::in_order({0, 1, 2, 3, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5, 6, 7});
   check.holds("What a restart repeats replaces what was before.",
               {order.rows == std::vector<std::size_t>{0, 4, 5, 6, 7} ? 1.0 : 0.0},
@@ -117,8 +115,8 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.is("patches", "Of two patches the finer one counts, in the order of x.", "_output",
             "x,t,h,hu,eta|0.5,7,1,0,1|1.25,7,4,0,4|1.75,7,5,0,5|2.5,7,3,0,3");
   folder.write("plan/fort.q0000",
-               "1 grid_number\n1 AMR_level\n2 mx\n2 my\n0 xlow\n0 ylow\n1 dx\n2 dy\n\n"
-               "1 2 3 4\n5 6 7 8\n\n9 10 11 12\n13 14 15 16\n");
+               "1 grid_number\n1 AMR_level\n2 mx\n2 my\n0 xlow\n0 ylow\n1 dx\n2 dy\n\n1 2 3 4\n5 6 7 8\n\n9 10 11 "
+               "12\n13 14 15 16\n");
   folder.write("plan/fort.t0000", "0 time\n");
   folder.is("plan", "In two dimensions x runs fastest.", "plan",
             "x,y,t,h,hu,hv,eta|0.5,1,0,1,2,3,4|1.5,1,0,5,6,7,8|0.5,3,0,9,10,11,12|1.5,3,0,13,14,15,16");
@@ -127,8 +125,8 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("mixed/fort.t0000", "0 time\n");
   folder.refused("mixed", "Patches of one and of two dimensions are not mixed.", "mixed", "must all be alike");
   folder.write("layers/gauge00001.txt",
-               "# gauge_id= 1 location=( 2 3 ) num_var= 8\n# Columns: level, time, q[ 1 2 3 4 5 6 ], eta, aux[]\n"
-               "1 0 1 2 3 4 5 6 0.5 0.25\n");
+               "# gauge_id= 1 location=( 2 3 ) num_var= 8\n# Columns: level, time, q[ 1 2 3 4 5 6 ], eta, aux[]\n1 0 1 "
+               "2 3 4 5 6 0.5 0.25\n");
   folder.is("layers", "A gauge of several layers has the surface after them.", "layers/gauge00001.txt",
             "level,t,q1,q2,q3,q4,q5,q6,eta,eta2,x,y|1,0,1,2,3,4,5,6,0.5,0.25,2,3");
   folder.write("names/6/_.xy", "0 1 2\n1 1 2\n");
@@ -148,4 +146,4 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
             "t,x,T|0,1,0.5");
 }
 
-}  // namespace solver_folders_test
+}  // namespace seiche::verification::solver_folders_test

@@ -10,10 +10,7 @@
 #include "validation/scoring/solver_inputs.hpp"
 #include "verification/check.hpp"
 
-namespace solver_inputs_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::solver_inputs_test {
 
 const std::string header = "FoamFile\n{\n    version 2.0;\n    format %;\n    class volVectorField;\n}\n";
 
@@ -49,41 +46,37 @@ std::string refusal(const std::string& text) {
 }
 
 TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
-  Check check(
-      "solver_inputs", "Initial states for other solvers",
-      "Lists of OpenFOAM, grids of GeoClaw, a motion for DualSPHysics and a legacy VTK file, read back number by "
-      "number.");
-  const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
-                      const std::string& expected) {
-    check.holds(id + ": " + text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
+  Check check("solver_inputs", "Initial states for other solvers",
+              "Lists of OpenFOAM, grids of GeoClaw, a motion for DualSPHysics and a legacy VTK file, read back number "
+              "by number.");
+  const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
+    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
                 Qualitative{"\"" + expected + "\"", "the format"});
   };
-  const auto exactly = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.holds(id + ": " + text, {value}, Bound{0, "17 digits hold a number", expected});
+  const auto exactly = [&](const std::string& text, double value, double expected) {
+    check.holds(text, {value}, Bound{0, "17 digits hold a number", expected});
   };
   const std::string three = "List<vector>\n3\n(\n(0.1 0 0.5)\n(0.1 0 1.5)\n(0.1 0 3.5)\n)\n;\n";
   const std::vector<validation::Vector3> centres = read(centres_file(three));
-  exactly("count", "Centres inside are read, and centres of boundaries are not.", static_cast<double>(centres.size()),
-          3);
-  exactly("last", "The last entry of the list is read whole.", centres.at(2)[2], 3.5);
-  is("binary", "A binary field is rejected with its reason.", refusal(centres_file(three, "binary")),
-     "writeFormat ascii");
-  is("short", "A field that is cut short is rejected.",
-     refusal(centres_file("List<vector> 4((1 1 1)(2 2 2)(3 3 3));\n")), "holds 3 centres, must be 4");
-  is("uniform", "A uniform field, which has no list, is rejected.", refusal(centres_file("uniform (0 0 0);\n")),
+  exactly("Centres inside are read, and centres of boundaries are not.", static_cast<double>(centres.size()), 3);
+  exactly("The last entry of the list is read whole.", centres.at(2)[2], 3.5);
+  is("A binary field is rejected with its reason.", refusal(centres_file(three, "binary")), "writeFormat ascii");
+  is("A field that is cut short is rejected.", refusal(centres_file("List<vector> 4((1 1 1)(2 2 2)(3 3 3));\n")),
+     "holds 3 centres, must be 4");
+  is("A uniform field, which has no list, is rejected.", refusal(centres_file("uniform (0 0 0);\n")),
      "no nonuniform List<vector>");
 
   const auto edges = validation::heights_of_cells(centres, 2);
-  exactly("bottom", "The lowest cell ends half a cell below its centre.", edges.at(0).first, 0);
-  exactly("between", "Cell edges are halfway between the cells' centres.", edges.at(1).second, 2.5);
-  exactly("top", "The highest cell ends as far above its centre as below.", edges.at(2).second, 4.5);
+  exactly("The lowest cell ends half a cell below its centre.", edges.at(0).first, 0);
+  exactly("Cell edges are halfway between the cells' centres.", edges.at(1).second, 2.5);
+  exactly("The highest cell ends as far above its centre as below.", edges.at(2).second, 4.5);
   std::string alone;
   try {
     validation::heights_of_cells({{0, 0, 0}, {1, 0, 1}}, 2);
   } catch (const std::invalid_argument& refused) {
     alone = refused.what();
   }
-  is("alone", "A column of one cell is rejected.", alone, "one cell alone at x = 0");
+  is("A column of one cell is rejected.", alone, "one cell alone at x = 0");
 
   const std::vector<double> scalars{0.1, 1.0 / 3};
   std::istringstream list(validation::openfoam_field(scalars));
@@ -91,21 +84,20 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
   double number = 0;
   while (word != "(") list >> word;
   list >> number >> number;
-  exactly("scalar", "A scalar keeps its last digit.", number, 1.0 / 3);
-  is("vectors", "Vectors of OpenFOAM are written in brackets.",
+  exactly("A scalar keeps its last digit.", number, 1.0 / 3);
+  is("Vectors of OpenFOAM are written in brackets.",
      validation::openfoam_field(std::vector<validation::Vector3>{{1, 0, -0.0}}), "List<vector>\n1\n(\n(1 0 0)\n)\n;");
 
   // Two rows in y, three in x: GeoClaw begins in the north-west.
   const std::vector<double> x{0, 1, 2}, y{10, 20}, z{1, 2, 3, 4, 5, 6};
-  is("grid", "GeoClaw's rows go from north to south.", validation::geoclaw_grid(x, y, z),
-     "0 20 4\n1 20 5\n2 20 6\n0 10 1\n");
-  is("motion", "A paddle's motion is written as time;position.",
+  is("GeoClaw's rows go from north to south.", validation::geoclaw_grid(x, y, z), "0 20 4\n1 20 5\n2 20 6\n0 10 1\n");
+  is("A paddle's motion is written as time;position.",
      validation::dualsphysics_motion(std::vector<double>{0, 0.5}, std::vector<double>{0, 0.25}), "\n0;0\n0.5;0.25\n");
   const std::string vtk = validation::legacy_vtk("t", {2, 1, 1}, std::vector<validation::Vector3>{{0, 0, 0}, {1, 0, 0}},
                                                  std::vector<validation::NamedField>{{"eta", {0.5, NAN}}});
-  is("vtk", "VTK names counts, points and fields.", vtk,
+  is("VTK names counts, points and fields.", vtk,
      "DIMENSIONS 2 1 1\nPOINTS 2 double\n0 0 0\n1 0 0\nPOINT_DATA 2\nSCALARS eta double 1\nLOOKUP_TABLE "
      "default\n0.5\nnan\n");
 }
 
-}  // namespace solver_inputs_test
+}  // namespace seiche::verification::solver_inputs_test

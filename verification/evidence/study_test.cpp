@@ -10,16 +10,14 @@
 
 #include "verification/check.hpp"
 
-namespace study_test {
+namespace seiche::verification::study_test {
 
-using namespace seiche;
-using namespace seiche::evidence;
-using namespace seiche::validation;
+using namespace evidence;
+using namespace validation;
 
 struct Results {
   std::string what;
-  double depth = 1.05;
-  double overshoot = 3;
+  double depth = 1.05, overshoot = 3;
 };
 
 Claim claim(const std::string& id) {
@@ -179,4 +177,4 @@ TEST_CASE("what cannot be shown keeps its verdicts and does not pass for finishe
   CHECK_FALSE(record.as_declared());
 }
 
-}  // namespace study_test
+}  // namespace seiche::verification::study_test

@@ -1,6 +1,4 @@
 // Whatever a case asks of others, its own reference must pass and a wrong result must not.
-#include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -9,11 +7,9 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace submissions_test {
+namespace seiche::verification::submissions_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 /// What a solver would submit whose every value is `factor` times the reference.
 Submitted submission(const std::vector<WantedTable>& wanted, double factor) {
@@ -55,10 +51,9 @@ long passed(const Case& one, const Values& values, const std::vector<WantedTable
 }
 
 TEST_CASE("every case that scores others passes its own reference and fails one that is half too large", "[evidence]") {
-  Check check(
-      "submissions", "The references score perfectly, wrong results do not",
-      "For every case that takes others' results, its own reference is submitted, which must meet every claim, and the "
-      "reference times 1.5, which must fail at least one.");
+  Check check("submissions", "The references score perfectly, wrong results do not",
+              "For every case that takes others' results, its own reference is submitted, which must meet every claim, "
+              "and the reference times 1.5, which must fail at least one.");
   for (const Case& one : all_cases()) {
     if (!one.submission) continue;
     const Values values = one.values(Tier::quick);
@@ -73,4 +68,4 @@ TEST_CASE("every case that scores others passes its own reference and fails one 
   }
 }
 
-}  // namespace submissions_test
+}  // namespace seiche::verification::submissions_test

@@ -1,23 +1,16 @@
 // What the readers make of files that are as they should be: every number in its own place, with its own unit.
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"
 #include "seiche/io/text_table.hpp"
-#include "seiche/samples.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace table_readers_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::table_readers_test {
 
 /// Entries that differ from those expected; what is missing or too much counts as well.
 double wrong_entries(const std::vector<std::vector<double>>& found, const std::vector<std::vector<double>>& expected) {
@@ -76,8 +69,8 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
   // Every entry of its own: neither two rows nor two columns can be taken for each other.
   const std::vector<std::vector<double>> numbers = {{0, 0.1, 2e-3}, {-1.5, 1234567.25, 1. / 3}, {7, 8, 9}};
   const std::string text =
-      "\xEF\xBB\xBF# a comment\r\n t [s] ,\"h [m]\", u \r\n0,-1.5,7\r\n\n0.1 , 1234567.25 ,+8\r# another\n"
-      "\"2e-3\",0.33333333333333331,9";
+      "\xEF\xBB\xBF# a comment\r\n t [s] ,\"h [m]\", u \r\n0,-1.5,7\r\n\n0.1 , 1234567.25 ,+8\r# "
+      "another\n\"2e-3\",0.33333333333333331,9";
   std::istringstream in(text);
   const io::Table csv = io::read_csv(in, "table.csv");
   claims.none_wrong("csv-numbers", "The numbers of a CSV file are read in their places.",
@@ -171,4 +164,4 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
                                   {{2, 5, 10}, {0, 5, 10}}));
 }
 
-}  // namespace table_readers_test
+}  // namespace seiche::verification::table_readers_test

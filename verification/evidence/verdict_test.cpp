@@ -1,5 +1,4 @@
 // The judge is judged: these tests use plain Catch2, not the machinery they check.
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -8,9 +7,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace verdict_test {
+namespace seiche::verification::verdict_test {
 
-using namespace seiche::evidence;
+using namespace evidence;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -49,7 +48,7 @@ TEST_CASE("what is not a finite number is an error, whatever the criterion", "[v
 
 TEST_CASE("an extreme with a NaN among its samples, or without samples, is an error", "[verdict]") {
   const Bound bound{.limit = 0.1, .reason = "test"};
-  seiche::Worst worst;
+  Worst worst;
   CHECK(judge({.value = worst.value()}, bound).verdict == Verdict::error);
   for (const double error : {0.01, not_a_number, 0.02}) worst.add(error);
   CHECK(judge({.value = worst.value()}, bound).verdict == Verdict::error);
@@ -227,4 +226,4 @@ TEST_CASE("a run that broke down is never as declared", "[record]") {
   CHECK_FALSE(record.as_declared());
 }
 
-}  // namespace verdict_test
+}  // namespace seiche::verification::verdict_test

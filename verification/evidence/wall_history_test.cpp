@@ -13,11 +13,9 @@
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 
-namespace wall_history_test {
+namespace seiche::verification::wall_history_test {
 
-using namespace seiche;
-using namespace seiche::validation;
-using namespace seiche::verification;
+using namespace validation;
 
 constexpr double incident = 0.3;  // amplitude, depth 1
 
@@ -69,18 +67,17 @@ void claim_coverage(Check& check) {
     }
   }
   check.holds(
-      "The limit of every exact stem lies within the stated interval, however short it was watched: "
-      "kappa from 0.3 to 0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, "
-      "t = 1/r).",
+      "The limit of every exact stem lies within the stated interval, however short it was watched: kappa from 0.3 to "
+      "0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, t = 1/r).",
       {outside.value()},
       Bound{0,
-            "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = "
-            "S^3 kappa (1 - kappa)/3 of the theory, and the interval reaches as far"});
+            "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = S^3 kappa (1 - kappa)/3 of the "
+            "theory, and the interval reaches as far"});
   check.holds("The interval is not merely wide: at t = 8/r it has closed.",
               {.value = widest.value(), .where = fmt::format("kappa = {:g}", widest.where())},
               Bound{3 * std::exp(-8.0),
-                    "exp(-8) by the law of the rate, and the fits may differ from each other by "
-                    "twice that: the slowest exponential is all that is left"});
+                    "exp(-8) by the law of the rate, and the fits may differ from each other by twice that: the "
+                    "slowest exponential is all that is left"});
 }
 
 TEST_CASE("the limit of a growing wall amplitude is known within its stated uncertainty", "[evidence]") {
@@ -89,17 +86,16 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
       "A Mach stem next to resonance grows for thousands of $h/c_0$. The limit from an exponential through the last "
       "half of its history, and the uncertainty from the fits to other parts and by a power of time, and from the rate "
       "of the theory, on exact stems of the Kadomtsev-Petviashvili equation and on other series that are known.");
-  const auto claim = [&](const std::string& id, const std::string& text, const History& history, double limit,
-                         const std::string& why, std::optional<double> rate = {}) {
+  const auto claim = [&](const std::string& text, const History& history, double limit, const std::string& why,
+                         std::optional<double> rate = {}) {
     const WallLimit found = wall_limit(history.time, history.amplitude, rate);
-    check.holds(id + ": " + text, found.amplitude, stated(limit, why));
+    check.holds(text, found.amplitude, stated(limit, why));
     return found;
   };
   for (const double kappa : {0.6, 0.9, 0.95}) {
     for (const double settling_times : {4.0, 8.0}) {
       const WallLimit found =
-          claim(fmt::format("stem-{:02.0f}-{:.0f}", 100 * kappa, settling_times),
-                fmt::format("An exact stem with kappa = {:g}, until t = {:g}/r.", kappa, settling_times),
+          claim(fmt::format("An exact stem with kappa = {:g}, until t = {:g}/r.", kappa, settling_times),
                 stem(kappa, settling_times), (1 + kappa) * (1 + kappa), "several exponentials",
                 ExactReflection(incident, kappa).settling_rate());
       CHECK(found.steady() == (settling_times > 4));
@@ -113,20 +109,19 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
               Bound{2 * std::exp(-4.0), "the next exponential is exp(-4) of this one where the fit begins", 1});
 
   const auto growing = [](double t) { return 1 - 0.3 * std::exp(-t / 100); };
-  claim("exponential", "An exponential with noise of 1e-3, until four times its time.", sampled(400, growing, 1e-3), 1,
-        "noise");
-  claim("two-exponentials", "Two exponentials of which the fast one fades.",
+  claim("An exponential with noise of 1e-3, until four times its time.", sampled(400, growing, 1e-3), 1, "noise");
+  claim("Two exponentials of which the fast one fades.",
         sampled(
             400, [](double t) { return 1 - 0.2 * std::exp(-t / 100) - 0.15 * std::exp(-t / 30); }, 1e-5),
         1, "another exponential");
-  claim("inverse-time", "A series that approaches its limit like 1/t.",
+  claim("A series that approaches its limit like 1/t.",
         sampled(
             600, [](double t) { return 1 - 0.3 / (1 + t / 50); }, 1e-5),
         1, "not an exponential");
-  claim("ripples", "The limit of an exponential with fading ripples is found.",
+  claim("The limit of an exponential with fading ripples is found.",
         sampled(400, [&](double t) { return growing(t) + 0.01 * std::cos(t / 5) / std::sqrt(1 + t / 5); }), 1,
         "ripples");
-  claim("steady", "A steady series with noise of 1e-4.",
+  claim("A steady series with noise of 1e-4.",
         sampled(
             600, [](double) { return 1.0; }, 1e-4),
         1, "noise");
@@ -140,12 +135,10 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
               {exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
               Qualitative{"the best rate is not the slowest of those tried",
                           "the misfit falls towards the straight line", false});
-  check.holds("The growth of the series over its last fifth is found.",
-              {growth_of_last_fifth(line.time, line.amplitude)},
-              Roundoff{10, 1,
-                       "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings "
-                       "of values up to 1",
-                       0.2 * 598 / 600});
+  check.holds(
+      "The growth of the series over its last fifth is found.", {growth_of_last_fifth(line.time, line.amplitude)},
+      Roundoff{10, 1, "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings of values up to 1",
+               0.2 * 598 / 600});
   CHECK_FALSE(none.steady());
 
   CHECK_FALSE(wall_limit(line.time, line.amplitude, 0).amplitude.uncertainty.has_value());
@@ -156,9 +149,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
                               "Exact stems of the Kadomtsev-Petviashvili equation until four settling times: the "
                               "amplitude, the limit found with its uncertainty, and Miles's $(1+\\kappa)^2$.");
   auto& panel = figure.panel({.x = "time times settling rate", .y = "a_w/a_i"});
-  std::vector<double> limits;
-  std::vector<double> uncertainties;
-  std::vector<double> miles;
+  std::vector<double> limits, uncertainties, miles;
   for (const double kappa : {0.6, 0.9, 0.95}) {
     const double rate = ExactReflection(0.3, kappa).settling_rate();
     const History history = stem(kappa, 4);
@@ -180,4 +171,4 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   CHECK(stem_angle(std::vector<double>{0, 10}, std::vector<double>{2, 1}).value == std::atan(-0.1));
 }
 
-}  // namespace wall_history_test
+}  // namespace seiche::verification::wall_history_test

@@ -9,10 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace bent_line_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::bent_line_test {
 
 const std::string source = "definition";
 
@@ -31,12 +28,9 @@ double moment_between(const BentLine& line, double from, double to) {
 TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geometry]") {
   Check check("bent_line", "Two lines joined by an arc",
               "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 1.5. Arc lengths "
-              "before, on and after the arc, and intervals over one, two or all three of these.");
-  check.source(source);
-  Worst chord;
-  Worst length;
-  Worst back;
-  Worst moments;
+              "before, on and after the arc, and intervals over one, two or all three of these.",
+              source);
+  Worst chord, length, back, moments;
   for (const double angle : {-1.2, 0.1, std::numbers::pi / 4, 1.1, 1.5}) {
     const double rounding = 0.4;
     const BentLine line({3, -1}, {1, 0}, {std::cos(angle), std::sin(angle)}, rounding);
@@ -60,19 +54,14 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
     }
   }
   const Roundoff roundings{.operations = 100, .scale = 5, .reason = "a hundred roundings of lengths up to 5"};
-  check.that({.id = "chord", .text = "Mean tangents equal the chords of the line.", .quantity = "largest difference"},
-             {.value = chord.value()}, roundings);
-  check.that({.id = "tangent", .text = "Tangent vectors of the line have length 1.", .quantity = "largest defect"},
-             {.value = length.value()}, roundings);
-  check.that({.id = "foot",
-              .text = "The arc length found for a point of the curve is the point's own.",
-              .quantity = "largest difference"},
-             {.value = back.value()}, roundings);
-  check.that({.id = "moment", .text = "Moments are the integrals of y^2/2 x'.", .quantity = "largest difference"},
-             {.value = moments.value()}, roundings);
+  check.that("chord", "Mean tangents equal the chords of the line.", "largest difference", {chord.value()}, roundings);
+  check.that("tangent", "Tangent vectors of the line have length 1.", "largest defect", {length.value()}, roundings);
+  check.that("foot", "The arc length found for a point of the curve is the point's own.", "largest difference",
+             {back.value()}, roundings);
+  check.that("moment", "Moments are the integrals of y^2/2 x'.", "largest difference", {moments.value()}, roundings);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {1, 0}, 0.1), std::invalid_argument);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {0, 1}, 0.1), std::invalid_argument);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {1, 1}, 0), std::invalid_argument);
 }
 
-}  // namespace bent_line_test
+}  // namespace seiche::verification::bent_line_test

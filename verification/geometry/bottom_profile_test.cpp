@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <random>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -13,10 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace bottom_profile_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::bottom_profile_test {
 
 const std::vector<double> knots = {-10, -6.5, -6.4, -3, -2.9, 0, 4, 10};
 const std::vector<double> heights = {-1, -1.4, -0.3, -0.3, -1.9, 0, 0.5, 0.2};
@@ -67,8 +63,7 @@ double quadrature_mean(const Profile& profile, double from, double to, const std
 }
 
 struct Interval {
-  double from;
-  double to;
+  double from, to;
 };
 
 /// Lengths from 1e-12 to the longest, a third of them about a corner, half of them from right to left.
@@ -100,8 +95,7 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     const bool broken = profile.id == "broken";
-    Worst mean;
-    Worst square;
+    Worst mean, square;
     Largest additive;
     long one_sided = 0;
     for (const auto [from, to] : intervals(profile, 3000)) {
@@ -117,11 +111,11 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
     }
     const double steepest = broken ? 16 : profile.id == "level" ? 0 : 1;
     const auto claim = [&](const std::string& text, double value, double height, double slope) {
-      check.holds(text + " (" + profile.id + ")", {value},
-                  Roundoff{(broken ? 70.0 : 10.0) + std::pow(10 * slope / 2, 2), height,
-                           "ten roundings per piece of heights up to 2, and one of a place up to 10, times the slope "
-                           "an error of the height; squares add up. Of a broken bottom all means are taken at the "
-                           "same places"});
+      check.holds(
+          text + " (" + profile.id + ")", {value},
+          Roundoff{(broken ? 70.0 : 10.0) + std::pow(10 * slope / 2, 2), height,
+                   "ten roundings per piece of heights up to 2, and one of a place up to 10, times the slope an error "
+                   "of the height; squares add up. Of a broken bottom all means are taken at the same places"});
     };
     INFO(profile.id);
     CHECK(one_sided == 0);  // from right to left is the same to the last bit, except by Gauss's rule
@@ -227,4 +221,4 @@ TEST_CASE("outside of its extent a bottom refuses to answer, naming the place an
   }
 }
 
-}  // namespace bottom_profile_test
+}  // namespace seiche::verification::bottom_profile_test

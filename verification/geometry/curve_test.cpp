@@ -5,15 +5,12 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace curve_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::curve_test {
 
 TEST_CASE("a point of a graph and its arc length belong together", "[geometry]") {
   Check check("graph_curve", "A graph as a curve by its arc length",
-              "A face between two levels, y = -1 + 0.3 (1 + tanh((x + 2)/0.21)), from -6 to 0, in 1 to 200 "
-              "panels.");
+              "A face between two levels, y = -1 + 0.3 (1 + tanh((x + 2)/0.21)), from -6 to 0, in 1 to 200 panels.",
+              "arc length from begin to end");
   const auto elevation = [](double x) { return -1 + 0.3 * (1 + std::tanh((x + 2) / 0.21)); };
   const auto slope = [](double x) { return 0.3 / 0.21 / std::pow(std::cosh((x + 2) / 0.21), 2); };
   const auto bend = [&](double x) { return -2 / 0.21 * std::tanh((x + 2) / 0.21) * slope(x); };
@@ -36,18 +33,12 @@ TEST_CASE("a point of a graph and its arc length belong together", "[geometry]")
       });
     }
   }
-  check.that({.id = "ends",
-              .text = "Every point of the graph, its ends too, has an arc length that the curve has.",
-              .quantity = "points beyond the ends",
-              .source = "arc length from begin to end"},
-             {.value = beyond.value(), .resolution = "1 to 200 panels"}, Bound{0, "none"});
-  check.that({.id = "round-trip",
-              .text = "The point at the arc length of a point is that point.",
-              .quantity = "largest distance",
-              .unit = "m",
-              .source = "arc length by Gauss's rule over each panel"},
-             {.value = apart.value(), .resolution = "40 to 200 panels"},
-             Roundoff{most, 6, "a sum over the panels, of places up to 6 m from the origin"});
+  check.that("ends", "Every point of the graph, its ends too, has an arc length that the curve has.",
+             "points beyond the ends", {.value = beyond.value(), .resolution = "1 to 200 panels"}, Bound{0, "none"});
+  check.from("arc length by Gauss's rule over each panel")
+      .that("round-trip", "The point at the arc length of a point is that point.", "largest distance [m]",
+            {.value = apart.value(), .resolution = "40 to 200 panels"},
+            Roundoff{most, 6, "a sum over the panels, of places up to 6 m from the origin"});
 }
 
-}  // namespace curve_test
+}  // namespace seiche::verification::curve_test

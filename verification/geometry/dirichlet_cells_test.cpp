@@ -1,6 +1,5 @@
 // Dirichlet cells without clipping: their areas, and gradients that are those of the areas.
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,10 +9,8 @@
 #include "verification/check.hpp"
 #include "verification/geometry/moving_mesh.hpp"
 
-namespace dirichlet_cells_test {
+namespace seiche::verification::dirichlet_cells_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using free_lagrangian::Mesh;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.2";
@@ -63,14 +60,14 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
   Check check("dirichlet_cells", "Areas of Dirichlet cells against clipping",
               "57 nodes in a rectangle, those inside moved at random. The area of every cell from the angles of the "
               "triangles, beside the rectangle cut by the bisectors with all other nodes. The area is also that of a "
-              "sum over nodes in a box that wander, over many flips.");
+              "sum over nodes in a box that wander, over many flips.",
+              source);
   const Mesh mesh = block();
   const Triangulation triangles = triangulated(mesh);
   std::vector<double> areas(mesh.nodes());
   dirichlet_areas(triangles, mesh.places(), areas);
   const std::vector<Point> centroids = dirichlet_centroids(triangles, mesh.places());
-  Worst off;
-  Worst moment;
+  Worst off, moment;
   for (std::size_t i = 0; i < mesh.nodes(); ++i) {
     std::vector<Point> cell{{0, 0}, {1.25, 0}, {1.25, 1}, {0, 1}};
     for (std::size_t j = 0; j < mesh.nodes(); ++j) {
@@ -88,16 +85,10 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
   }
   const Roundoff of_cell{
       .operations = 500, .scale = 1, .reason = "57 cuts of a polygon of the size 1, some ten roundings each"};
-  check.that({.id = "areas",
-              .text = "Areas agree with Voronoi's cells from half-planes.",
-              .quantity = "largest difference",
-              .source = source},
-             {.value = off.value()}, of_cell);
-  check.that({.id = "centroids",
-              .text = "First moments agree with Voronoi's cells from half-planes.",
-              .quantity = "largest difference",
-              .source = source},
-             {.value = moment.value()}, of_cell);
+  check.that("areas", "Areas agree with Voronoi's cells from half-planes.", "largest difference", {off.value()},
+             of_cell);
+  check.that("centroids", "First moments agree with Voronoi's cells from half-planes.", "largest difference",
+             {moment.value()}, of_cell);
 
   WanderingBox box(16, 16, 2);
   MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());
@@ -111,14 +102,12 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
     for (const double a : cells) total.add(a);
     sum.add(total.value() - enclosed_area(box.nodes(), box.mesh().outline), k);
   }
-  check.that({.id = "sum",
-              .text = "All cells together are the polygon, whatever flips.",
-              .quantity = "largest difference of the sum",
-              .source = "identity: the shares of a triangle add up to its area"},
-             {.value = sum.value(), .resolution = "297 nodes, 300 motions"},
-             Roundoff{6 * 560, 0.2,
-                      "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
-                      "a hundred times their area of 1/560"});
+  check.from("identity: the shares of a triangle add up to its area")
+      .that("sum", "All cells together are the polygon, whatever flips.", "largest difference of the sum",
+            {.value = sum.value(), .resolution = "297 nodes, 300 motions"},
+            Roundoff{6 * 560, 0.2,
+                     "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make a hundred "
+                     "times their area of 1/560"});
 }
 
 TEST_CASE("gradients of cell areas are exact", "[geometry]") {
@@ -126,8 +115,8 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
               "All derivatives of the areas of 57 cells, of nodes that are no neighbours too, beside central "
               "differences with a step of 1e-6. Translations and rotations change no area. A pressure linear in the "
               "place of the nodes gives every node inside the force of the area of its cell times the gradient, on any "
-              "mesh. Where a quadrangle's nodes are on one circle both diagonals have the same areas and gradients.");
-  check.source(source);
+              "mesh. Where a quadrangle's nodes are on one circle both diagonals have the same areas and gradients.",
+              source);
   const Mesh mesh = block();
   const Triangulation triangles = triangulated(mesh);
   DirichletCells cells;
@@ -160,13 +149,11 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
       }
     }
   }
-  check.that({.id = "differences",
-              .text = "Analytic gradients of the cells equal central differences.",
-              .quantity = "largest difference of a derivative"},
-             {.value = off.value(), .resolution = "step 1e-6"},
+  check.that("differences", "Analytic gradients of the cells equal central differences.",
+             "largest difference of a derivative", {.value = off.value(), .resolution = "step 1e-6"},
              Bound{1e-8,
-                   "the rounding 1e-16 of an area over the step, a hundred times; the third derivative, of the "
-                   "order of 1/h, times the step squared is less"});
+                   "the rounding 1e-16 of an area over the step, a hundred times; the third derivative, of the order "
+                   "of 1/h, times the step squared is less"});
   Worst rigid;
   for (std::size_t i = 0; i < n; ++i) {
     Point shift;
@@ -178,9 +165,8 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
     }
     for (const double rate : {shift.x, shift.y, turn}) rigid.add(rate, static_cast<double>(i));
   }
-  check.that(
-      {.id = "rigid", .text = "Translations and rotations change no area.", .quantity = "largest rate of an area"},
-      {.value = rigid.value()}, Roundoff{200, 0.3, "some thirty terms of each of seven triangles"});
+  check.that("rigid", "Translations and rotations change no area.", "largest rate of an area", {rigid.value()},
+             Roundoff{200, 0.3, "some thirty terms of each of seven triangles"});
   Worst linear;
   const std::vector<bool> on = mesh.on_outline();
   constexpr double px = 0.7;
@@ -196,10 +182,8 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
     linear.add(force.x + px * cells.areas()[k], static_cast<double>(k));
     linear.add(force.y + py * cells.areas()[k], static_cast<double>(k));
   }
-  check.that({.id = "linear-pressure",
-              .text = "The force of a linear pressure is exact.",
-              .quantity = "largest difference of a force"},
-             {.value = linear.value()}, Roundoff{200, 0.5, "some thirty terms of each of seven triangles"});
+  check.that("linear-pressure", "The force of a linear pressure is exact.", "largest difference of a force",
+             {linear.value()}, Roundoff{200, 0.5, "some thirty terms of each of seven triangles"});
 
   // The same square with either diagonal, inside four triangles that lean on it.
   const std::vector<double> x{0, 1, 1, 0, 0.5, 1.9, 0.5, -0.9};
@@ -229,10 +213,9 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
     jump.add(gradients[0][k].x - gradients[1][k].x);
     jump.add(gradients[0][k].y - gradients[1][k].y);
   }
-  check.that({.id = "flip",
-              .text = "A flip happens without a jump of areas and gradients.",
-              .quantity = "largest difference between both diagonals"},
-             {.value = jump.value()}, Roundoff{50, 1, "some ten terms of each of five triangles"});
+  check.that("flip", "A flip happens without a jump of areas and gradients.",
+             "largest difference between both diagonals", {jump.value()},
+             Roundoff{50, 1, "some ten terms of each of five triangles"});
 }
 
-}  // namespace dirichlet_cells_test
+}  // namespace seiche::verification::dirichlet_cells_test

@@ -8,11 +8,9 @@
 #include "validation/instruments/particles/gauss_outline.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_contour_test {
+namespace seiche::verification::gauss_particles_contour_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::Point;
+using namespace gauss_particles;
 
 const std::string source = "Wendland, Adv. Comput. Math. 4 (1995) 389; geometry";
 
@@ -26,13 +24,12 @@ double area(const std::vector<Point>& line) {
 }
 
 TEST_CASE("the outline of particles encloses their water", "[geometry]") {
-  Check check(
-      "gauss_particles_contour", "Free particles: their outline",
-      "A disc of radius 1 with a hole of radius 0.4: two lines, the outer one against the clock and the inner one "
-      "with it, whose areas tend to the exact ones with the square of the spacing, for a kernel that is "
-      "symmetrical about a curved edge.");
-  std::vector<double> spacing;
-  std::vector<double> outer;
+  Check check("gauss_particles_contour", "Free particles: their outline",
+              "A disc of radius 1 with a hole of radius 0.4: two lines, the outer one against the clock and the inner "
+              "one with it, whose areas tend to the exact ones with the square of the spacing, for a kernel that is "
+              "symmetrical about a curved edge.",
+              source);
+  std::vector<double> spacing, outer;
   bool two = true;
   for (const std::size_t rings : {10, 20, 40, 80}) {
     Particles particles = disc(1, rings);
@@ -45,17 +42,11 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
     spacing.push_back(width);
     outer.push_back(std::abs(area(lines[0]) - std::numbers::pi));
   }
-  check.that({.id = "lines",
-              .text = "There are two lines, each the right way round.",
-              .quantity = "so at all spacings",
-              .source = source},
+  check.that("lines", "There are two lines, each the right way round.", "so at all spacings",
              {.value = two ? 1.0 : 0.0, .resolution = "10 to 80 rings"},
              Qualitative{"two lines, areas of opposite sign", "a ring has an outer and an inner edge"});
   check.that(
-      {.id = "order",
-       .text = "The outer area errs by the square of the spacing.",
-       .quantity = "order of the area's error",
-       .source = source},
+      "order", "The outer area errs by the square of the spacing.", "order of the area's error",
       observed_order(spacing, outer),
       Order{2, 0.4,
             "the kernel moves the line by its second moment times the curvature; the grid of half a spacing adds as "
@@ -66,10 +57,7 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   Check check("gauss_particles_disc", "Free particles: a disc",
               "Rings of particles on a disc of radius 2 and density 3: mass and second moments are those of the disc.");
   const Particles particles = disc(2, 20, 16, 3);
-  double mass = 0;
-  double along = 0;
-  double up = 0;
-  double mixed = 0;
+  double mass = 0, along = 0, up = 0, mixed = 0;
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const double m = particles.mass[k];
     mass += m;
@@ -88,4 +76,4 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   claim("moment-xy", "mixed second moment", mixed, 0);
 }
 
-}  // namespace gauss_particles_contour_test
+}  // namespace seiche::verification::gauss_particles_contour_test

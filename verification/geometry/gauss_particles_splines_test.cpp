@@ -11,11 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gauss_particles_splines_test {
+namespace seiche::verification::gauss_particles_splines_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace gauss_particles;
 
 /// Coefficients of place^power, counted in cells from `middle`, by Marsden's identity; functions are taken 2^p p!
 /// times.
@@ -29,8 +27,7 @@ double marsden(const SplineAxis& axis, long function, int power, double middle) 
           (axis.knot(function + k) - middle) * symmetric[static_cast<std::size_t>(a) - 1];
     }
   }
-  double binomial = 1;
-  double factor = 1;
+  double binomial = 1, factor = 1;
   for (int k = 1; k <= power; ++k) binomial *= static_cast<double>(p - k + 1) / k;
   for (int k = 1; k <= p; ++k) factor *= 2.0 * k;
   return symmetric[static_cast<std::size_t>(power)] / (binomial * factor);
@@ -43,8 +40,7 @@ struct Defects {
 Defects defects(int degree, Ends ends) {
   constexpr long cells = 14;
   const SplineAxis axis(degree, 0, 1, cells, ends);
-  Worst reproduced;
-  Worst continued;
+  Worst reproduced, continued;
   const auto order = static_cast<std::size_t>(degree) + 1;
   for (int power = 0; power <= degree; ++power) {
     for (long c = 0; c < cells; ++c) {
@@ -70,8 +66,7 @@ Defects defects(int degree, Ends ends) {
           if (away > 7) continue;
           const auto middle = static_cast<double>(i0);
           axis.extend(i, i0, weights);
-          double sum = 0;
-          double size = 1;
+          double sum = 0, size = 1;
           for (std::size_t a = 0; a < side; ++a) {
             const double term = weights[a] * marsden(axis, i0 + static_cast<long>(a), power, middle);
             sum += term;
@@ -86,11 +81,10 @@ Defects defects(int degree, Ends ends) {
 }
 
 TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]") {
-  Check check(
-      "gauss_particles_splines", "Splines of free particles: polynomials",
-      "Sums of B-splines with Marsden's coefficients are the powers of the place, in every cell of axes with free "
-      "ends, with walls, and without ends. The coefficient of a function up to seven cells away follows from those "
-      "of degree + 1 neighbours, or of three for polynomials of degree 2.");
+  Check check("gauss_particles_splines", "Splines of free particles: polynomials",
+              "Sums of B-splines with Marsden's coefficients are the powers of the place, in every cell of axes with "
+              "free ends, with walls, and without ends. The coefficient of a function up to seven cells away follows "
+              "from those of degree + 1 neighbours, or of three for polynomials of degree 2.");
   const std::vector<std::pair<Ends, std::string>> all{
       {Ends::free, "free"}, {Ends::wall_below, "wall_below"}, {Ends::walls, "walls"}, {Ends::periodic, "periodic"}};
   for (int degree = lowest_degree; degree <= highest_degree; ++degree) {
@@ -111,4 +105,4 @@ TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]
   }
 }
 
-}  // namespace gauss_particles_splines_test
+}  // namespace seiche::verification::gauss_particles_splines_test

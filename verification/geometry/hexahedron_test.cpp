@@ -13,12 +13,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace hexahedron_test {
+namespace seiche::verification::hexahedron_test {
 
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
+using namespace lagrangian_mesh_3d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.1";
 
@@ -81,10 +78,9 @@ double largest_of(std::span<const double> values) {
 TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces",
           "[geometry]") {
   Check check("hexahedron_volume", "Volume of a hexahedron",
-              "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.");
+              "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.", source);
   std::minstd_rand random(1);
-  Worst cuts;
-  Worst quadrature;
+  Worst cuts, quadrature;
   for (int n = 0; n < 1000; ++n) {
     const CellCorners cell = random_cell(random);
     const double volume = hexahedron_volume(cell);
@@ -92,26 +88,19 @@ TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean 
     quadrature.add(volume - volume_by_quadrature(cell));
   }
   const Roundoff rounding{.operations = 200, .scale = 1, .reason = "some 200 products and sums of numbers up to 1"};
-  check.that({.id = "cuts",
-              .text = "The volume of a hexahedron is the mean over the two ways to cut its faces.",
-              .quantity = "largest difference of volumes",
-              .source = source},
-             {.value = cuts.value()}, rounding);
-  check.that({.id = "trilinear",
-              .text = "The volume of a hexahedron equals that under the trilinear map.",
-              .quantity = "largest difference of volumes",
-              .source = source},
-             {.value = quadrature.value()}, rounding);
+  check.that("cuts", "The volume of a hexahedron is the mean over the two ways to cut its faces.",
+             "largest difference of volumes", {cuts.value()}, rounding);
+  check.that("trilinear", "The volume of a hexahedron equals that under the trilinear map.",
+             "largest difference of volumes", {quadrature.value()}, rounding);
 }
 
 TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[geometry]") {
-  Check check(
-      "hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
-      "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes and "
-      "the power of gravity against central differences of volumes and potential energy. $J$ is the derivative, "
-      "and $A$ is $J W J^T$.");
-  check.source(source);
-  using seiche::plan_lattice::FreeSide;
+  Check check("hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
+              "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes "
+              "and the power of gravity against central differences of volumes and potential energy. $J$ is the "
+              "derivative, and $A$ is $J W J^T$.",
+              source);
+  using plan_lattice::FreeSide;
   Mesh mesh = layer_mesh({.begin = 0,
                           .end = 6,
                           .south = 0,
@@ -125,7 +114,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   Model model(jittered(std::move(mesh), 0.05, 1));
   std::minstd_rand random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  const seiche::mechanics::State state = model.state([&](Place) {
+  const mechanics::State state = model.state([&](Place) {
     return Vector{uniform(random), uniform(random), uniform(random)};
   });
   model.linearise({0, 0}, state.q);
@@ -151,10 +140,8 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
     }
     differences[s] = (volumes[s] - differences[s]) / (2 * h) - h * h * hexahedron_volume(moving) - rates[s];
   }
-  check.that({.id = "volumes",
-              .text = "Rates of the volumes are their derivatives.",
-              .quantity = "largest difference of rates"},
-             {.value = largest_of(differences)},
+  check.that("volumes", "Rates of the volumes are their derivatives.", "largest difference of rates",
+             {largest_of(differences)},
              Roundoff{100, 0.5 / h, "volumes up to 0.5 rounded in some 100 operations, over the displacement"});
   std::vector<double> kick(state.u.size(), 0.0);
   model.kick(1, kick);
@@ -168,25 +155,21 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   // Richardson's extrapolation is exact for a quartic.
   const double extrapolated = (4 * difference(h) - difference(2 * h)) / 3;
   check.that(
-      {.id = "potential",
-       .text = "The power of gravity is minus the rate of the potential energy.",
-       .quantity = "difference of powers"},
-      {.value = power + extrapolated},
+      "potential", "The power of gravity is minus the rate of the potential energy.", "difference of powers",
+      {power + extrapolated},
       Roundoff{120, model.potential_energy(state.q) / h, "energies of 120 patches rounded, over the displacement"});
   std::vector<double> mu(cells);
   for (double& value : mu) value = uniform(random);
   std::vector<double> reaction(state.u.size(), 0.0);
   model.react(mu, reaction);
   model.constraint_rates(reaction, rates);
-  seiche::linear::LatticeArray x = model.matrix().own;
-  seiche::linear::LatticeArray product = x;
+  linear::LatticeArray x = model.matrix().own;
+  linear::LatticeArray product = x;
   std::copy(mu.begin(), mu.end(), x.data());
   model.matrix().multiply_and_dot(x, product);
   for (std::size_t s = 0; s < cells; ++s) differences[s] = product.data()[s] - rates[s];
-  check.that({.id = "matrix",
-              .text = "The assembled matrix is J W J^T, at a wall with a bend too.",
-              .quantity = "largest difference of A mu"},
-             {.value = largest_of(differences)},
+  check.that("matrix", "The assembled matrix is J W J^T, at a wall with a bend too.", "largest difference of A mu",
+             {largest_of(differences)},
              Roundoff{27 * 24, largest_of(rates),
                       "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
 }
@@ -194,16 +177,17 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
 TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[geometry]") {
   Check check("hexahedral_lattice_symbol", "Symbol of the undeformed hexahedral lattice",
               "7 x 5 x 3 boxes of 0.4 x 0.6 between walls, on a level bottom, density 1.3. Cosines between the walls "
-              "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.");
+              "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.",
+              source);
   const Model reference(
       layer_mesh({.begin = 0, .end = 2.8, .south = 0, .north = 3, .depth = 1.5, .columns = 7, .rows = 5, .layers = 3}),
       {.density = 1.3});
   Model model = Model(reference.mesh(), reference.settings());
-  const seiche::mechanics::State state = model.state();
+  const mechanics::State state = model.state();
   model.linearise({0, 0}, state.q);
-  const seiche::linear::HexahedralLattice symbol(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
-  seiche::linear::LatticeArray x = model.matrix().own;
-  seiche::linear::LatticeArray product = x;
+  const linear::HexahedralLattice symbol(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
+  linear::LatticeArray x = model.matrix().own;
+  linear::LatticeArray product = x;
   Worst worst;
   Largest scale;
   for (std::size_t m = 0; m < 7; ++m) {
@@ -230,11 +214,8 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
       }
     }
   }
-  check.that({.id = "symbol",
-              .text = "A times a cosine is the symbol times the cosine.",
-              .quantity = "largest difference of A x",
-              .source = source},
-             {.value = worst.value()}, Roundoff{27 * 24, scale.value(), "27 coefficients of 24 products each"});
+  check.that("symbol", "A times a cosine is the symbol times the cosine.", "largest difference of A x", {worst.value()},
+             Roundoff{27 * 24, scale.value(), "27 coefficients of 24 products each"});
 }
 
-}  // namespace hexahedron_test
+}  // namespace seiche::verification::hexahedron_test

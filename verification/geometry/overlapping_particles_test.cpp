@@ -11,11 +11,9 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace overlapping_particles_test {
+namespace seiche::verification::overlapping_particles_test {
 
-using namespace seiche;
-using namespace seiche::overlapping_particles;
-using namespace seiche::verification;
+using namespace overlapping_particles;
 using std::numbers::pi;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.1";
@@ -89,7 +87,8 @@ std::vector<Variant> variants() {
 TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of their lens", "[geometry]") {
   Check check("overlapping_kernel", "Overlaps of particles and control volumes",
               "Wendland's function of support 0.7, integrated over the plane; the lens of two discs of radius 0.35, "
-              "counted on a fine lattice. The slopes beside central differences.");
+              "counted on a fine lattice. The slopes beside central differences.",
+              source);
   constexpr double support = 0.7;
   const Kernel smoothed(Shape::smoothed, support);
   const Kernel ball(Shape::ball, support);
@@ -99,10 +98,8 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
     const double d = (i + 0.5) * support / n;
     integral += 2 * pi * d * smoothed.value(d) * support / n;
   }
-  check.that(
-      {.id = "integral", .text = "The integral of the smoothed kernel is 1.", .quantity = "error", .source = source},
-      {.value = integral - 1},
-      Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
+  check.that("integral", "The integral of the smoothed kernel is 1.", "error", {integral - 1},
+             Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
   Worst lens;
   constexpr int lattice = 1400;
   for (const double d : {0.1, 0.35, 0.6}) {
@@ -117,9 +114,8 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
     const double share = static_cast<double>(inside) * support * support / lattice / lattice;
     lens.add(share / (pi * support * support / 4) - ball.value(d));
   }
-  check.that(
-      {.id = "lens", .text = "Balls: the lens over the area of one.", .quantity = "largest error", .source = source},
-      {.value = lens.value()}, Bound{4.0 / lattice, "cells that the rim cuts: its length times a cell, over the area"});
+  check.that("lens", "Balls: the lens over the area of one.", "largest error", {lens.value()},
+             Bound{4.0 / lattice, "cells that the rim cuts: its length times a cell, over the area"});
   for (const auto& [kernel, id] : {std::pair{smoothed, std::string("smoothed")}, {ball, std::string("ball")}}) {
     Worst slope;
     for (const double d : {0.05, 0.2, 0.45, 0.65}) {
@@ -133,11 +129,10 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
 }
 
 TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]") {
-  Check check(
-      "overlapping_neighbours", "Neighbours on the cell grid",
-      "Particles in an oblique corner, moved at random twenty times by up to a tenth of the spacing. For each and "
-      "for its images, the control volumes within reach by the grid and by trying all pairs; once more with a "
-      "particle so far away that the grid's cells are wider. Lists are kept while they hold all pairs.");
+  Check check("overlapping_neighbours", "Neighbours on the cell grid",
+              "Particles in an oblique corner, moved at random twenty times by up to a tenth of the spacing. For each "
+              "and for its images, the control volumes within reach by the grid and by trying all pairs; once more "
+              "with a particle so far away that the grid's cells are wider. Lists are kept while they hold all pairs.");
   const Turned setting(0.4);
   const double reach = 2.6 * spacing;
   const Walls walls(setting.walls, reach);
@@ -148,9 +143,7 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
     p.y[7] += 0.9 * away;
     Neighbourhoods near(reach);
     Noise noise(11);
-    double missing = 0;
-    double beyond = 0;
-    double made = 0;
+    double missing = 0, beyond = 0, made = 0;
     for (int round = 0; round < rounds; ++round) {
       const bool anew = near.update(p.x, p.y, walls);
       made += anew ? 1 : 0;
@@ -253,37 +246,31 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
   Check check("overlapping_rigid", "Rigid motions of overlapping particles",
               "Rates of the masses when all particles move alike: along x, along y, about the origin; beside a wall, "
               "along it. Therefore momenta are kept.");
-  const auto rigid = [&](const std::string& id, const std::string& text, Model& model, const VelocityAt& velocity) {
+  const auto rigid = [&](const std::string& text, Model& model, const VelocityAt& velocity) {
     const mechanics::State state = model.state(velocity);
     model.linearise({}, state.q);
     std::vector<double> rates(model.size());
     model.constraint_rates(state.u, rates);
     std::vector<double> random(model.size());
     model.constraint_rates(noisy(2 * model.size(), 5), random);
-    check.holds(id + ": " + text, {worst(rates) / worst(random)},
+    check.holds(text, {worst(rates) / worst(random)},
                 Roundoff{20, 10,
-                         "twenty terms of either sign for speeds up to 1, each of "
-                         "differences of places that are ten times as large"});
+                         "twenty terms of either sign for speeds up to 1, each of differences of places that are ten "
+                         "times as large"});
   };
   for (const Shape shape : {Shape::smoothed, Shape::ball}) {
-    const std::string name = shape == Shape::ball ? "ball" : "smoothed";
     Model model(jittered_square(), {.shape = shape, .support = shape == Shape::ball ? 1.6 : 2.6});
-    rigid(name + "-x", "Translation along x leaves the masses of all volumes unchanged.", model, [](Point) {
-      return Point{1, 0};
+    rigid("Translation along x leaves the masses of all volumes unchanged.", model, [](Point) { return Point{1, 0}; });
+    rigid("Translation along y leaves the masses of all volumes unchanged.", model, [](Point) { return Point{0, 1}; });
+    rigid("Rotation about the origin leaves the masses of all volumes unchanged.", model, [](Point r) {
+      return Point{-r.y, r.x};
     });
-    rigid(name + "-y", "Translation along y leaves the masses of all volumes unchanged.", model, [](Point) {
-      return Point{0, 1};
-    });
-    rigid(name + "-rotation", "Rotation about the origin leaves the masses of all volumes unchanged.", model,
-          [](Point r) {
-            return Point{-r.y, r.x};
-          });
   }
   const Turned oblique(0.4);
   Model beside(oblique.particles, {.walls = {oblique.walls[0]}});
-  rigid("along-wall", "Translation along a wall leaves the masses of all volumes unchanged.", beside, [&](Point) {
+  rigid("Translation along a wall leaves the masses of all volumes unchanged.", beside, [&](Point) {
     return Point{-std::sin(0.4), std::cos(0.4)};
   });
 }
 
-}  // namespace overlapping_particles_test
+}  // namespace seiche::verification::overlapping_particles_test

@@ -1,7 +1,6 @@
 // The bottom through elevations on a grid: order, exactness, and lakes at rest over it.
 #include "seiche/geometry/plan_bottom.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,12 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace spline_bottom_test {
-
-using namespace seiche::verification;
-using seiche::OutsidePlanBottom;
-using seiche::SplineBottom;
-using seiche::Worst;
+namespace seiche::verification::spline_bottom_test {
 
 const std::string source = "de Boor, J. Math. and Phys. 41 (1962) 212";
 
@@ -40,13 +34,12 @@ void over_places(const Work& work) {
 TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[geometry]") {
   Check check("spline_bottom", "Bottom through elevations on a grid",
               "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
-              "Values converge with order 4, slopes with order 3.");
-  check.source(source);
+              "Values converge with order 4, slopes with order 3.",
+              source);
   std::vector<double> spacings, values, slopes;
   for (const double spacing : {0.25, 0.125, 0.0625, 0.03125}) {
     const SplineBottom bottom = hill_bottom(spacing);
-    Worst value;
-    Worst slope;
+    Worst value, slope;
     for (double x = -1 + spacing / 2; x < 11; x += spacing) {
       for (double y = -1 + spacing / 2; y < 11; y += spacing) {
         value.add(bottom.slope(x, y).elevation - hill(x, y));
@@ -60,13 +53,9 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
     values.push_back(value.value());
     slopes.push_back(slope.value());
   }
-  check.that({.id = "order",
-              .text = "Elevations of the spline bottom are of order 4.",
-              .quantity = "order of the largest error"},
+  check.that("order", "Elevations of the spline bottom are of order 4.", "order of the largest error",
              observed_order(spacings, values), Order{4, 0.3, "three halvings from seven cells per width of the hill"});
-  check.that({.id = "slope-order",
-              .text = "Slopes of the spline bottom are of order 3.",
-              .quantity = "order of the largest error"},
+  check.that("slope-order", "Slopes of the spline bottom are of order 3.", "order of the largest error",
              observed_order(spacings, slopes), Order{3, 0.3, "three halvings from seven cells per width of the hill"});
 
   const auto cubic = [](double x, double y) {
@@ -85,12 +74,11 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
       worst.add(polynomial.slope(x, y).elevation - cubic(x, y));
     }
   }
-  check.that({.id = "cubic", .text = "Cubic polynomials on uneven grids are exact.", .quantity = "largest error"},
-             {.value = worst.value()}, Roundoff{200, 4, "two solves of five slopes, elevations up to 4"});
+  check.that("cubic", "Cubic polynomials on uneven grids are exact.", "largest error", {worst.value()},
+             Roundoff{200, 4, "two solves of five slopes, elevations up to 4"});
 
   const SplineBottom bottom = hill_bottom(0.5);
-  Worst rate;
-  Worst across;
+  Worst rate, across;
   constexpr double h = 1e-3;
   over_places([&](double x, double y) {
     // Five-point differences do not see cubics' rounding errors larger than 1e-13/h; kinks of third derivatives are
@@ -105,21 +93,19 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
   });
   const Bound differences{1e-11,
                           "values up to 12 rounded to 2e-15, divided by h = 1e-3; the formula is exact for quartics"};
-  check.that({.id = "integral", .text = "The integral's rate along x is the bottom.", .quantity = "largest difference"},
-             {.value = rate.value()}, differences);
-  check.that({.id = "integral-across",
-              .text = "The integral's rate along y equals its stated derivative.",
-              .quantity = "largest difference"},
-             {.value = across.value()}, differences);
+  check.that("integral", "The integral's rate along x is the bottom.", "largest difference", {rate.value()},
+             differences);
+  check.that("integral-across", "The integral's rate along y equals its stated derivative.", "largest difference",
+             {across.value()}, differences);
 }
 
 TEST_CASE("over a spline bottom still water stays still and energy is conserved", "[conservation]") {
-  using namespace seiche::dispersive_shallow_water_2d;
-  Check check(
-      "spline_bottom_flow", "Waves over a bottom through elevations on a grid",
-      "A hill under water in a box of 10 x 10 depths, elevations every 0.5. Inner edges cancel between cells, so "
-      "that still water feels a force only along the walls across x, from the error of the edges' integral "
-      "there; a bottom that is level at those walls has none.");
+  using namespace dispersive_shallow_water_2d;
+  Check check("spline_bottom_flow", "Waves over a bottom through elevations on a grid",
+              "A hill under water in a box of 10 x 10 depths, elevations every 0.5. Inner edges cancel between cells, "
+              "so that still water feels a force only along the walls across x, from the error of the edges' integral "
+              "there; a bottom that is level at those walls has none.",
+              source);
   const auto bottom = std::make_shared<SplineBottom>(SplineBottom::sampled(
       {.begin = -1, .end = 11, .south = -1, .north = 11, .spacing = 0.5},
       [](double x, double y) { return -1 + 0.4 * std::exp(-(x - 5) * (x - 5) - 0.5 * (y - 5) * (y - 5)); }));
@@ -128,10 +114,7 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
   for (int n = 0; n < 200; ++n) lake.advance(0.1);
   Worst fastest;
   for (const double u : lake.state().u) fastest.add(u);
-  check.that({.id = "lake",
-              .text = "A lake over the spline bottom stays at rest.",
-              .quantity = "largest velocity",
-              .source = source},
+  check.that("lake", "A lake over the spline bottom stays at rest.", "largest velocity",
              {.value = fastest.value(), .resolution = "20 x 20 cells, 200 steps"},
              Bound{0, "z = 0 everywhere: potential energy has no gradient there"});
   basin.elevation = [](double x, double y) { return 0.1 * std::exp(-(x - 3) * (x - 3) - (y - 4) * (y - 4)); };
@@ -142,10 +125,7 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
     flow.advance(0.1);
     defect.add(flow.energy() / energy - 1);
   }
-  check.that({.id = "energy",
-              .text = "The conservative scheme keeps the energy of a wave.",
-              .quantity = "largest relative defect",
-              .source = source},
+  check.that("energy", "The conservative scheme keeps the energy of a wave.", "largest relative defect",
              {.value = defect.value(), .resolution = "20 x 20 cells, 50 steps"},
              Roundoff{50.0 * 400, 1, "one rounded work per cell and step"});
 }
@@ -170,12 +150,10 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
   Check check("plan_bottom_increment", "Increments of the bottom's integral",
               "Between two places the bottom's integral along x grows by the integral of its gradient along the way "
               "between them. Over long ways, across many cells of the grid, that is the difference of the two values; "
-              "over short ones it is known far better than that difference.");
-  check.source(source);
+              "over short ones it is known far better than that difference.",
+              source);
   const SplineBottom bottom = hill_bottom(0.5);
-  Worst far;
-  Worst halves;
-  Worst near;
+  Worst far, halves, near;
   over_places([&](double x, double y) {
     const double to_x = 10 - 0.8 * x;
     const double to_y = 10 - 0.9 * y;
@@ -190,23 +168,17 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
     const auto at = bottom.integral(x, y);
     near.add((bottom.increment(x, y, 1e-6 * dx, 1e-6 * dy) - 1e-6 * (at.elevation * dx + at.along_y * dy)) / 5e-10);
   });
-  check.that({.id = "far",
-              .text = "Over a long way the integral grows by the difference of its values.",
-              .quantity = "largest difference"},
-             {.value = far.value()},
+  check.that("far", "Over a long way the integral grows by the difference of its values.", "largest difference",
+             {far.value()},
              Roundoff{48 * 12, 12, "up to 48 pieces of the way, each a sum of some 12 terms; values up to 12"});
-  check.that({.id = "halves",
-              .text = "Over a short way it grows by what it grows over both halves.",
-              .quantity = "largest difference over the length of the way"},
-             {.value = halves.value()},
+  check.that("halves", "Over a short way it grows by what it grows over both halves.",
+             "largest difference over the length of the way", {halves.value()},
              Roundoff{16, 12, "gradients of up to 12, at places rounded to a unit in the last place of 11"});
-  check.that({.id = "near",
-              .text = "Over a way of half a thousand-millionth it grows by gradient times way.",
-              .quantity = "largest difference over the length of the way"},
-             {.value = near.value()},
+  check.that("near", "Over a way of half a thousand-millionth it grows by gradient times way.",
+             "largest difference over the length of the way", {near.value()},
              Bound{1e-9,
-                   "half the way times second derivatives below 4; a difference of two values would have "
-                   "their round-off over the way, 4e-6"});
+                   "half the way times second derivatives below 4; a difference of two values would have their "
+                   "round-off over the way, 4e-6"});
 }
 
-}  // namespace spline_bottom_test
+}  // namespace seiche::verification::spline_bottom_test

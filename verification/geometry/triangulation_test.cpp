@@ -8,10 +8,8 @@
 #include "verification/check.hpp"
 #include "verification/geometry/moving_mesh.hpp"
 
-namespace triangulation_test {
+namespace seiche::verification::triangulation_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using boost::multiprecision::cpp_rational;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.2";
@@ -48,12 +46,11 @@ cpp_rational rational_in_circle(Point a, Point b, Point c, Point d) {
 TEST_CASE("signs of orientation and in-circle are exact where rounding would decide", "[geometry]") {
   Check check("predicates", "Signs of orientation and in-circle",
               "Points on a line and on a circle, moved by a few units in the last place, far from the origin: what "
-              "plain arithmetic gives is noise. The signs are compared with rational arithmetic.");
+              "plain arithmetic gives is noise. The signs are compared with rational arithmetic.",
+              "Shewchuk (1997)");
   Noise noise(1);
   const auto nudged = [&](double value) { return value * (1 + 0x1p-52 * std::round(2 * noise())); };
-  long lines = 0;
-  long circles = 0;
-  long plain = 0;
+  long lines = 0, circles = 0, plain = 0;
   constexpr int tries = 5000;
   for (int k = 0; k < tries; ++k) {
     const double s = noise();
@@ -71,27 +68,23 @@ TEST_CASE("signs of orientation and in-circle are exact where rounding would dec
     const Point o{nudged(100 + 24.0), nudged(100 - 7.0)};
     circles += sign(in_circle(p, q, r, o)) != sign(rational_in_circle(p, q, r, o));
   }
-  const auto none = [&](const std::string& id, const std::string& text, long wrong) {
-    check.holds(id + ": " + text, {static_cast<double>(wrong)},
+  const auto none = [&](const std::string& text, long wrong) {
+    check.holds(text, {static_cast<double>(wrong)},
                 Bound{0, "the arithmetic is exact where the error bound does not settle the sign"});
   };
-  none("orientation", "Every orientation has its right sign.", lines);
-  none("in-circle", "Every in-circle determinant has its right sign.", circles);
-  check.that({.id = "noise",
-              .text = "Plain arithmetic fails on these points: the test means something.",
-              .quantity = "orientations of the wrong sign, plain",
-              .source = "Shewchuk (1997)"},
-             {.value = plain > 0 ? 1.0 : 0.0},
+  none("Every orientation has its right sign.", lines);
+  none("Every in-circle determinant has its right sign.", circles);
+  check.that("noise", "Plain arithmetic fails on these points: the test means something.",
+             "orientations of the wrong sign, plain", {plain > 0 ? 1.0 : 0.0},
              Qualitative{"at least one wrong sign", "otherwise the points would not be close enough to a line"});
 }
 
 TEST_CASE("flips give the triangles of a full rebuild over random motions", "[geometry]") {
-  Check check(
-      "triangulation_flips", "Local flips against a full rebuild",
-      "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are compared "
-      "with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. In one run of 37 "
-      "nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have coordinates that are whole "
-      "multiples of $2^{-28}$: both methods see the same numbers.");
+  Check check("triangulation_flips", "Local flips against a full rebuild",
+              "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are "
+              "compared with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. "
+              "In one run of 37 nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have "
+              "coordinates that are whole multiples of $2^{-28}$: both methods see the same numbers.");
   const auto run = [&](const std::string& id, int columns, int rows, int motions, double part) {
     WanderingBox box(columns, rows, 7);
     MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());
@@ -120,7 +113,8 @@ TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
   Check check("triangulation_outline", "Flips within an outline that is not convex",
               "A layer of water with a steep wave for its surface, so that triangles of the nodes alone would bridge "
               "its trough. Nodes inside wander; the triangles are compared with those of the own rebuild from nothing, "
-              "by ears and insertion, and their area with that of the outline.");
+              "by ears and insertion, and their area with that of the outline.",
+              source);
   free_lagrangian::Mesh mesh = free_lagrangian::layer_mesh(
       {.end = 4, .columns = 24, .rows = 6, .elevation = [](double x) { return 0.4 * std::cos(3 * x); }});
   MovingTriangulation moving(triangulate_polygon(mesh.places(), mesh.outline), mesh.places());
@@ -146,17 +140,12 @@ TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
     }
     area.add(sum - enclosed_area(mesh.places(), mesh.outline), k);
   }
-  check.that({.id = "triangles",
-              .text = "Flips lead to the triangles of a rebuild.",
-              .quantity = "triangles in one set alone, all motions",
-              .source = source},
+  check.that("triangles", "Flips lead to the triangles of a rebuild.", "triangles in one set alone, all motions",
              {.value = static_cast<double>(different), .resolution = "300 motions of 175 nodes"},
              Bound{0, "the constrained Delaunay triangulation is unique"});
-  check.that({.id = "area",
-              .text = "The triangles fill the area of the outline.",
-              .quantity = "largest difference of areas",
-              .source = "identity"},
-             {.value = area.value()}, Roundoff{300, 4, "a sum of 300 triangles that ends at the area of 4"});
+  check.from("identity")
+      .that("area", "The triangles fill the area of the outline.", "largest difference of areas", {area.value()},
+            Roundoff{300, 4, "a sum of 300 triangles that ends at the area of 4"});
 }
 
-}  // namespace triangulation_test
+}  // namespace seiche::verification::triangulation_test

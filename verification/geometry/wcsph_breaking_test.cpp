@@ -1,5 +1,4 @@
 // Detectors of breaking on shapes whose overhang, jet and cavity are known, filled with particles.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,12 +9,10 @@
 #include "validation/instruments/particles/sph_free_surface.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_breaking_test {
+namespace seiche::verification::wcsph_breaking_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
+using namespace wcsph;
 using std::numbers::pi;
-using namespace seiche::verification;
 
 const Settings water{.sound_speed = 40};
 
@@ -83,14 +80,10 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   constexpr double spacing = 0.01;
   const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
   check.source(source);
-  Largest overhang_error;
-  Largest tip_error;
+  Largest overhang_error, tip_error;
   bool sides = true;
-  Largest missed;
-  Largest false_alarm;
-  std::vector<double> q_drawn;
-  std::vector<double> drawn;
-  std::vector<double> exact;
+  Largest missed, false_alarm;
+  std::vector<double> q_drawn, drawn, exact;
   for (const bool towards_right : {true, false}) {
     for (double q = 0; q < 3.01; q += 0.25) {
       const ShearedWave wave{q, towards_right};
@@ -114,29 +107,22 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   const std::string reason =
       "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
       "its middle";
-  check.that({.id = "overhang", .text = "The overhang agrees with the curve.", .quantity = "largest error over dx"},
-             {.value = overhang_error.value()}, Bound{1.5, reason});
-  check.that({.id = "tip",
-              .text = "The tip of the jet reaches as far forward as the curve's.",
-              .quantity = "largest error of its x over dx"},
-             {.value = tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
-  check.that({.id = "side", .text = "The direction in which it breaks is found.", .quantity = "directions right"},
-             {.value = sides ? 1.0 : 0.0},
+  check.that("overhang", "The overhang agrees with the curve.", "largest error over dx", {overhang_error.value()},
+             Bound{1.5, reason});
+  check.that("tip", "The tip of the jet reaches as far forward as the curve's.", "largest error of its x over dx",
+             {tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
+  check.that("side", "The direction in which it breaks is found.", "directions right", {sides ? 1.0 : 0.0},
              Qualitative{"overhang().towards_right", "the tip turns to the right, the hollow to the left"});
-  check.that(
-      {.id = "no-alarm", .text = "No wave that is single-valued is said to overturn.", .quantity = "false alarms"},
-      {.value = false_alarm.value()},
-      Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
-  check.that({.id = "missed",
-              .text = "Every wave that overhangs by two and a half spacings is found.",
-              .quantity = "largest overhang that was not, over dx"},
-             {.value = missed.value()}, Bound{2.5, "the threshold dx and the error of the overhang, 1.5 dx"});
+  check.that("no-alarm", "No wave that is single-valued is said to overturn.", "false alarms", {false_alarm.value()},
+             Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
+  check.that("missed", "Every wave that overhangs by two and a half spacings is found.",
+             "largest overhang that was not, over dx", {missed.value()},
+             Bound{2.5, "the threshold dx and the error of the overhang, 1.5 dx"});
   auto& figure = check.figure("sheared", "Overturning of a sheared cosine",
                               "Left: the contour of the particles at q = 3. Right: overhang against the curve's.");
   const std::vector<Contour> last = contours_of(ShearedWave{3}, spacing);
   auto& shape = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
-  std::vector<double> curve_x;
-  std::vector<double> curve_z;
+  std::vector<double> curve_x, curve_z;
   for (double phase = -4.6; phase <= 4.6; phase += 0.02) {
     const double x = (phase + 3 * std::cos(phase)) / ShearedWave::wavenumber;
     if (std::abs(x) > 0.5) continue;
@@ -179,36 +165,29 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
       CHECK(found.towards_right == towards_right);
     }
   }
-  check.that({.id = "landed", .text = "A tongue that has reached the level has shut off air.", .quantity = "missed"},
-             {.value = late}, Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
-  check.that({.id = "not-early",
-              .text = "A gap wider than the support of a kernel is not called closed.",
-              .quantity = "widest gap said to be closed, over dx"},
-             {.value = early.value()}, Bound{2.6, "below 2h = 2.6 dx the weights of both sides overlap"});
-  check.that({.id = "cavity", .text = "The air enclosed is half a disc.", .quantity = "relative error of the area"},
-             {.value = cavity.value()},
+  check.that("landed", "A tongue that has reached the level has shut off air.", "missed", {late},
+             Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
+  check.that("not-early", "A gap wider than the support of a kernel is not called closed.",
+             "widest gap said to be closed, over dx", {early.value()},
+             Bound{2.6, "below 2h = 2.6 dx the weights of both sides overlap"});
+  check.that("cavity", "The air enclosed is half a disc.", "relative error of the area", {cavity.value()},
              Bound{0.71 * spacing * (pi + 2) * Tongue::inner / half_disc,
                    "the contour's largest distance, 0.71 dx, all around"});
-  check.that({.id = "tip",
-              .text = "Before, the tip is as far forward as the tongue.",
-              .quantity = "largest error of its x over dx"},
-             {.value = tip.value()}, Bound{1.5, "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
+  check.that("tip", "Before, the tip is as far forward as the tongue.", "largest error of its x over dx", {tip.value()},
+             Bound{1.5, "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
 
   // Air in a corner, under water that leans against the wall on the right; and water that lies in such a corner.
   const Box box{-0.5, 0.5, -0.4, 0.6};
   const auto pocket = [](double x, double z) { return z < 0.4 && std::hypot(x - 0.5, z + 0.36) > 0.3; };
   const double quarter = pi / 4 * 0.3 * 0.3;
-  check.that({.id = "pocket",
-              .text = "Air in a corner of the box is enclosed by curve and walls.",
-              .quantity = "area",
-              .unit = "m^2",
-              .source = "a quarter of a disc"},
-             {.value = cavity_area(contours_of(pocket, box, spacing), hole)},
-             Bound{0.71 * spacing * pi / 2 * 0.3, "0.71 dx along the arc", quarter});
+  check.from("a quarter of a disc")
+      .that("pocket", "Air in a corner of the box is enclosed by curve and walls.", "area [m^2]",
+            {cavity_area(contours_of(pocket, box, spacing), hole)},
+            Bound{0.71 * spacing * pi / 2 * 0.3, "0.71 dx along the arc", quarter});
   const auto heap = [](double x, double z) { return std::hypot(x - 0.5, z + 0.36) < 0.3; };
   CHECK(cavity_area(contours_of(heap, box, spacing), hole) == 0);
   CHECK_FALSE(overturns({}, spacing));
   CHECK(main_surface({}) == nullptr);
 }
 
-}  // namespace wcsph_breaking_test
+}  // namespace seiche::verification::wcsph_breaking_test

@@ -9,11 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_flume_count_test {
+namespace seiche::verification::wcsph_flume_count_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 const std::string source = "particle counts published with two dam breaks and a plunging wave";
 constexpr long published = 35232;
@@ -55,14 +53,14 @@ long solutions(Lattice lattice, const Walls& walls) {
 }
 
 TEST_CASE("the published flume cannot be decoded from its number of particles", "[geometry]") {
-  Check check("wcsph_flume_count", "Particle count of the plunging wave",
-              "The counts of both dam breaks follow from their geometry, with walls of two staggered rows and a "
-              "particle for each of both walls at a common corner. A flume has a bottom, a far wall and a paddle. By "
-              "the same rules each of the three has an odd number of particles, $2n + 1$, and 26 layers of water an "
-              "even one: the sum is odd, 35232 is even. By other rules, a corner counted once or a paddle of three "
-              "rows, tens of thousands of flumes have that number. So the length of the published flume cannot be "
-              "told from its count.");
-  check.source(source);
+  Check check(
+      "wcsph_flume_count", "Particle count of the plunging wave",
+      "The counts of both dam breaks follow from their geometry, with walls of two staggered rows and a particle for "
+      "each of both walls at a common corner. A flume has a bottom, a far wall and a paddle. By the same rules each of "
+      "the three has an odd number of particles, $2n + 1$, and 26 layers of water an even one: the sum is odd, 35232 "
+      "is even. By other rules, a corner counted once or a paddle of three rows, tens of thousands of flumes have that "
+      "number. So the length of the published flume cannot be told from its count.",
+      source);
   Worst formula;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     for (const int paddle_rows : {2, 3}) {
@@ -86,37 +84,30 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
                                                   {.paddle_rows = paddle_rows, .corner_twice = false})));
     }
   }
-  check.that({.id = "formula",
-              .text = "Flumes of both lattices, with paddles of two rows and three, have the number of the formula.",
-              .quantity = "largest difference"},
-             {.value = formula.value()}, Bound{0, "a count"});
+  check.that("formula", "Flumes of both lattices, with paddles of two rows and three, have the number of the formula.",
+             "largest difference", {formula.value()}, Bound{0, "a count"});
   Count even;
   for (long steps = 1; steps <= highest_wall * layers; ++steps) {
     const std::array<Place, 2> ends{{{0, 0}, {static_cast<double>(steps), 0}}};
     even.add(static_cast<double>(wall(ends, 1).size()), [](double count) { return std::fmod(count, 2) == 0; });
   }
-  check.that({.id = "odd",
-              .text = "A straight wall of two rows has an odd number of particles.",
-              .quantity = "walls with an even one"},
-             {.value = even.value()}, Bound{0, "n + 1 and n"});
+  check.that("odd", "A straight wall of two rows has an odd number of particles.", "walls with an even one",
+             {even.value()}, Bound{0, "n + 1 and n"});
   const Walls as_dam_breaks{};
-  check.that({.id = "impossible",
-              .text = "By the rules of the dam breaks no flume has the published number.",
-              .quantity = "flumes with it, of both lattices"},
-             {.value = static_cast<double>(solutions(Lattice::square, as_dam_breaks) +
-                                           solutions(Lattice::body_centred, as_dam_breaks))},
+  check.that("impossible", "By the rules of the dam breaks no flume has the published number.",
+             "flumes with it, of both lattices",
+             {static_cast<double>(solutions(Lattice::square, as_dam_breaks) +
+                                  solutions(Lattice::body_centred, as_dam_breaks))},
              Bound{0, "three odd numbers and an even one make an odd one"});
   Smallest otherwise;
   for (const Walls& walls : std::vector<Walls>{{.paddle_rows = 3}, {.corner_twice = false}}) {
     otherwise.add(static_cast<double>(solutions(Lattice::body_centred, walls)));
   }
-  check.that({.id = "ambiguous",
-              .text = "By other rules it does not tell the flume.",
-              .quantity = "more than one flume has the number"},
-             {.value = otherwise.value() > 1 ? 1.0 : 0.0},
-             Qualitative{"body-centred flumes with 35232 particles, with a paddle of three rows, "
-                         "and with the corner counted once: more than one of each",
+  check.that("ambiguous", "By other rules it does not tell the flume.", "more than one flume has the number",
+             {otherwise.value() > 1 ? 1.0 : 0.0},
+             Qualitative{"body-centred flumes with 35232 particles, with a paddle of three rows, and with the corner "
+                         "counted once: more than one of each",
                          "three lengths and one number"});
 }
 
-}  // namespace wcsph_flume_count_test
+}  // namespace seiche::verification::wcsph_flume_count_test

@@ -1,5 +1,4 @@
 // The free surface as particles show it: elevations of known layers, contours of known shapes.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,12 +10,10 @@
 #include "validation/instruments/particles/sph_front.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_free_surface_test {
+namespace seiche::verification::wcsph_free_surface_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
+using namespace wcsph;
 using std::numbers::pi;
-using namespace seiche::verification;
 
 const std::string contouring = "Lorensen and Cline, Computer Graphics 21 (1987) 163, in the plane";
 const std::string fractions = "volume fraction 1/2 on the free surface: a property of symmetric kernels";
@@ -89,8 +86,8 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
   Check check("wcsph_elevation", "Elevation from the volume fraction",
               "A level layer on both lattices with both kernels, also beside walls, and a wave of small steepness on "
               "halving spacings. A level where half of the kernel's weight is water is where the water ends, to what "
-              "the lattice's sums differ from the integral; a curved surface is smoothed over h.");
-  check.source(fractions);
+              "the lattice's sums differ from the integral; a curved surface is smoothed over h.",
+              fractions);
   Largest level;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
@@ -99,24 +96,14 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
       level.add(elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
     }
   }
-  check.that({.id = "level", .text = "A level layer has its elevation.", .quantity = "largest error over dx"},
-             {.value = level.value()},
-             Bound{0.1,
-                   "particles stand for cells dx high: a tenth of that is what is read "
-                   "off them"});
+  check.that("level", "A level layer has its elevation.", "largest error over dx", {level.value()},
+             Bound{0.1, "particles stand for cells dx high: a tenth of that is what is read off them"});
   const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
-  check.that({.id = "walls",
-              .text = "Beside walls too: the weight behind them does not count.",
-              .quantity = "largest error over dx"},
-             {.value = elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })},
-             Bound{0.1, "as in the middle"});
+  check.that("walls", "Beside walls too: the weight behind them does not count.", "largest error over dx",
+             {elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })}, Bound{0.1, "as in the middle"});
 
   const auto wave = [](double x) { return 0.02 * std::cos(2 * pi * x); };
-  std::vector<double> spacings;
-  std::vector<double> errors;
-  std::vector<double> x_drawn;
-  std::vector<double> drawn;
-  std::vector<double> exact;
+  std::vector<double> spacings, errors, x_drawn, drawn, exact;
   for (const double spacing : {0.05, 0.025, 0.0125, 0.00625}) {
     const Scene layer = periodic_layer(
         {.period = 1, .depth = 0.5, .elevation = wave, .spacing = spacing, .fitting = Fitting::stretched}, water);
@@ -130,17 +117,12 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
       exact.push_back(wave(x));
     }
   }
-  check.that({.id = "wave-order",
-              .text = "The error of a wave falls with the square of the spacing.",
-              .quantity = "order of the largest error",
-              .source = "mean of z = eta(x) over a kernel of width h: "
-                        "eta + O(h^2 eta'')"},
-             observed_order(spacings, errors),
-             Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
-  check.that({.id = "wave",
-              .text = "A wave of amplitude 0.4 dx is seen to a tenth of the spacing.",
-              .quantity = "largest error over dx"},
-             {.value = errors[0] / spacings[0]}, Bound{0.1, "as for the level layer"});
+  check.from("mean of z = eta(x) over a kernel of width h: eta + O(h^2 eta'')")
+      .that("wave-order", "The error of a wave falls with the square of the spacing.", "order of the largest error",
+            observed_order(spacings, errors),
+            Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
+  check.that("wave", "A wave of amplitude 0.4 dx is seen to a tenth of the spacing.", "largest error over dx",
+             {errors[0] / spacings[0]}, Bound{0.1, "as for the level layer"});
   auto& panel =
       check.figure("wave", "A wave of 0.4 spacings", "Elevation where the volume fraction is 1/2, dx = 0.05 m.")
           .panel({.x = "x [m]", .y = "elevation [m]"});
@@ -158,8 +140,8 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
   Check check("wcsph_contours", "Free-surface contours",
               "Level curves of given fields, with linear interpolation along the edges of the grid; the contour of a "
               "disc of particles against its radius, area and centre, on 64 places of the disc on the lattice; "
-              "directions of curves around water and around air.");
-  check.source(contouring);
+              "directions of curves around water and around air.",
+              contouring);
   Convergence areas;
   for (const long n : {20L, 40L, 80L, 160L}) {
     Raster raster{.left = -1.5,
@@ -179,15 +161,10 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
     REQUIRE(curves.size() == 1);
     areas.add(raster.step, std::abs(curves[0].area() + pi / std::numbers::sqrt2));
   }
-  check.that({.id = "ellipse",
-              .text = "The area inside the level curve of a smooth field has second order.",
-              .quantity = "order of the area"},
+  check.that("ellipse", "The area inside the level curve of a smooth field has second order.", "order of the area",
              areas.order(), Order{2, 0.2, "linear interpolation, chords of arcs"});
 
-  std::vector<double> spacings;
-  std::vector<double> means;
-  std::vector<double> scatters;
-  std::vector<double> centres;
+  std::vector<double> spacings, means, scatters, centres;
   Largest farthest;
   for (const double spacing : {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}) {
     const DiscErrors errors = disc_errors(spacing);
@@ -199,23 +176,16 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
   }
   const std::string remainder =
       "Kendall, Q. J. Math. 19 (1948) 1: rms R^(1/2) of the number of lattice points in a disc";
-  check.that({.id = "disc-radius",
-              .text = "No point of a disc's contour is farther off than half a cell's diagonal.",
-              .quantity = "largest distance over dx",
-              .source = fractions},
-             {.value = farthest.value()},
-             Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
-  check.that({.id = "disc-area",
-              .text = "The disc's area, mean over its places on the lattice, has second order.",
-              .quantity = "order of the mean error",
-              .source = "curvature moves the level 1/2 by a part of h^2/R"},
-             observed_order(spacings, means),
-             Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
-  check.that({.id = "disc-centre",
-              .text = "The centre of the disc converges with order 1.5.",
-              .quantity = "order of the rms error",
-              .source = remainder},
-             observed_order(spacings, centres), Order{1.5, 0.5, "the first moment of the same remainder"});
+  check.from(fractions).that("disc-radius", "No point of a disc's contour is farther off than half a cell's diagonal.",
+                             "largest distance over dx", {farthest.value()},
+                             Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
+  check.from("curvature moves the level 1/2 by a part of h^2/R")
+      .that("disc-area", "The disc's area, mean over its places on the lattice, has second order.",
+            "order of the mean error", observed_order(spacings, means),
+            Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
+  check.from(remainder).that("disc-centre", "The centre of the disc converges with order 1.5.",
+                             "order of the rms error", observed_order(spacings, centres),
+                             Order{1.5, 0.5, "the first moment of the same remainder"});
   auto& panel = check.figure("disc", "A disc's contour", "Errors over 64 places of the disc on the lattice.")
                     .panel({.x = "dx/R", .y = "error", .log_x = true, .log_y = true});
   const auto guide = [&](const std::vector<double>& errors, double order) {
@@ -235,16 +205,10 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
             water);
   const std::vector<Contour> curves = free_surface(fraction_of(ring), {-1.2, 1.2, -1.2, 1.2}, 0.02);
   REQUIRE(curves.size() == 2);
-  check.that({.id = "ring-outside",
-              .text = "Around water curves run clockwise: the area is negative.",
-              .quantity = "area",
-              .unit = "m^2"},
-             {.value = curves[0].area()}, Bound{2 * pi * 0.02, "half a spacing all around", -pi});
-  check.that({.id = "ring-inside",
-              .text = "Around air they run counter-clockwise, and the air is counted.",
-              .quantity = "area",
-              .unit = "m^2"},
-             {.value = curves[1].air}, Bound{2 * pi * 0.4 * 0.02, "half a spacing all around", 0.16 * pi});
+  check.that("ring-outside", "Around water curves run clockwise: the area is negative.", "area [m^2]",
+             {curves[0].area()}, Bound{2 * pi * 0.02, "half a spacing all around", -pi});
+  check.that("ring-inside", "Around air they run counter-clockwise, and the air is counted.", "area [m^2]",
+             {curves[1].air}, Bound{2 * pi * 0.4 * 0.02, "half a spacing all around", 0.16 * pi});
   CHECK(curves[0].air == 0);
   CHECK(std::abs(curves[0].distance(0, 0) - 1) < 0.04);
 }
@@ -265,4 +229,4 @@ TEST_CASE("front and height of a column are those of its particles, not of spray
   CHECK(std::isnan(front_position(Particles{}, h)));
 }
 
-}  // namespace wcsph_free_surface_test
+}  // namespace seiche::verification::wcsph_free_surface_test

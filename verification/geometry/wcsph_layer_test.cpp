@@ -1,5 +1,4 @@
 // Layers with an uneven surface and round patches: masses, moments and fields of their particles.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,11 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_layer_test {
+namespace seiche::verification::wcsph_layer_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
 constexpr double depth = 0.1;
@@ -39,23 +36,18 @@ double mass_defect(Fitting fitting) {
 }
 
 TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
-  Check check("wcsph_layers_patches", "Layers with an uneven surface and round patches",
-              "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact. "
-              "A disc of 1 m: the count, the second moment that the "
-              "lattice gives it, velocities and pressures at the particles.");
-  check.that({.id = "columns",
-              .text = "Columns that keep the spacing hold the area below the surface.",
-              .quantity = "relative defect of the mass",
-              .source = lattices},
-             {.value = mass_defect(Fitting::columns)},
+  Check check(
+      "wcsph_layers_patches", "Layers with an uneven surface and round patches",
+      "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact. A disc of "
+      "1 m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
+      lattices);
+  check.that("columns", "Columns that keep the spacing hold the area below the surface.", "relative defect of the mass",
+             {mass_defect(Fitting::columns)},
              Roundoff{20, 1,
-                      "the mean of three depths; the sum is compensated, and the elevation's means "
-                      "over all strips cancel by symmetry"});
-  check.that({.id = "stretched",
-              .text = "Columns that stretch hold the area below the surface.",
-              .quantity = "relative defect of the mass",
-              .source = lattices},
-             {.value = mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
+                      "the mean of three depths; the sum is compensated, and the elevation's means over all strips "
+                      "cancel by symmetry"});
+  check.that("stretched", "Columns that stretch hold the area below the surface.", "relative defect of the mass",
+             {mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
   const Scene overturning = wavy_layer(Fitting::columns);
   Smallest lightest;
   Largest heaviest;
@@ -64,12 +56,10 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
     lightest.add(overturning.particles.mass[i] / 0.1);
     heaviest.add(overturning.particles.mass[i] / 0.1);
   }
-  check.that({.id = "masses",
-              .text = "Columns that keep the spacing stretch it little: masses are nearly equal.",
-              .quantity = "heaviest over lightest",
-              .source = "interface of the scene"},
-             {.value = heaviest.value() / lightest.value()},
-             Bound{0.2, "in the lowest column of 5.0 dx half a spacing is a tenth up or down", 1});
+  check.from("interface of the scene")
+      .that("masses", "Columns that keep the spacing stretch it little: masses are nearly equal.",
+            "heaviest over lightest", {heaviest.value() / lightest.value()},
+            Bound{0.2, "in the lowest column of 5.0 dx half a spacing is a tenth up or down", 1});
 
   const Scene disc = patch({.radius = 1,
                             .velocity =
@@ -89,25 +79,17 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
     wrong.add(std::abs(p.w[i] - p.z[i]));
     wrong.add(std::abs(fluid.pressure(p.density[i]) - 500 * (1 - p.x[i] * p.x[i] - p.z[i] * p.z[i])) / 500);
   }
-  check.that({.id = "disc",
-              .text = "A disc of 1 m at dx = 0.02 m has 7860 particles.",
-              .quantity = "particles",
-              .source = "lattice points of half-integers in a circle of radius 50"},
-             {.value = static_cast<double>(p.size())}, Bound{0, "a count", 7860});
-  check.that({.id = "semi-axis",
-              .text = "The semi-axis of the disc from second moments, 2 sqrt(mean z^2), is 0.038 % too large.",
-              .quantity = "relative error of the semi-axis",
-              .source = "regression: computed once by an earlier program for the same equations"},
-             {.value = 2 * std::sqrt(second / static_cast<double>(p.size())) - 1},
-             Bound{0.5e-5, "half of the last digit printed", 0.00038});
-  check.that({.id = "fields",
-              .text = "Velocity and pressure at the particles are the given ones.",
-              .quantity = "largest error, over 1 m/s and 500 Pa",
-              .source = "interface of the scene"},
-             {.value = wrong.value()},
-             Roundoff{10, 28000 / 500.0,
-                      "B = 28000 Pa times the rounding of "
-                      "a power"});
+  check.from("lattice points of half-integers in a circle of radius 50")
+      .that("disc", "A disc of 1 m at dx = 0.02 m has 7860 particles.", "particles", {static_cast<double>(p.size())},
+            Bound{0, "a count", 7860});
+  check.from("regression: computed once by an earlier program for the same equations")
+      .that("semi-axis", "The semi-axis of the disc from second moments, 2 sqrt(mean z^2), is 0.038 % too large.",
+            "relative error of the semi-axis", {2 * std::sqrt(second / static_cast<double>(p.size())) - 1},
+            Bound{0.5e-5, "half of the last digit printed", 0.00038});
+  check.from("interface of the scene")
+      .that("fields", "Velocity and pressure at the particles are the given ones.",
+            "largest error, over 1 m/s and 500 Pa", {wrong.value()},
+            Roundoff{10, 28000 / 500.0, "B = 28000 Pa times the rounding of a power"});
 }
 
-}  // namespace wcsph_layer_test
+}  // namespace seiche::verification::wcsph_layer_test

@@ -1,5 +1,4 @@
 // Paddles: velocities are the derivatives of places, and nothing is stretched.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,11 +8,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_paddle_test {
+namespace seiche::verification::wcsph_paddle_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double period = 0.308;
 constexpr double depth = 0.013;
@@ -35,8 +32,7 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
                                                             {"flap", flap(0.001, -0.002, depth, stroke, frequency)}};
   const std::vector<std::pair<double, double>> places{{-0.0005, 0.0005}, {-0.001, 0.012}, {0.001, 0.03}};
   for (const auto& [name, paddle] : paddles) {
-    std::vector<double> steps;
-    std::vector<double> errors;
+    std::vector<double> steps, errors;
     for (double step = period / 40; step > period / 700; step /= 2) {
       Worst error;
       for (double t = 0.013; t < period; t += 0.029) {
@@ -51,15 +47,13 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
       steps.push_back(step);
       errors.push_back(error.value());
     }
-    check.that({.id = name + "-velocity",
-                .text = "The velocity is the rate of the place: central differences approach it with their order.",
-                .quantity = "order of the difference"},
-               observed_order(steps, errors),
-               name == "piston"
-                   ? Order{2, 0.003,
-                           "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at the "
-                           "longest step, 1/40 of a period, 0.002 per halving"}
-                   : Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
+    check.that(name + "-velocity",
+               "The velocity is the rate of the place: central differences approach it with their order.",
+               "order of the difference", observed_order(steps, errors),
+               name == "piston" ? Order{2, 0.003,
+                                        "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at "
+                                        "the longest step, 1/40 of a period, 0.002 per halving"}
+                                : Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
   }
 
   const Paddle& leaning = paddles[1].second;
@@ -80,20 +74,14 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
     off.add(std::abs(face.x - 0.001 - wanted) / depth);
     off.add(std::abs(face.z + 0.002 - depth) / depth);
   }
-  check.that({.id = "rigid",
-              .text = "The flap turns without stretching its rows.",
-              .quantity = "relative change of distances"},
-             {.value = stretch.value()}, Roundoff{60, 1, "differences of places up to 0.03 m over 0.012 m"});
-  check.that({.id = "still-water-level",
-              .text = "Where the face crosses the still-water level it is at X_w = (S/2) sin(omega t).",
-              .quantity = "distance over the depth"},
-             {.value = off.value()},
-             Roundoff{30, 1.6,
-                      "atan, sin, cos and a product; up to 1.54 "
-                      "depths from the hinge"});
+  check.that("rigid", "The flap turns without stretching its rows.", "relative change of distances", {stretch.value()},
+             Roundoff{60, 1, "differences of places up to 0.03 m over 0.012 m"});
+  check.that("still-water-level", "Where the face crosses the still-water level it is at X_w = (S/2) sin(omega t).",
+             "distance over the depth", {off.value()},
+             Roundoff{30, 1.6, "atan, sin, cos and a product; up to 1.54 depths from the hinge"});
   const PointMotion start = at(leaning, 0, -0.0005, 0.0005);
   CHECK(start.x == -0.0005);
   CHECK(start.z == 0.0005);
 }
 
-}  // namespace wcsph_paddle_test
+}  // namespace seiche::verification::wcsph_paddle_test

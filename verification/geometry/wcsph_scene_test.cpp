@@ -1,9 +1,7 @@
 // The particles of the beginning: counts, places, masses and densities of every scene.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -13,11 +11,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_scene_test {
+namespace seiche::verification::wcsph_scene_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
 const std::string counts = "particle counts published with the two dam breaks, 11103 and 7983";
@@ -60,9 +56,8 @@ Flume flap_flume() {
           .spacing = 0.001};
 }
 
-void counted(Check& check, const std::string& id, const std::string& text, const Scene& scene, long expected) {
-  check.holds(id + ": " + text, {static_cast<double>(scene.particles.size())},
-              Bound{0, "a count", static_cast<double>(expected)});
+void counted(Check& check, const std::string& text, const Scene& scene, long expected) {
+  check.holds(text, {static_cast<double>(scene.particles.size())}, Bound{0, "a count", static_cast<double>(expected)});
 }
 
 double fluid_mass(const Particles& particles) {
@@ -75,8 +70,7 @@ double fluid_mass(const Particles& particles) {
 
 /// Smallest distance of fluid to fluid and of fluid to walls, in dx.
 struct Distances {
-  Smallest fluid;
-  Smallest wall;
+  Smallest fluid, wall;
 };
 Distances distances(const Scene& scene) {
   const Particles& p = scene.particles;
@@ -94,27 +88,23 @@ Distances distances(const Scene& scene) {
 }
 
 TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
-  Check check(
-      "wcsph_particle_counts", "Particle counts of the dam breaks",
-      "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two staggered "
-      "rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for each of "
-      "both walls at their common corners; the square lattice has one particle per cell.");
-  counted(check, "tall-published", "Case of the tall column, corners twice: 10000 + 1103.",
+  Check check("wcsph_particle_counts", "Particle counts of the dam breaks",
+              "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two "
+              "staggered rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for "
+              "each of both walls at their common corners; the square lattice has one particle per cell.");
+  counted(check, "Case of the tall column, corners twice: 10000 + 1103.",
           dam_break(tall_column(Lattice::body_centred, true), water(0.114)), 11103);
-  counted(check, "tall-once", "The same without duplicates: 10000 + 1101.",
+  counted(check, "The same without duplicates: 10000 + 1101.",
           dam_break(tall_column(Lattice::body_centred, false), water(0.114)), 11101);
-  counted(check, "tall-square", "The same on the square lattice: 5000 + 1101.",
+  counted(check, "The same on the square lattice: 5000 + 1101.",
           dam_break(tall_column(Lattice::square, false), water(0.114)), 6101);
-  counted(check, "square-published", "Case of the square column, corners twice: 7200 + 783.",
+  counted(check, "Case of the square column, corners twice: 7200 + 783.",
           dam_break(square_column(Lattice::body_centred, true), water(0.3)), 7983);
-  counted(check, "square-once", "The same on the square lattice, without duplicates: 3600 + 781.",
+  counted(check, "The same on the square lattice, without duplicates: 3600 + 781.",
           dam_break(square_column(Lattice::square, false), water(0.3)), 4381);
 
   const Scene scene = dam_break(tall_column(Lattice::square, false), water(0.114));
-  std::vector<double> fluid_x;
-  std::vector<double> fluid_z;
-  std::vector<double> wall_x;
-  std::vector<double> wall_z;
+  std::vector<double> fluid_x, fluid_z, wall_x, wall_z;
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     const bool fluid = scene.particles.kind[i] == Kind::fluid;
     (fluid ? fluid_x : wall_x).push_back(scene.particles.x[i]);
@@ -127,8 +117,7 @@ TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
     auto& panel = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
     const auto drawn = [&](const std::vector<double>& x, const std::vector<double>& z, const std::string& label,
                            evidence::Role role) {
-      std::vector<double> px;
-      std::vector<double> pz;
+      std::vector<double> px, pz;
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (corner && std::max(x[i], z[i]) > 10 * scene.spacing) continue;
         px.push_back(x[i]);
@@ -145,8 +134,8 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   Check check("wcsph_scenes", "Particles of the beginning",
               "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
               "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
-              "and half a spacing from its effective end, and the pressure of the density is that of water at rest.");
-  check.source(lattices);
+              "and half a spacing from its effective end, and the pressure of the density is that of water at rest.",
+              lattices);
   Worst mass_defect;
   Distances square;
   Distances centred;
@@ -183,48 +172,38 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
       }
     }
   }
-  check.that(
-      {.id = "mass", .text = "The fluid's mass is rho_0 times the area of the water.", .quantity = "relative defect"},
-      {.value = mass_defect.value()}, Roundoff{10, 1, "dx^2 of rounded lengths; the sum is compensated"});
+  check.that("mass", "The fluid's mass is rho_0 times the area of the water.", "relative defect", {mass_defect.value()},
+             Roundoff{10, 1, "dx^2 of rounded lengths; the sum is compensated"});
   const Roundoff water_places{
       .operations = 4,
       .scale = 60,
       .reason =
           "two coordinates of up to 60 dx, each a rounded product; the image in the periodic layer, and its period"};
-  const Roundoff wall_places{
-      .operations = 6,
-      .scale = 100,
-      .reason =
-          "a place on a wall is a product with a quotient, added to where the wall begins: numbers of up to 100 dx "
-          "along the bottom of the flume; otherwise as in the water"};
+  const Roundoff wall_places{.operations = 6,
+                             .scale = 100,
+                             .reason =
+                                 "a place on a wall is a product with a quotient, added to where the wall begins: "
+                                 "numbers of up to 100 dx along the bottom of the flume; otherwise as in the water"};
   const auto about = [](Roundoff limit, double expected) {
     limit.expected = expected;
     return limit;
   };
-  check.that({.id = "fluid-square", .text = "Square lattice: neighbours are dx apart.", .quantity = "distance/dx"},
-             {.value = square.fluid.value()}, about(water_places, 1));
-  check.that({.id = "fluid-centred",
-              .text = "Body-centred lattice: neighbours are dx/sqrt 2 apart.",
-              .quantity = "distance/dx"},
-             {.value = centred.fluid.value()}, about(water_places, 1 / std::numbers::sqrt2));
-  check.that({.id = "wall-square",
-              .text = "Square lattice: the first row of water is dx from the row of the wall.",
-              .quantity = "distance/dx"},
-             {.value = square.wall.value()}, about(wall_places, 1));
-  check.that(
-      {.id = "wall-centred",
-       .text = "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a "
-               "spacing in front of the wall, and a quarter beside its particles.",
-       .quantity = "distance/dx"},
-      {.value = centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
-  check.that({.id = "hydrostatic",
-              .text = "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
-              .quantity = "largest error over rho_0 g H",
-              .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
-             {.value = pressure_error.value()},
-             Roundoff{10, 200 / 7.0,
-                      "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
-                      "power, about 10 operations"});
+  check.that("fluid-square", "Square lattice: neighbours are dx apart.", "distance/dx", {square.fluid.value()},
+             about(water_places, 1));
+  check.that("fluid-centred", "Body-centred lattice: neighbours are dx/sqrt 2 apart.", "distance/dx",
+             {centred.fluid.value()}, about(water_places, 1 / std::numbers::sqrt2));
+  check.that("wall-square", "Square lattice: the first row of water is dx from the row of the wall.", "distance/dx",
+             {square.wall.value()}, about(wall_places, 1));
+  check.that("wall-centred",
+             "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a spacing "
+             "in front of the wall, and a quarter beside its particles.",
+             "distance/dx", {centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
+  check.from("Monaghan, J. Comput. Phys. 110 (1994) 399")
+      .that("hydrostatic", "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
+            "largest error over rho_0 g H", {pressure_error.value()},
+            Roundoff{10, 200 / 7.0,
+                     "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the power, about 10 "
+                     "operations"});
 
   const Scene with_flap = flume(flap_flume(), water(0.013));
   Smallest rearmost;
@@ -238,12 +217,10 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
                        .x);
     }
   }
-  check.that({.id = "sweep",
-              .text = "The bottom reaches as far back as the paddle does.",
-              .quantity = "rearmost place of the paddle behind the end of the bottom",
-              .unit = "m",
-              .source = "interface of the scene"},
-             {.value = std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
+  check.from("interface of the scene")
+      .that("sweep", "The bottom reaches as far back as the paddle does.",
+            "rearmost place of the paddle behind the end of the bottom [m]",
+            {std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
 
   DamBreak odd = tall_column(Lattice::square, false);
   CHECK(dam_break(odd, water(0.114)).warnings.empty());
@@ -255,4 +232,4 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   CHECK(rounded.particles.count(Kind::fluid) == 5000);
 }
 
-}  // namespace wcsph_scene_test
+}  // namespace seiche::verification::wcsph_scene_test

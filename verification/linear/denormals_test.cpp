@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/flush_denormals.hpp"
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/lattice_matrix.hpp"
@@ -15,10 +13,7 @@
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "verification/check.hpp"
 
-namespace denormals_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::denormals_test {
 
 constexpr double tiny = 1e-310;
 constexpr std::size_t rows = 16;
@@ -43,9 +38,9 @@ std::vector<double> copy(const linear::LatticeArray& values) {
 
 TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]") {
   Check check("denormals_of_threads", "Denormal numbers in two threads",
-              "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates "
-              "of cells of meshes whose nodes move by as much, shared by two threads that were made "
-              "where denormal numbers count. The calling thread flushes them to zero: so do both.");
+              "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates of cells of "
+              "meshes whose nodes move by as much, shared by two threads that were made where denormal numbers count. "
+              "The calling thread flushes them to zero: so do both.");
   const int usual = omp_get_max_threads();
   omp_set_num_threads(2);
   int made = 0;
@@ -105,4 +100,4 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
               Bound{0, "the same bytes from any number of threads"});
 }
 
-}  // namespace denormals_test
+}  // namespace seiche::verification::denormals_test

@@ -9,10 +9,8 @@
 #include "seiche/linear/sparse_cholesky.hpp"
 #include "verification/check.hpp"
 
-namespace factor_work_test {
+namespace seiche::verification::factor_work_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using linear::FactorWork;
 
 /// Of the pattern with `below` entries under every diagonal, eliminated as it stands.
@@ -43,10 +41,10 @@ double difference(FactorWork a, FactorWork b) {
 }
 
 TEST_CASE("factors tell what they cost", "[linear]") {
-  Check check("factor_work", "What a factor costs",
-              "Entries and operations of Cholesky factors, as the solvers tell them, beside sums over the "
-              "columns of bands and full matrices; of a lattice that is one dense block of eight cells, "
-              "and of one that is two on each other.");
+  Check check(
+      "factor_work", "What a factor costs",
+      "Entries and operations of Cholesky factors, as the solvers tell them, beside sums over the columns of bands and "
+      "full matrices; of a lattice that is one dense block of eight cells, and of one that is two on each other.");
   const auto same = [&](const std::string& id, FactorWork told, FactorWork counted) {
     check.holds(id + ": The solver tells the entries and operations of its factor.", {difference(told, counted)},
                 Bound{0, "whole numbers"});
@@ -60,4 +58,4 @@ TEST_CASE("factors tell what they cost", "[linear]") {
   same("two-blocks", linear::NinePointCholesky(8, 2).work(), {3 * 64, 4 * product});
 }
 
-}  // namespace factor_work_test
+}  // namespace seiche::verification::factor_work_test

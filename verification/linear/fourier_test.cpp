@@ -10,10 +10,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace fourier_test {
+namespace seiche::verification::fourier_test {
 
 using Complex = std::complex<double>;
-using seiche::linear::Fourier;
+using linear::Fourier;
 
 /// (1/N) sum_j f_j exp(-i k s_j), term by term.
 Complex coefficient(const std::vector<Complex>& samples, double k) {
@@ -26,7 +26,7 @@ Complex coefficient(const std::vector<Complex>& samples, double k) {
 }
 
 TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumbers", "[linear]") {
-  seiche::verification::Check check(
+  verification::Check check(
       "fourier", "Discrete Fourier transform",
       "Coefficients against their sums, samples against what they came from, in place too; the derivative by $i k c_k$ "
       "of a trigonometric polynomial with all wavenumbers below $N/2$; the sawtooth $k = N/2$ of even $N$ is named.");
@@ -38,7 +38,7 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
       samples[j] = {std::sin(1 + 2 * x) + 0.1 * x, std::cos(x * x)};
     }
     fourier.coefficients(samples, coefficients);
-    seiche::Worst sums, back, slopes;
+    Worst sums, back, slopes;
     for (std::size_t i = 0; i < n; ++i) {
       sums.add(std::abs(coefficients[i] - coefficient(samples, fourier.wavenumber(i))));
     }
@@ -65,20 +65,20 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
     for (std::size_t j = 0; j < n; ++j) slopes.add(std::abs(again[j] - slope[j]));
     const auto claim = [&](const std::string& id, const std::string& text, double value, double size) {
       check.holds(fmt::format("{}-{}", id, n) + ": " + text, {value},
-                  seiche::evidence::Roundoff{20.0 * static_cast<double>(n), size,
-                                             "a sum of N products of rounded angles up to 2 pi N"});
+                  evidence::Roundoff{20.0 * static_cast<double>(n), size,
+                                     "a sum of N products of rounded angles up to 2 pi N"});
     };
     claim("sums", "Coefficients of the fast transform equal their defining sums.", sums.value(), 3);
     claim("back", "Samples come back, in the same memory.", back.value(), 3);
     claim("slope", "Wavenumbers of the transform agree with the derivative.", slopes.value(), scale * scale);
   }
   Fourier even(8);
-  seiche::Count sawtooths;
+  Count sawtooths;
   for (std::size_t i = 0; i < 8; ++i)
     sawtooths.add(static_cast<double>(i), [&](double k) { return even.is_sawtooth(static_cast<std::size_t>(k)); });
   check.holds("Of eight coefficients one is a sawtooth, and its wavenumber is four.",
               {even.is_sawtooth(4) ? sawtooths.value() * even.wavenumber(4) : 0},
-              seiche::evidence::Bound{0, "small whole numbers", 4});
+              evidence::Bound{0, "small whole numbers", 4});
 }
 
-}  // namespace fourier_test
+}  // namespace seiche::verification::fourier_test

@@ -8,9 +8,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace gmres_test {
+namespace seiche::verification::gmres_test {
 
-using seiche::linear::Gmres;
+using linear::Gmres;
 
 /// I + a random matrix of norm about a half, not symmetric: like an integral equation of the second kind.
 Eigen::MatrixXd second_kind(Eigen::Index n, unsigned seed) {
@@ -34,15 +34,15 @@ double least_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, Eigen:
 }
 
 TEST_CASE("GMRES solves systems of the second kind and stops when it has", "[linear]") {
-  seiche::verification::Check check(
+  verification::Check check(
       "gmres", "Generalised minimal residuals",
       "Random systems $x + K x = b$ of 40 unknowns, $K$ not symmetric and of norm below one. The residual that the "
       "recurrence promises is the one that is there; it is the least in the Krylov space; there is an iteration for "
       "each factor that the residual has to fall, and none more. One solver for all systems, as a wave uses it.");
   constexpr Eigen::Index n = 40;
   Gmres solver;
-  seiche::Worst error, excess;
-  seiche::Largest met, needless;
+  Worst error, excess;
+  Largest met, needless;
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Eigen::MatrixXd a = second_kind(n, seed);
     const Eigen::VectorXd expected = second_kind(n, seed + 10).col(0) * 3;
@@ -61,17 +61,17 @@ TEST_CASE("GMRES solves systems of the second kind and stops when it has", "[lin
     }
   }
   check.holds("The solution of a system of 40 unknowns.", {error.value()},
-              seiche::evidence::Roundoff{2 * n * n, 3, "forty products of forty terms; condition below 3"});
+              evidence::Roundoff{2 * n * n, 3, "forty products of forty terms; condition below 3"});
   check.holds("The residual is what was asked for.", {met.value()},
-              seiche::evidence::Bound{1 + 1e-9,
-                                      "the recurrence's residual is at most the goal; it rounds to 1e-16 of a "
-                                      "residual that is 1e-6 of the beginning, and no more than 1e-9"});
-  check.holds("No vector of the Krylov space has a smaller residual.", {excess.value()},
-              seiche::evidence::Roundoff{2 * n * n, 3 * 10,
-                                         "residuals of a right-hand side of norm 3, by two "
-                                         "orthogonalisations of vectors of 40"});
+              evidence::Bound{1 + 1e-9,
+                              "the recurrence's residual is at most the goal; it rounds to 1e-16 of a residual that is "
+                              "1e-6 of the beginning, and no more than 1e-9"});
+  check.holds(
+      "No vector of the Krylov space has a smaller residual.", {excess.value()},
+      evidence::Roundoff{2 * n * n, 3 * 10,
+                         "residuals of a right-hand side of norm 3, by two orthogonalisations of vectors of 40"});
   check.holds("An iteration less would not have met the goal.", {needless.value()},
-              seiche::evidence::Bound{1, "iterations end with the first residual below the goal"});
+              evidence::Bound{1, "iterations end with the first residual below the goal"});
 }
 
 TEST_CASE("GMRES ends after as many iterations as are allowed, with the best that they give", "[linear]") {
@@ -91,4 +91,4 @@ TEST_CASE("GMRES of a right-hand side of zeros is zero without an iteration", "[
   CHECK(x.norm() == 0);
 }
 
-}  // namespace gmres_test
+}  // namespace seiche::verification::gmres_test

@@ -3,7 +3,6 @@
 #include <limits>
 #include <random>
 #include <string>
-#include <vector>
 
 #include <Eigen/Dense>
 
@@ -13,12 +12,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lattice_matrix_test {
+namespace seiche::verification::lattice_matrix_test {
 
-using namespace seiche::linear;
-using seiche::Worst;
-using seiche::worst;
-using namespace seiche::verification;
+using namespace linear;
 
 struct Shape {
   std::size_t columns, rows, layers;
@@ -141,39 +137,36 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   Check check("lattice_matrices", "Matrices of lattices against dense ones",
               "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
               "and single coefficients against a dense matrix, solutions of the banded solver by their residual.");
-  const auto claim = [&](const std::string& id, const std::string& text, double value, double operations,
-                         const std::string& reason) {
-    check.holds(id + ": " + text, {value}, Roundoff{operations, 1, reason});
+  const auto claim = [&](const std::string& text, double value, double operations, const std::string& reason) {
+    check.holds(text, {value}, Roundoff{operations, 1, reason});
   };
   Errors nine;
   for (const Shape& shape : {Shape{1, 1, 1}, {5, 1, 1}, {1, 6, 1}, {2, 2, 1}, {7, 5, 1}, {12, 17, 1}}) {
     const Eigen::MatrixXd dense = random_matrix(shape, 1);
     nine.add(shape, dense, nine_point(shape, dense));
   }
-  claim("nine-product", "Products of nine-point matrices equal the dense products.", nine.product.value(), 18,
+  claim("Products of nine-point matrices equal the dense products.", nine.product.value(), 18,
         "nine products and sums a row");
-  claim("nine-form", "Scalar products x.Ax equal the dense matrix's.", nine.form.value(), 18,
-        "errors of rows are independent");
-  claim("nine-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
-        nine.coefficient.value(), 0, "the same number");
+  claim("Scalar products x.Ax equal the dense matrix's.", nine.form.value(), 18, "errors of rows are independent");
+  claim("Coefficients addressed by their two cells equal the dense matrix's.", nine.coefficient.value(), 0,
+        "the same number");
   Errors all;
   for (const Shape& shape : {Shape{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}}) {
     const Eigen::MatrixXd dense = random_matrix(shape, 1);
     all.add(shape, dense, twenty_seven_point(shape, dense));
   }
-  claim("twenty-seven-product", "Products of 27-point matrices equal the dense products.", all.product.value(), 54,
+  claim("Products of 27-point matrices equal the dense products.", all.product.value(), 54,
         "27 products and sums a row");
-  claim("twenty-seven-form", "Scalar products x.Ax equal the dense matrix's.", all.form.value(), 54,
-        "errors of rows are independent");
-  claim("twenty-seven-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
-        all.coefficient.value(), 0, "the same number");
+  claim("Scalar products x.Ax equal the dense matrix's.", all.form.value(), 54, "errors of rows are independent");
+  claim("Coefficients addressed by their two cells equal the dense matrix's.", all.coefficient.value(), 0,
+        "the same number");
 
-  const auto residual = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
+  const auto residual = [&](const std::string& text, double value) {
+    check.holds(text, {value},
                 Bound{200 * std::numeric_limits<double>::epsilon() / 2,
                       "one rounding per number in a row of the factor and of its transpose, at most 100 each"});
   };
-  residual("nine-banded", "The banded solver of nine-point systems, of one matrix after another.",
+  residual("The banded solver of nine-point systems, of one matrix after another.",
            largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, SolverMethod::banded, std::nullopt, 1e-10)));
 }
 
@@ -213,4 +206,4 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
                     "the tolerance times the norm of the right-hand side, over its smallest entry"});
 }
 
-}  // namespace lattice_matrix_test
+}  // namespace seiche::verification::lattice_matrix_test

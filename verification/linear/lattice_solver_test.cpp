@@ -17,13 +17,9 @@
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
 
-namespace lattice_solver_test {
+namespace seiche::verification::lattice_solver_test {
 
-using namespace seiche::linear;
-using seiche::Largest;
-using seiche::largest;
-using seiche::worst;
-using namespace seiche::verification;
+using namespace linear;
 
 LatticeArray random_array(std::size_t columns, std::size_t rows) {
   LatticeArray result(columns, rows);
@@ -131,42 +127,39 @@ struct Problem {
 };
 
 TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[linear]") {
-  Check check(
-      "cosine_lattice", "Cosine transforms invert the undeformed lattice",
-      "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for random "
-      "right-hand sides, against Eigen's dense Cholesky in double precision.");
-  const auto claim = [&](const std::string& id, const std::string& text, double error) {
-    check.holds(id + ": " + text, {error},
+  Check check("cosine_lattice", "Cosine transforms invert the undeformed lattice",
+              "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for "
+              "random right-hand sides, against Eigen's dense Cholesky in double precision.");
+  const auto claim = [&](const std::string& text, double error) {
+    check.holds(text, {error},
                 Bound{1e-5,
-                      "single precision, 6e-8, times some tens of roundings in the transforms and in "
-                      "the elimination over the layers"});
+                      "single precision, 6e-8, times some tens of roundings in the transforms and in the elimination "
+                      "over the layers"});
   };
   Largest mesh;
   for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}, {64, 8}, {101, 17}, {15, 64}}) {
     mesh.add(
         mesh_error(static_cast<std::size_t>(columns), 0.3, std::vector<double>(static_cast<std::size_t>(rows), 0.2)));
   }
-  claim("mesh", "The cosine solver solves the pressure of a mesh of equal rows.", mesh.value());
-  claim("rows", "Mesh whose rows differ in height.",
+  claim("The cosine solver solves the pressure of a mesh of equal rows.", mesh.value());
+  claim("Mesh whose rows differ in height.",
         worst(std::array{mesh_error(12, 0.3, {0.4, 0.1, 0.2, 0.15, 0.3, 0.25}), mesh_error(7, 0.1, {0.1, 0.3})}));
   Largest box;
   for (const CosineLattice::Shape shape :
        {CosineLattice::Shape{6, 5, 4}, {5, 6, 3}, {17, 3, 7}, {1, 8, 2}, {33, 2, 5}, {3, 33, 5}, {2, 1, 40}}) {
     box.add(box_error(shape));
   }
-  claim("box", "The cosine solver solves the pressure of layers in a box.", box.value());
-  claim("plan", "The cosine solver solves the pressure of one layer in a box.",
+  claim("The cosine solver solves the pressure of layers in a box.", box.value());
+  claim("The cosine solver solves the pressure of one layer in a box.",
         worst(std::array{box_error({20, 31, 1}), box_error({31, 20, 1})}));
 }
 
 TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
-  Check check(
-      "lattice_conjugate_gradients", "Conjugate gradients on deformed meshes against dense Cholesky",
-      "Pressure matrices of deformed meshes, random right-hand sides, against Eigen's dense Cholesky. The error "
-      "is at most the residual times the norm of the inverse, 1/(smallest eigenvalue).");
+  Check check("lattice_conjugate_gradients", "Conjugate gradients on deformed meshes against dense Cholesky",
+              "Pressure matrices of deformed meshes, random right-hand sides, against Eigen's dense Cholesky. The "
+              "error is at most the residual times the norm of the inverse, 1/(smallest eigenvalue).");
   for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
-    Largest worst;
-    Largest true_residual;
+    Largest worst, true_residual;
     for (const auto& [columns, rows] : {std::pair{40, 20}, {33, 7}, {1, 12}, {50, 1}, {7, 30}}) {
       Problem problem(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), 0.1);
       const auto b = random_array(problem.a.columns, problem.a.rows);
@@ -192,11 +185,10 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
 }
 
 TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
-  Check check(
-      "lattice_iterations", "Iterations of the pressure solver",
-      "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On equal "
-      "deformations the undeformed matrix and the deformed one differ by factors that do not depend on the mesh "
-      "width, so that the number of iterations does not either.");
+  Check check("lattice_iterations", "Iterations of the pressure solver",
+              "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On "
+              "equal deformations the undeformed matrix and the deformed one differ by factors that do not depend on "
+              "the mesh width, so that the number of iterations does not either.");
   const std::vector<double> amplitudes = {0, 0.0125, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2};
   const std::vector<std::size_t> rows = {16, 64, 256};
   std::vector<std::vector<double>> found;
@@ -213,7 +205,7 @@ TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
                     .panel({.x = "amplitude / depth", .y = "iterations", .y_min = 0});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     panel.points(fmt::format("{} x {} cells", 4 * rows[i], rows[i]), amplitudes, found[i],
-                 i + 1 == rows.size() ? seiche::evidence::Role::computed : seiche::evidence::Role::peer);
+                 i + 1 == rows.size() ? evidence::Role::computed : evidence::Role::peer);
   }
   const std::size_t chosen = 3;
   Largest spread;
@@ -315,4 +307,4 @@ TEST_CASE("lattices that have no inverse are refused", "[linear]") {
   CHECK_THROWS_AS(HexahedralLattice(1, 1, {1.0}, 0), std::invalid_argument);
 }
 
-}  // namespace lattice_solver_test
+}  // namespace seiche::verification::lattice_solver_test

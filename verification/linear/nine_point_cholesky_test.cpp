@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,12 +14,9 @@
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
 
-namespace nine_point_cholesky_test {
+namespace seiche::verification::nine_point_cholesky_test {
 
-using namespace seiche::linear;
-using seiche::Worst;
-using seiche::worst;
-using namespace seiche::verification;
+using namespace linear;
 
 struct Shape {
   std::size_t columns, rows;
@@ -74,13 +70,11 @@ double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, const 
 }
 
 TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[linear]") {
-  Check check(
-      "nine_point_cholesky", "Direct solvers of nine-point systems",
-      "Pressure matrices of deformed quadrilateral meshes, from one cell to 33 x 40, with a random right-hand side: "
-      "block "
-      "elimination inside the band, from both ends, against Eigen's dense "
-      "LLT. Residuals are relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever "
-      "its condition; solutions differ by up to the condition number times that.");
+  Check check("nine_point_cholesky", "Direct solvers of nine-point systems",
+              "Pressure matrices of deformed quadrilateral meshes, from one cell to 33 x 40, with a random right-hand "
+              "side: block elimination inside the band, from both ends, against Eigen's dense LLT. Residuals are "
+              "relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever its "
+              "condition; solutions differ by up to the condition number times that.");
   struct Errors {
     Worst residual;
     Worst difference;  // from the dense solution, over the condition number
@@ -119,8 +113,8 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[line
   const double round_off = std::numeric_limits<double>::epsilon() / 2;
   const auto claim = [&](const std::string& id, const std::string& text, const Errors& errors) {
     const Bound residual{100 * round_off,
-                         "one rounding per number in a row of the factor and of its transpose, at most "
-                         "41 each, and per coefficient of the matrix, nine",
+                         "one rounding per number in a row of the factor and of its transpose, at most 41 each, and "
+                         "per coefficient of the matrix, nine",
                          0.0};
     check.holds(id + ": " + text + " leaves a residual of round-off.", {errors.residual.value()}, residual);
     check.holds(id + "-solution: " + text + " agrees with dense elimination.", {errors.difference.value()},
@@ -196,4 +190,4 @@ TEST_CASE("sparse Cholesky refuses what is not a lower triangle and a wrong numb
   CHECK_THROWS_AS(SparseCholesky(Eigen::SparseMatrix<double>(2, 2)), std::invalid_argument);
 }
 
-}  // namespace nine_point_cholesky_test
+}  // namespace seiche::verification::nine_point_cholesky_test

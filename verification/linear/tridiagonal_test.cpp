@@ -9,12 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace tridiagonal_test {
+namespace seiche::verification::tridiagonal_test {
 
-using namespace seiche::linear;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::worst;
+using namespace linear;
 
 struct Problem {
   std::vector<double> diagonal, off_diagonal, right_hand_side;
@@ -98,21 +95,17 @@ double largest_error(bool periodic) {
 
 TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
   Check check("tridiagonal_solvers", "Tridiagonal solvers against dense Cholesky",
-              "Random symmetric positive definite systems of 1 to 257 rows, from barely to "
-              "strongly diagonally dominant, solved in "
-              "place, against Eigen's dense LLT.");
-  const auto claim = [&](const std::string& id, const std::string& text, double error) {
-    check.holds(id + ": " + text, {error},
+              "Random symmetric positive definite systems of 1 to 257 rows, from barely to strongly diagonally "
+              "dominant, solved in place, against Eigen's dense LLT.");
+  const auto claim = [&](const std::string& text, double error) {
+    check.holds(text, {error},
                 Bound{1e-12, "condition number up to 1e3 times a few roundings per row, here and in the dense solver"});
   };
-  claim("two-ended", "Elimination from both ends solves the tridiagonal system.",
-        largest_error<TwoEndedTridiagonal>(false));
-  claim("pieces-1", "Elimination from both ends, row by row.", largest_error<InPieces<1>>(false));
-  claim("pieces-7", "Elimination from both ends, seven rows at a time.", largest_error<InPieces<7>>(false));
-  claim("in-place", "Elimination from both ends, multipliers in the place of couplings.",
-        largest_error<InPieces<7, true>>(false));
-  claim("periodic", "Periodic elimination solves the periodic tridiagonal system.",
-        largest_error<PeriodicTridiagonal>(true));
+  claim("Elimination from both ends solves the tridiagonal system.", largest_error<TwoEndedTridiagonal>(false));
+  claim("Elimination from both ends, row by row.", largest_error<InPieces<1>>(false));
+  claim("Elimination from both ends, seven rows at a time.", largest_error<InPieces<7>>(false));
+  claim("Elimination from both ends, multipliers in the place of couplings.", largest_error<InPieces<7, true>>(false));
+  claim("Periodic elimination solves the periodic tridiagonal system.", largest_error<PeriodicTridiagonal>(true));
 }
 
 TEST_CASE("a matrix that is not positive definite is refused with its row", "[linear]") {
@@ -142,4 +135,4 @@ TEST_CASE("a matrix that is not positive definite is refused with its row", "[li
   CHECK_THROWS_AS(periodic.factor({std::vector<double>(9, 1.9), off_diagonal}), NotPositiveDefinite);
 }
 
-}  // namespace tridiagonal_test
+}  // namespace seiche::verification::tridiagonal_test

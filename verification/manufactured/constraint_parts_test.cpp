@@ -11,10 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace constraint_parts_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::constraint_parts_test {
 
 std::vector<double> random_rates(std::size_t count, unsigned seed) {
   std::minstd_rand random(seed);
@@ -47,22 +44,21 @@ TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[me
     for (std::size_t s = 0; s < curvature.size(); ++s) {
       worst.add(curvature[s] - (both[s] - first[s] - second[s] + none[s]));
     }
-    check.holds(std::string(pinned ? "pinned" : "free") + ": The curvature is the mixed difference of the constraints.",
-                {worst.value()},
-                Roundoff{40, 54,
-                         "four values of ten operations, half a square of "
-                         "differences up to 6 in three coordinates"});
+    check.holds(
+        std::string(pinned ? "pinned" : "free") + ": The curvature is the mixed difference of the constraints.",
+        {worst.value()},
+        Roundoff{40, 54, "four values of ten operations, half a square of differences up to 6 in three coordinates"});
   }
 }
 
 TEST_CASE("areas change along curved walls as their curvature says", "[mechanics]") {
   using namespace lagrangian_mesh_2d;
-  Check check(
-      "lagrangian_mesh_curvature", "Curvature of areas along a curved bottom",
-      "Nodes slide on a bump, others move straight. Along that motion, with constant speeds $s'$, the rates of "
-      "the areas grow by $f''(u, u)$: the part that is bilinear in the velocities of the nodes, and the bend "
-      "of the curve for those that slide. Areas at five times, $h = 10^{-3}$ apart, give their second "
-      "derivatives with an error of $h^4/90$ of the sixth, at most 10, and with roundings of areas over $h^2$.");
+  Check check("lagrangian_mesh_curvature", "Curvature of areas along a curved bottom",
+              "Nodes slide on a bump, others move straight. Along that motion, with constant speeds $s'$, the rates of "
+              "the areas grow by $f''(u, u)$: the part that is bilinear in the velocities of the nodes, and the bend "
+              "of the curve for those that slide. Areas at five times, $h = 10^{-3}$ apart, give their second "
+              "derivatives with an error of $h^4/90$ of the sixth, at most 10, and with roundings of areas over $h^2$.",
+              "Taylor's theorem");
   Model model(layer_mesh_over(verification::bump(), 0, 6, 16, 4, verification::cosine_elevation));
   const mechanics::State start = model.state(VelocityAt([](Point r) {
     return Point{0.3 + 0.2 * std::sin(r.x), 0.2 * std::cos(2 * r.x + r.y)};
@@ -83,21 +79,17 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
     const double second = (-m2[s] + 16 * m1[s] - 30 * now[s] + 16 * p1[s] - p2[s]) / (12 * h * h);
     worst.add(curvature[s] - second);
   }
-  check.that({.id = "areas",
-              .text = "Second derivatives of the cell areas equal differences.",
-              .quantity = "largest difference",
-              .source = "Taylor's theorem"},
-             {.value = worst.value()},
+  check.that("areas", "Second derivatives of the cell areas equal differences.", "largest difference", {worst.value()},
              Bound{1e-9,
-                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products "
-                   "of places up to 6, 1e-15, over h^2"});
+                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products of places "
+                   "up to 6, 1e-15, over h^2"});
 }
 
 TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
   using namespace lagrangian_mesh_3d;
   Check check("lagrangian_mesh_3d_slides", "What a slanted wall leaves of velocities",
-              "A layer between walls whose south side is turned by 30 degrees. Of any velocity its nodes keep the "
-              "part along the wall, and the vertical one above the bottom.");
+              "A layer between walls whose south side is turned by 30 degrees. Of any velocity its nodes keep the part "
+              "along the wall, and the vertical one above the bottom.");
   const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
   Mesh mesh = layer_mesh(
       {.begin = 0,
@@ -130,14 +122,11 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
       free.add(state.u[n + inside] - given.y);
     }
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
-                Roundoff{20, 1,
-                         "a normal from rounded places, a "
-                         "product with it, and its part"});
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value}, Roundoff{20, 1, "a normal from rounded places, a product with it, and its part"});
   };
-  claim("wall", "Along the wall the part along it is left.", slid.value());
-  claim("inside", "Velocities of nodes inside the water are not changed by sliding walls.", free.value());
+  claim("Along the wall the part along it is left.", slid.value());
+  claim("Velocities of nodes inside the water are not changed by sliding walls.", free.value());
 }
 
-}  // namespace constraint_parts_test
+}  // namespace seiche::verification::constraint_parts_test

@@ -8,11 +8,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_parts_test {
+namespace seiche::verification::dispersive_parts_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 /// Two slopes of 1 to 4 and 1 to 8 that meet at (0, -1).
 std::shared_ptr<const BottomProfile> valley() {
@@ -58,12 +56,12 @@ TEST_CASE("both shores have the mass of their tip", "[manufactured]") {
 }
 
 TEST_CASE("a wall on a slope moves its column up and down", "[manufactured]") {
-  Check check("dispersive_wall_inertia", "Inertia of a marker at a wall on a slope",
-              "A marker at a wall has the vertical velocity $v$ alone. Along a bottom inclined by $\\varphi$ that is "
-              "$p = v \\sin\\varphi$ and normal to it $r = v \\cos\\varphi$, and the energy $m (p^2 + \\alpha r^2)/2$ "
-              "(Frank) is that of the inertia $m (\\sin^2\\varphi + \\alpha \\cos^2\\varphi)$. A column whose vertical "
-              "velocity is linear between bed and surface and that does not move sideways has $\\alpha m$ (Green and "
-              "Naghdi).");
+  Check check(
+      "dispersive_wall_inertia", "Inertia of a marker at a wall on a slope",
+      "A marker at a wall has the vertical velocity $v$ alone. Along a bottom inclined by $\\varphi$ that is $p = v "
+      "\\sin\\varphi$ and normal to it $r = v \\cos\\varphi$, and the energy $m (p^2 + \\alpha r^2)/2$ (Frank) is that "
+      "of the inertia $m (\\sin^2\\varphi + \\alpha \\cos^2\\varphi)$. A column whose vertical velocity is linear "
+      "between bed and surface and that does not move sideways has $\\alpha m$ (Green and Naghdi).");
   const double slope = 0.25;
   const double cosine_square = 1 / (1 + slope * slope);
   for (const double alpha : {1.0 / 3, 0.4}) {
@@ -117,10 +115,10 @@ TEST_CASE("pressure on the surface acts as its integral with linear weights", "[
     check.holds(
         std::string(periodic ? "periodic" : "open") + ": Forces on the markers are the integrals of the pressure.",
         {worst.value()},
-        Roundoff{30, 1,
-                 "forces of gravity and pressure below 1, in some thirty "
-                 "operations, as impulses over masses and back"});
+        Roundoff{
+            30, 1,
+            "forces of gravity and pressure below 1, in some thirty operations, as impulses over masses and back"});
   }
 }
 
-}  // namespace dispersive_parts_test
+}  // namespace seiche::verification::dispersive_parts_test

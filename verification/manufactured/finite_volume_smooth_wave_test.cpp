@@ -7,10 +7,8 @@
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_smooth_wave_test {
+namespace seiche::verification::finite_volume_smooth_wave_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
@@ -19,8 +17,7 @@ constexpr double length = 20;
 double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_t cells) {
   std::vector<double> edges(cells + 1);
   for (std::size_t k = 0; k <= cells; ++k) edges[k] = length * static_cast<double>(k) / static_cast<double>(cells);
-  std::vector<double> depth;
-  std::vector<double> discharge;
+  std::vector<double> depth, discharge;
   for (const auto& mean : validation::cell_averages(wave, edges, 0)) {
     depth.push_back(mean.depth);
     discharge.push_back(mean.discharge);
@@ -43,17 +40,15 @@ struct Expectation {
 };
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
-  Check check(
-      "finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
-      "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two "
-      "thirds of its breaking time. "
-      "Error: mean over the cells of the difference of mean depths, Courant number 0.4. The "
-      "first-order schemes approach "
-      "their order from below (their viscosity flattens the crest), so their order is fitted on "
-      "finer grids than that of the "
-      "second-order schemes, whose limiter costs a little at the crest. The errors of an earlier program are "
-      "regression. For muscl_hll they identify the variant: the edge velocities are weighted to carry the cell's "
-      "momentum because that is what reproduces them; unweighted, the errors differ by up to 5 %, the order does not.");
+  Check check("finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
+              "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two thirds of its "
+              "breaking time. Error: mean over the cells of the difference of mean depths, Courant number 0.4. The "
+              "first-order schemes approach their order from below (their viscosity flattens the crest), so their "
+              "order is fitted on finer grids than that of the second-order schemes, whose limiter costs a little at "
+              "the crest. The errors of an earlier program are regression. For muscl_hll they identify the variant: "
+              "the edge velocities are weighted to carry the cell's momentum because that is what reproduces them; "
+              "unweighted, the errors differ by up to 5 %, the order does not.",
+              "Toro, Shock-capturing methods for free-surface shallow flows (2001)");
   const auto wave = exact::SimpleWave::hump(9.81, 1, 0.2, 6, 6);
   const std::array<Expectation, 4> expectations{{
       {Scheme::lax_friedrichs, 1, 1600},
@@ -69,8 +64,7 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
   auto& panel = figure.panel({.x = "cell width [m]", .y = "mean error of the depth [m]", .log_x = true, .log_y = true});
   for (const Expectation& expectation : expectations) {
     const std::string id(shallow_water_finite_volume::name(expectation.scheme));
-    std::vector<double> widths;
-    std::vector<double> errors;
+    std::vector<double> widths, errors;
     for (std::size_t k = 0; k < 5; ++k) {
       const std::size_t row = 5 * static_cast<std::size_t>(&expectation - expectations.data()) + k;
       const std::size_t cells = 100u << k;
@@ -79,8 +73,8 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       const std::string n = std::to_string(cells);
       check.holds("The error of " + id + " on " + n + " cells has its recorded digits (regression).", {error},
                   Bound{0.01,
-                        "three printed digits of the earlier program (0.5 %), and its means of "
-                        "the exact solution by sampling (0.5 %)",
+                        "three printed digits of the earlier program (0.5 %), and its means of the exact solution by "
+                        "sampling (0.5 %)",
                         known.column("error")[row], true});
       widths.push_back(length / static_cast<double>(cells));
       errors.push_back(error);
@@ -91,15 +85,13 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
     }
     const auto tail = static_cast<std::ptrdiff_t>(widths.size()) - 4;
     check.that(
-        {.id = id + "-order",
-         .text = "Scheme " + id + " converges with order " + std::to_string(static_cast<int>(expectation.order)) + ".",
-         .quantity = "order of convergence",
-         .source = "Toro, Shock-capturing methods for free-surface shallow flows "
-                   "(2001)"},
+        id + "-order",
+        "Scheme " + id + " converges with order " + std::to_string(static_cast<int>(expectation.order)) + ".",
+        "order of convergence",
         observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
         Order{expectation.order, 0.15, "approached from below: next term of the error on the four finest grids"});
     panel.line(id, widths, errors, Role::computed);
   }
 }
 
-}  // namespace finite_volume_smooth_wave_test
+}  // namespace seiche::verification::finite_volume_smooth_wave_test

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,16 +14,13 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace gauss_particles_drop_test {
+namespace seiche::verification::gauss_particles_drop_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Mean;
-using seiche::Point;
-using seiche::Worst;
-using seiche::exact::StretchingDrop;
+using namespace gauss_particles;
+using namespace mechanics;
+using exact::StretchingDrop;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
 
@@ -41,8 +37,7 @@ Errors errors(const Particles& particles, std::unique_ptr<FieldSpace> space, dou
   Step<Model> step(model);
   for (long k = 0; k < std::lround(2 / tau); ++k) step.step(state, tau);
   Mean inside;
-  Worst largest;
-  Worst surface;
+  Worst largest, surface;
   for (std::size_t k = 0; k < model.size(); ++k) {
     const double distance = std::hypot(state.q[k] - drop.semi_axis(2) * particles.x[k],
                                        state.q[model.size() + k] - drop.other_axis(2) * particles.y[k]);
@@ -66,32 +61,26 @@ Particles four() {
 }
 
 TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however few", "[manufactured]") {
-  Check check(
-      "gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
-      "With the five linear solenoidal fields and isotropic second moments the particles move on the exact paths "
-      "but for the error in time: of second order with the conservative scheme, for 300 particles and for 4, of "
-      "first order with Frank's projection scheme.");
-  const std::vector<double> lengths{0.04, 0.02, 0.01, 0.005};
-  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& error,
-                         double theory) {
-    check.that(
-        {.id = id, .text = text, .quantity = "order of the largest distance at t = 2", .source = source},
-        observed_order(lengths, error),
-        Order{theory, 0.01,
-              "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
-              "order over this range"});
+  Check check("gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
+              "With the five linear solenoidal fields and isotropic second moments the particles move on the exact "
+              "paths but for the error in time: of second order with the conservative scheme, for 300 particles and "
+              "for 4, of first order with Frank's projection scheme.",
+              source);
+  const auto order = [](double theory) {
+    return Order{theory, 0.01,
+                 "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
+                 "order over this range"};
   };
-  std::vector<double> many;
-  std::vector<double> few;
-  std::vector<double> first;
-  for (const double tau : lengths) {
-    many.push_back(errors<OneStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
-    few.push_back(errors<OneStep>(four(), std::make_unique<PolynomialSpace>(), tau).largest);
-    first.push_back(errors<ProjectedStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
-  }
-  order("conservative", "Conservative scheme, 300 particles: second order.", many, 2);
-  order("four-particles", "Conservative scheme, 4 particles: second order.", few, 2);
-  order("projection-scheme", "Frank's projection scheme converges at first order in the step.", first, 1);
+  refine(check, {"step", {0.04, 0.02, 0.01, 0.005}},
+         {{"conservative", "Conservative scheme, 300 particles: second order.", order(2)},
+          {"four-particles", "Conservative scheme, 4 particles: second order.", order(2)},
+          {"projection-scheme", "Frank's projection scheme converges at first order in the step.", order(1)}},
+         [](double tau) {
+           const auto space = [] { return std::make_unique<PolynomialSpace>(); };
+           return std::array{errors<OneStep>(disc(1, 10), space(), tau).largest,
+                             errors<OneStep>(four(), space(), tau).largest,
+                             errors<ProjectedStep>(disc(1, 10), space(), tau).largest};
+         });
 }
 
 TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
@@ -100,18 +89,8 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
       "The same disc with cubic splines on cells of 0.4 by 0.2, most of them cut by the surface. The fields are in the "
       "space, so that the splines add nothing but the error of sums over particles: with enough of these what is left "
       "is the error of the steps, which is that of the five linear fields. The markers stay on the surface.");
-  seiche::evidence::Table& table =
-      check.table({.id = "errors",
-                   .title = "Distances from the exact places at t = 2",
-                   .caption = "In radii of the disc, tau = 0.01. The last row: linear fields alone.",
-                   .columns = {{"rings", "1"}, {"particles", "1"}, {"rms", "1"}, {"largest", "1"}, {"surface", "1"}}});
   constexpr double tau = 0.01;
-  const auto note = [&](std::size_t rings, const Particles& particles, const Errors& e) {
-    table.rows.push_back(
-        {static_cast<double>(rings), static_cast<double>(particles.size() - 64), e.rms, e.largest, e.surface});
-  };
-  const Particles few = disc(1, 20, 64);
-  const Errors steps = errors<OneStep>(few, std::make_unique<PolynomialSpace>(), tau);
+  const Errors steps = errors<OneStep>(disc(1, 20, 64), std::make_unique<PolynomialSpace>(), tau);
   for (const std::size_t rings : {20, 40, 80}) {
     const Particles particles = disc(1, rings, 64);
     const Errors e =
@@ -119,7 +98,6 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
                         std::make_unique<SplineSpace>(LatticePlan{.degree = 3, .cell_x = 0.4, .cell_y = 0.2},
                                                       SplineSpace::Settings{.inner_fraction = 0.4}),
                         tau);
-    note(rings, particles, e);
     check.holds(fmt::format("{} rings: the markers stay on the surface.", rings), {e.surface},
                 Bound{0.01 / static_cast<double>(rings),
                       "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; "
@@ -129,14 +107,12 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
                 {e.rms / steps.rms},
                 Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   }
-  note(20, few, steps);
 }
 
 TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
-  Check check(
-      "gauss_particles_pressure", "Free particles: the pressure of the stretched disc",
-      "The reactions of the step about t = 1 are fitted by (1 - x^2/a^2 - y^2/b^2) times a quadratic polynomial: the "
-      "pressure at the middle against Dirichlet's.");
+  Check check("gauss_particles_pressure", "Free particles: the pressure of the stretched disc",
+              "The reactions of the step about t = 1 are fitted by (1 - x^2/a^2 - y^2/b^2) times a quadratic "
+              "polynomial: the pressure at the middle against Dirichlet's.");
   const StretchingDrop drop(1, 1, 1);
   for (const int degree : {3, 2}) {
     constexpr double tau = 0.005;
@@ -157,12 +133,12 @@ TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
         },
         2);
     const double exact = drop.at(time).central_pressure;
-    check.holds(
-        fmt::format("Splines of degree {}: the pressure at the middle.", degree), {fit.pressure({0, 0}) / exact - 1},
-        Bound{0.1 / std::sqrt(1200.0),
-              "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over 1200 "
-              "particles"});
+    check.holds(fmt::format("Splines of degree {}: the pressure at the middle.", degree),
+                {fit.pressure({0, 0}) / exact - 1},
+                Bound{0.1 / std::sqrt(1200.0),
+                      "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over "
+                      "1200 particles"});
   }
 }
 
-}  // namespace gauss_particles_drop_test
+}  // namespace seiche::verification::gauss_particles_drop_test

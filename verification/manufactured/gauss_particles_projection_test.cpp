@@ -1,21 +1,23 @@
 // The projection of free particles' velocities: exact fields to the order of the splines, gradients to zero.
+#include <array>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "seiche/geometry/curve.hpp"
 #include "seiche/models/gauss_particles/particles.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace gauss_particles_projection_test {
+namespace seiche::verification::gauss_particles_projection_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
+using namespace gauss_particles;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, formula (21)";
 
@@ -89,75 +91,67 @@ double difference(const Particles& at, const Velocities& a, const Velocities& b)
 }
 
 TEST_CASE("the projection finds a smooth field to the order of its splines", "[manufactured]") {
-  Check check(
-      "gauss_particles_projection", "Free particles: the projection of a smooth field",
-      "Water between a flat bottom and the surface 1 + 0.1 cos x. Velocities of a known stream function are "
-      "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows and "
-      "for particles and masses displaced at random by up to half their spacing and half their size.");
-  auto& figure = check.figure("orders", "Error of the projection", "Against the cells of a lattice.");
-  auto& panel = figure.panel({.x = "h", .y = "relative error", .log_x = true, .log_y = true});
+  Check check("gauss_particles_projection", "Free particles: the projection of a smooth field",
+              "Water between a flat bottom and the surface 1 + 0.1 cos x. Velocities of a known stream function are "
+              "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows "
+              "and for particles and masses displaced at random by up to half their spacing and half their size.",
+              source);
   for (const bool random : {false, true}) {
     for (int degree = 2; degree <= 4; ++degree) {
-      Convergence errors;
-      for (const int cells : {20, 40, 80, 160}) {
-        Particles at = water(cells, 4, false);
-        if (random) {
-          std::mt19937 generator(1);
-          const auto part = [&] { return static_cast<double>(generator()) / 4294967296.0 - 0.5; };
-          for (std::size_t k = 0; k < at.size(); ++k) {
-            at.x[k] += part() * length / (4 * cells);
-            at.mass[k] *= 1 + part();
-          }
-        }
-        const Velocities exact = solenoidal(at);
-        errors.add(length / cells, difference(at, projected(at, exact, degree, cells), exact));
-      }
-      const std::string name =
-          "p = " + std::to_string(degree) + (random ? ", random particles" : ", particles in rows");
-      panel.line(name, errors.sizes, errors.errors, Role::computed);
-      check.that(
-          {.id = std::string(random ? "random" : "rows") + "-degree-" + std::to_string(degree),
-           .text = "The projection errs by O(h^p): " + name + ".",
-           .quantity = "order of the relative error",
-           .source = source},
-          errors.order(),
-          Order{static_cast<double>(degree), 0.25,
+      const std::string id = fmt::format("{}-degree-{}", random ? "random" : "rows", degree);
+      const std::string name = fmt::format("p = {}, {}", degree, random ? "random particles" : "particles in rows");
+      refine(check, {"h", widths(length, {20, 40, 80, 160}), id, "Error of the projection, " + name},
+             {{id,
+               "The projection errs by O(h^p): " + name + ".",
+               {static_cast<double>(degree), 0.25,
                 "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 at the "
-                "coarsest lattice, 0.08 at the finest, a quarter on average"});
+                "coarsest lattice, 0.08 at the finest, a quarter on average"}}},
+             [&](double h) {
+               const auto cells = static_cast<int>(cells_of(length, h));
+               Particles at = water(cells, 4, false);
+               if (random) {
+                 std::mt19937 generator(1);
+                 const auto part = [&] { return static_cast<double>(generator()) / 4294967296.0 - 0.5; };
+                 for (std::size_t k = 0; k < at.size(); ++k) {
+                   at.x[k] += part() * length / (4 * cells);
+                   at.mass[k] *= 1 + part();
+                 }
+               }
+               const Velocities exact = solenoidal(at);
+               return difference(at, projected(at, exact, degree, cells), exact);
+             });
     }
   }
 }
 
 TEST_CASE("a pressure gradient is projected to zero as the particles' sums become integrals", "[manufactured]") {
-  Check check(
-      "gauss_particles_gradients", "Free particles: what the projection leaves of a gradient",
-      "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but for "
-      "the error of sums over particles. What the projection leaves of it falls with the square of the particles' "
-      "spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the seed of "
-      "the instability under gravity.");
-  for (const bool end_corrected : {false, true}) {
-    Convergence leaks;
-    for (const int per_side : {8, 16, 32, 64}) {
-      const Particles at = water(40, per_side, end_corrected);
-      const Velocities full = gradient(at);
-      leaks.add(1.0 / per_side, norm(at, projected(at, full, 3, 40)) / norm(at, full));
-    }
-    const double theory = end_corrected ? 4 : 2;
-    check.that({.id = end_corrected ? "end-corrected" : "midpoint",
-                .text = std::string("Projections with ") +
-                        (end_corrected ? "end-corrected masses have order 4." : "equal masses have order 2."),
-                .quantity = "order of the part of a gradient that is left, in the particles' spacing",
-                .source = source},
-               leaks.order(),
-               end_corrected
-                   ? Order{theory, 0.5,
-                           "the midpoint rule with its first end correction is of fourth order; where rows of "
-                           "particles cross a line of the lattice, at which second derivatives of the velocities jump, "
-                           "a sum errs by s^3 with a sign that changes along the row: s^3.5 in a mean, not less"}
-                   : Order{theory, 0.1,
-                           "the midpoint rule, by its ends; what lines of the lattice add is s^1.5 of it: 0.04 at the "
-                           "largest spacing s = 1/8 and 0.002 at the smallest, or 0.02 of an order"});
-  }
+  Check check("gauss_particles_gradients", "Free particles: what the projection leaves of a gradient",
+              "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but "
+              "for the error of sums over particles. What the projection leaves of it falls with the square of the "
+              "particles' spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the "
+              "seed of the instability under gravity.",
+              source);
+  refine(
+      check, {"spacing in cells", widths(1, {8, 16, 32, 64})},
+      {{"midpoint",
+        "Projections with equal masses have order 2.",
+        {2, 0.1,
+         "the midpoint rule, by its ends; what lines of the lattice add is s^1.5 of it: 0.04 at the largest spacing s "
+         "= 1/8 and 0.002 at the smallest, or 0.02 of an order"}},
+       {"end-corrected",
+        "Projections with end-corrected masses have order 4.",
+        {4, 0.5,
+         "the midpoint rule with its first end correction is of fourth order; where rows of particles cross a line "
+         "of the lattice, at which second derivatives of the velocities jump, a sum errs by s^3 with a sign that "
+         "changes along the row: s^3.5 in a mean, not less"}}},
+      [](double spacing) {
+        const auto left = [&](bool end_corrected) {
+          const Particles at = water(40, static_cast<int>(cells_of(1, spacing)), end_corrected);
+          const Velocities full = gradient(at);
+          return norm(at, projected(at, full, 3, 40)) / norm(at, full);
+        };
+        return std::array{left(false), left(true)};
+      });
 }
 
 TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactured]") {
@@ -167,22 +161,22 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       "is the integral of the squared gradient of their vorticity, times h^(7/2), and zero for an irrotational flow.");
   struct Flow {
     std::string id, text;
-    std::function<seiche::Point(double x, double y)> velocity;
+    std::function<Point(double x, double y)> velocity;
     double gradient;  ///< of the vorticity
   };
   const std::vector<Flow> flows{{"shear", "Stream function y^3/6",
                                  [](double, double y) {
-                                   return seiche::Point{y * y / 2, 0};
+                                   return Point{y * y / 2, 0};
                                  },
                                  1},
                                 {"crossed", "Stream function x^2 y/2",
                                  [](double x, double y) {
-                                   return seiche::Point{x * x / 2, -x * y};
+                                   return Point{x * x / 2, -x * y};
                                  },
                                  1},
                                 {"irrotational", "Stream function x^3 - 3 x y^2",
                                  [](double x, double y) {
-                                   return seiche::Point{-6 * x * y, 3 * (y * y - x * x)};
+                                   return Point{-6 * x * y, 3 * (y * y - x * x)};
                                  },
                                  0}};
   constexpr double factor = 1e-13;  // small enough to change nothing
@@ -200,7 +194,7 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       space.place({}, at.x, at.y, at.mass, factor);
       Velocities w;
       for (std::size_t k = 0; k < at.size(); ++k) {
-        const seiche::Point v = flow.velocity(at.x[k], at.y[k]);
+        const Point v = flow.velocity(at.x[k], at.y[k]);
         w.u.push_back(v.x);
         w.v.push_back(v.y);
       }
@@ -208,11 +202,11 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       check.holds(flow.text + ", h = 1/" + std::to_string(cells) + ".",
                   {space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
                   Bound{1e-7,
-                        "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions "
-                        "up to 8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
+                        "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions up to "
+                        "8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
                         flow.gradient * flow.gradient});
     }
   }
 }
 
-}  // namespace gauss_particles_projection_test
+}  // namespace seiche::verification::gauss_particles_projection_test

@@ -2,19 +2,16 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace gauss_particles_vortical_test {
+namespace seiche::verification::gauss_particles_vortical_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::Mean;
-using seiche::Point;
+using namespace gauss_particles;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, formula (20)";
 
@@ -78,33 +75,25 @@ Result run(double h) {
 TEST_CASE("an unsteady vortical flow with a free surface is met to second order", "[manufactured]") {
   Check check(
       "gauss_particles_vortical", "Free particles: a manufactured vortical flow",
-      "Water in a circle turns with a strength and a shape that change in time, driven by the body force that makes "
-      "it a solution with zero pressure on the circle. Cubic splines, steps in proportion to the cells: the error "
-      "of the velocity falls with the square of both. The force's work is the change of energy, to round-off.");
-  Convergence errors;
+      "Water in a circle turns with a strength and a shape that change in time, driven by the body force that makes it "
+      "a solution with zero pressure on the circle. Cubic splines, steps in proportion to the cells: the error of the "
+      "velocity falls with the square of both. The force's work is the change of energy, to round-off.",
+      source);
   double defect = 0;
-  for (const double h : {0.3, 0.2, 0.15, 0.1, 0.075}) {
-    const Result result = run(h);
-    errors.add(h, result.error);
-    if (h == 0.2) defect = result.work_defect;
-  }
-  auto& figure = check.figure("order", "Error of the velocity at t = 1", "Cubic splines, tau = h/4.");
-  figure.panel({.x = "h", .y = "rms error", .log_x = true, .log_y = true})
-      .line("found", errors.sizes, errors.errors, Role::computed);
-  check.that({.id = "order",
-              .text = "The velocity errs by O(h^2) with tau = h/4.",
-              .quantity = "order of the rms error at t = 1",
-              .source = source},
-             errors.order(),
-             Order{2, 0.25,
-                   "second order in time; the splines add a term of third order, up to h of the first with fields of "
-                   "order 1: 0.3 on the coarsest lattice, 0.075 on the finest"});
-  check.that({.id = "work",
-              .text = "The energy changes by the force's work.",
-              .quantity = "largest defect of the energy",
-              .source = source},
+  refine(check, {"h", {0.3, 0.2, 0.15, 0.1, 0.075}},
+         {{"order",
+           "The velocity errs by O(h^2) with tau = h/4.",
+           {2, 0.25,
+            "second order in time; the splines add a term of third order, up to h of the first with fields of order 1: "
+            "0.3 on the coarsest lattice, 0.075 on the finest"}}},
+         [&](double h) {
+           const Result result = run(h);
+           if (h == 0.2) defect = result.work_defect;
+           return result.error;
+         });
+  check.that("work", "The energy changes by the force's work.", "largest defect of the energy",
              {.value = defect, .resolution = "h = 0.2, tau = 0.05, 20 steps"},
              Roundoff{20, 3, "one rounding per step of the kinetic energy, at most 3"});
 }
 
-}  // namespace gauss_particles_vortical_test
+}  // namespace seiche::verification::gauss_particles_vortical_test

@@ -30,8 +30,7 @@ namespace seiche::verification {
 struct Jet {
   double value = 0;
   std::array<double, 3> gradient = {0, 0, 0};
-  double rate = 0;
-  double second_rate = 0;
+  double rate = 0, second_rate = 0;
 };
 
 /// h(a) from h, h' and h'' at a.

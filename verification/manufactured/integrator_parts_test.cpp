@@ -6,16 +6,13 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/mechanics/reference_integrators.hpp"
-#include "validation/instruments/mechanics/rigid_chain.hpp"
+#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
-#include "verification/timed_steps.hpp"
 
-namespace integrator_parts_test {
+namespace seiche::verification::integrator_parts_test {
 
-using namespace seiche;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace mechanics;
 using rigid_chain::RigidChain;
 
 double sum_of_powers(const std::vector<double>& weights, int power) {
@@ -47,26 +44,23 @@ double oscillator_error(AdaptiveMethod method, double tolerance) {
 }
 
 TEST_CASE("weights of compositions meet the conditions of order four", "[mechanics]") {
-  Check check(
-      "composition_weights", "Weights of compositions",
-      "A symmetric composition of a symmetric step of order two is of order four when its weights add up to one "
-      "and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
-  const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.holds(id + ": " + text, {value},
-                Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
+  Check check("composition_weights", "Weights of compositions",
+              "A symmetric composition of a symmetric step of order two is of order four when its weights add up to "
+              "one and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
+  const auto claim = [&](const std::string& text, double value, double expected) {
+    check.holds(text, {value}, Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
   };
   // The cubes of the halves of a pair are an eighth of the stage's each: a quarter of nothing.
   for (const Stages stages : {Stages::single, Stages::paired}) {
     const std::string kind = stages == Stages::single ? "" : "-paired";
     const std::vector<double> triple = triple_jump_weights(stages);
-    claim("triple-jump-sum" + kind, "The weights of the triple jump add up to one.", sum_of_powers(triple, 1), 1);
-    claim("triple-jump-cubes" + kind, "The cubes of the triple jump's weights add up to zero.",
-          sum_of_powers(triple, 3), 0);
-    claim("triple-jump-symmetry" + kind, "The weights of the triple jump are symmetric.", asymmetry(triple), 0);
+    claim("The weights of the triple jump add up to one.", sum_of_powers(triple, 1), 1);
+    claim("The cubes of the triple jump's weights add up to zero.", sum_of_powers(triple, 3), 0);
+    claim("The weights of the triple jump are symmetric.", asymmetry(triple), 0);
     const std::vector<double> suzuki = suzuki_weights(stages);
-    claim("suzuki-sum" + kind, "The weights of Suzuki's composition add up to one.", sum_of_powers(suzuki, 1), 1);
-    claim("suzuki-cubes" + kind, "The cubes of the triple jump's weights add up to zero.", sum_of_powers(suzuki, 3), 0);
-    claim("suzuki-symmetry" + kind, "The weights of the triple jump are symmetric.", asymmetry(suzuki), 0);
+    claim("The weights of Suzuki's composition add up to one.", sum_of_powers(suzuki, 1), 1);
+    claim("The cubes of the triple jump's weights add up to zero.", sum_of_powers(suzuki, 3), 0);
+    claim("The weights of the triple jump are symmetric.", asymmetry(suzuki), 0);
   }
 }
 
@@ -76,19 +70,18 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   State state;
   state.time = 0.5;
   std::vector<double> lengths;
-  TimedSteps flow{state, [&](double length) { lengths.push_back(length); }};
-  march(flow, 2, 0.4);
-  const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.holds(id + ": " + text, {value}, Roundoff{4, 2, "a rounded time per step", expected});
+  equal_steps_to(state, 2, 0.4, {}, [&](double length) { lengths.push_back(length); });
+  const auto claim = [&](const std::string& text, double value, double expected) {
+    check.holds(text, {value}, Roundoff{4, 2, "a rounded time per step", expected});
   };
-  claim("count", "There are as few as fit.", static_cast<double>(lengths.size()), 4);
-  claim("longest", "The longest is the time over their number.", largest(lengths), 0.375);
-  claim("shortest", "The shortest step equals the time over the number of steps.", smallest(lengths), 0.375);
-  claim("end", "The last step ends exactly at the end time.", state.time, 2);
+  claim("There are as few as fit.", static_cast<double>(lengths.size()), 4);
+  claim("The longest is the time over their number.", largest(lengths), 0.375);
+  claim("The shortest step equals the time over the number of steps.", smallest(lengths), 0.375);
+  claim("The last step ends exactly at the end time.", state.time, 2);
   state.time = 0.5;
   lengths.clear();
-  march(flow, 2, 0.3);
-  claim("whole", "A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
+  equal_steps_to(state, 2, 0.3, {}, [&](double length) { lengths.push_back(length); });
+  claim("A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
 }
 
 TEST_CASE("adaptive methods keep their tolerance", "[mechanics]") {
@@ -115,8 +108,7 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
   State state = rigid_chain::spiral_start(chain);
   Rattle<RigidChain> rattle(chain);
   std::vector<double> values(chain.constraints());
-  Worst positions;
-  Worst velocities;
+  Worst positions, velocities;
   for (int n = 0; n < 1000; ++n) {
     rattle.step(state, 0.01);
     chain.constraint_values(state.q, values);
@@ -125,13 +117,13 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
     chain.constraint_rates(state.u, values);
     velocities.add(worst(values));
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value, const std::string& reason) {
-    check.holds(id + ": " + text, {value}, Roundoff{10, 10, reason});
+  const auto claim = [&](const std::string& text, double value, const std::string& reason) {
+    check.holds(text, {value}, Roundoff{10, 10, reason});
   };
-  claim("positions", "Links keep their lengths to round-off, anew in each step.", positions.value(),
+  claim("Links keep their lengths to round-off, anew in each step.", positions.value(),
         "products of coordinates up to 2 and of their differences, ten to a link; nothing accumulates");
-  claim("velocities", "Velocities along the links vanish to round-off.", velocities.value(),
+  claim("Velocities along the links vanish to round-off.", velocities.value(),
         "products of velocities up to 3 with differences up to 2, ten to a link; nothing accumulates");
 }
 
-}  // namespace integrator_parts_test
+}  // namespace seiche::verification::integrator_parts_test

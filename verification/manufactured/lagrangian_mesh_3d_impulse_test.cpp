@@ -1,5 +1,4 @@
 // Velocities that an impulsive pressure on the surface gives the hexahedral mesh.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -10,12 +9,11 @@
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace lagrangian_mesh_3d_impulse_test {
+namespace seiche::verification::lagrangian_mesh_3d_impulse_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_3d;
 
 const std::string source = "Lamb, Hydrodynamics (1932), art. 11; Frank (1994), chapter 4.1";
 
@@ -53,34 +51,25 @@ Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
 TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its wave", "[manufactured]") {
   Check check("lagrangian_mesh_3d_impulse", "Impulsive start of the hexahedral mesh",
               "The surface of the exact solitary wave of height 0.3 is struck with the impulsive pressure "
-              "$-\\rho\\phi$ of its potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic "
-              "energy of the mesh against that of the wave.");
+              "$-\\rho\\phi$ of its potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic energy of "
+              "the mesh against that of the wave.",
+              source);
   const exact::SolitaryWave wave(0.3);
-  std::vector<double> sizes;
-  std::vector<double> kinetic;
   Largest rates;
-  for (const std::size_t layers : {4U, 6U, 8U, 12U, 16U}) {
-    const Errors errors = errors_of(wave, layers);
-    sizes.push_back(1 / static_cast<double>(layers));
-    kinetic.push_back(errors.kinetic);
-    rates.add(errors.rates);
-  }
-  check.that(
-      {.id = "kinetic",
-       .text = "The kinetic energy converges to the wave's at second order.",
-       .quantity = "observed order",
-       .source = source},
-      observed_order(sizes, kinetic),
-      Order{.theory = 2, .tolerance = 0.2, .reason = "bilinear patches under a pressure taken at their middles"});
-  check.that({.id = "rates",
-              .text = "Rates of all cell volumes after the impulse are zero.",
-              .quantity = "largest rate of a volume over the volume",
-              .unit = "1",
-              .source = source},
-             {.value = rates.value()},
+  refine(check, {"cell/depth", widths(1, {4, 6, 8, 12, 16})},
+         {{"kinetic",
+           "The kinetic energy converges to the wave's at second order.",
+           {2, 0.2, "bilinear patches under a pressure taken at their middles"}}},
+         [&](double size) {
+           const Errors errors = errors_of(wave, cells_of(1, size));
+           rates.add(errors.rates);
+           return errors.kinetic;
+         });
+  check.that("rates", "Rates of all cell volumes after the impulse are zero.",
+             "largest rate of a volume over the volume", {rates.value()},
              Bound{1e-9,
-                   "the solver leaves 1e-13 of the norm of the rates before the projection, 256 in each of 1280 "
-                   "cells at the surface of the finest mesh"});
+                   "the solver leaves 1e-13 of the norm of the rates before the projection, 256 in each of 1280 cells "
+                   "at the surface of the finest mesh"});
 }
 
-}  // namespace lagrangian_mesh_3d_impulse_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_impulse_test

@@ -11,12 +11,11 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace lagrangian_mesh_3d_section_test {
+namespace seiche::verification::lagrangian_mesh_3d_section_test {
 
-using namespace seiche;
 using mechanics::Stepping;
-using namespace seiche::verification;
 
 namespace section = lagrangian_mesh_2d;
 namespace space = lagrangian_mesh_3d;
@@ -79,28 +78,23 @@ double difference(const Slope& slope, Stepping stepping, double tau) {
 }
 
 TEST_CASE("hexahedra without motion across are the mesh in the plane, over slopes too", "[manufactured]") {
-  Check check(
-      "lagrangian_mesh_3d_section", "Hexahedra beside the mesh in the plane, over a slope",
-      "A hump over a bottom that rises along x, 24 x 3 cells in the plane, 24 x 2 x 3 in space, until t = 4. On a "
-      "plane slope both slide the same way, to round-off. On a bent one the mesh in the plane counts arc "
-      "lengths, the hexahedra have one more constraint: two schemes of second order.");
+  Check check("lagrangian_mesh_3d_section", "Hexahedra beside the mesh in the plane, over a slope",
+              "A hump over a bottom that rises along x, 24 x 3 cells in the plane, 24 x 2 x 3 in space, until t = 4. "
+              "On a plane slope both slide the same way, to round-off. On a bent one the mesh in the plane counts arc "
+              "lengths, the hexahedra have one more constraint: two schemes of second order.",
+              source);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     check.holds("Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
                 {difference({.c1 = 0.08, .c2 = 0}, stepping, 0.1)},
                 Roundoff{40 * 8, length,
-                         "places up to 8 depths, rounded with those of the seven other corners in "
-                         "each of 40 steps"});
+                         "places up to 8 depths, rounded with those of the seven other corners in each of 40 steps"});
   }
-  const std::vector<double> taus{0.2, 0.1, 0.05, 0.025};
-  std::vector<double> differences;
-  for (const double tau : taus) differences.push_back(difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau));
-  check.that({.id = "bent-order",
-              .text = "Over a bent slope the difference vanishes with the square of the step.",
-              .quantity = "observed order",
-              .source = source},
-             observed_order(taus, differences),
-             Order{.theory = 2, .tolerance = 0.3, .reason = "both schemes are symmetric, of second order"});
+  refine(check, {"step", {0.2, 0.1, 0.05, 0.025}},
+         {{"bent-order",
+           "Over a bent slope the difference vanishes with the square of the step.",
+           {2, 0.3, "both schemes are symmetric, of second order"}}},
+         [](double tau) { return difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau); });
 }
 
-}  // namespace lagrangian_mesh_3d_section_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_section_test

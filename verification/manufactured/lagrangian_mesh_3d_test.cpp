@@ -5,20 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/manufactured/hexahedral_motion.hpp"
+#include "verification/refinement.hpp"
 
-namespace lagrangian_mesh_3d_test {
+namespace seiche::verification::lagrangian_mesh_3d_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using namespace seiche::lagrangian_mesh_3d;
+using namespace lagrangian_mesh_3d;
 using Motion = HexahedralMotion;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
@@ -58,34 +54,16 @@ bool in_the_middle(std::size_t index, std::size_t n) {
   return 4 * index >= n && 4 * index <= 3 * n;
 }
 
-/// Root mean squares at the end.
-struct Errors {
-  double interior = 0;   ///< places in the middle half of the water, each way
-  double velocity = 0;   ///< there
-  double lambda = 0;     ///< in the middles of cells there, one step before the end
-  double shape = 0;      ///< distance of the surface's nodes from the exact surface, in its middle half each way
-  double slip = 0;       ///< and their displacement along it
-  double on_bottom = 0;  ///< displacement of nodes along the bottom, in its middle half
-};
-
-class MeanSquare {
- public:
-  void add(double value) {
-    sum_ += value * value;
-    ++count_;
-  }
-  [[nodiscard]] double root() const { return std::sqrt(sum_ / count_); }
-
- private:
-  double sum_ = 0;
-  double count_ = 0;  // none: not a number
-};
+/// Root mean squares at the end: of places and velocities in the middle half of the water, each way; of lambda in the
+/// middles of cells there, one step before the end; distances of the surface's nodes from the exact surface, in its
+/// middle half each way, and along it; displacements of nodes along the bottom, in its middle half.
+using Errors = std::array<double, 6>;
 
 Errors errors_of(const Flow& flow) {
   const Mesh& mesh = flow.model().mesh();
   const auto exact_at = [&](std::size_t k, double time) { return Motion::at({mesh.x[k], mesh.y[k], mesh.z[k]}, time); };
   const std::size_t n = mesh.layers;
-  MeanSquare interior, velocity, lambda, shape, slip, on_bottom;
+  Mean interior, velocity, lambda, shape, slip, on_bottom;
   for (std::size_t l = 0; l <= n; ++l) {
     for (std::size_t j = 0; j <= n; ++j) {
       for (std::size_t i = 0; i <= n; ++i) {
@@ -120,54 +98,30 @@ Errors errors_of(const Flow& flow) {
     }
     lambda.add(pressure[cell] - Motion::at(middle, duration - tau).lambda);
   }
-  return {.interior = interior.root(),
-          .velocity = velocity.root(),
-          .lambda = lambda.root(),
-          .shape = shape.root(),
-          .slip = slip.root(),
-          .on_bottom = on_bottom.root()};
+  return {interior.rms(), velocity.rms(), lambda.rms(), shape.rms(), slip.rms(), on_bottom.rms()};
 }
 
-struct Quantity {
-  std::string id, text;
-  double Errors::*error;
-  Order order;
-};
-
-const std::vector<Quantity> quantities = {
-    {"interior",
-     "places in the interior are of second order",
-     &Errors::interior,
-     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
-    {"velocity",
-     "so are the velocities there",
-     &Errors::velocity,
-     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
-    {"pressure",
-     "so is the pressure there",
-     &Errors::lambda,
-     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
+const Order inside{2, 0.15,
+                   "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"};
+const Order along{1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"};
+const std::vector<Refined> quantities = {
+    {"interior", "Over the uneven bottom places in the interior are of second order.", inside},
+    {"velocity", "Over the uneven bottom velocities in the interior are of second order.", inside},
+    {"pressure", "Over the uneven bottom the pressure in the interior is of second order.", inside},
     {"shape",
-     "the surface's shape is of second order",
-     &Errors::shape,
+     "Over the uneven bottom the surface's shape is of second order.",
      {2, 0.2, "second order: what is of first order is along the surface"}},
-    {"slip",
-     "surface nodes slip along the surface to first order",
-     &Errors::slip,
-     {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
-    {"bottom",
-     "nodes slide along the bottom to first order",
-     &Errors::on_bottom,
-     {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
+    {"slip", "Over the uneven bottom surface nodes slip along the surface to first order.", along},
+    {"bottom", "Over the uneven bottom nodes slide along the bottom to first order.", along},
 };
 
 TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
-  Check check("hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
-              "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force "
-              "over the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the "
-              "labels: both by differences of sixth order over steps of 1/50, which know nothing of the formulas for "
-              "derivatives.");
-  check.source(source);
+  Check check(
+      "hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
+      "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force over "
+      "the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the labels: both "
+      "by differences of sixth order over steps of 1/50, which know nothing of the formulas for derivatives.",
+      source);
   const auto bottom = Motion::bottom();
   /// At labels X, Y, height and a time.
   using At = std::array<double, 4>;
@@ -221,90 +175,59 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
       }
     }
   }
-  check.that(
-      {.id = "volume", .text = "The exact motion conserves volumes: det F = 1.", .quantity = "largest det F - 1"},
-      {.value = volume.value()}, Roundoff{100, 4, "products of three of some tens of roundings each"});
-  check.that({.id = "walls",
-              .text = "The exact motion stays on the walls and the bottom.",
-              .quantity = "largest distance from them"},
-             {.value = walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
+  check.that("volume", "The exact motion conserves volumes: det F = 1.", "largest det F - 1", {volume.value()},
+             Roundoff{100, 4, "products of three of some tens of roundings each"});
+  check.that("walls", "The exact motion stays on the walls and the bottom.", "largest distance from them",
+             {walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
   const Bound bound{.limit = 1e-7,
                     .reason =
-                        "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; "
-                        "a term of the pressure forgotten or a wrong sign makes 1e-2"};
-  check.that({.id = "velocity",
-              .text = "Velocities of the exact motion are the rates of its positions.",
-              .quantity = "largest difference from that by differences"},
-             {.value = velocity.value()}, bound);
-  check.that({.id = "force",
-              .text = "The force over the acceleration is the gradient of the pressure.",
-              .quantity = "largest difference by differences"},
-             {.value = balance.value()}, bound);
+                        "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; a term of the "
+                        "pressure forgotten or a wrong sign makes 1e-2"};
+  check.that("velocity", "Velocities of the exact motion are the rates of its positions.",
+             "largest difference from that by differences", {velocity.value()}, bound);
+  check.that("force", "The force over the acceleration is the gradient of the pressure.",
+             "largest difference by differences", {balance.value()}, bound);
 }
 
 TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured][full]") {
   Check check(
       "lagrangian_mesh_3d_manufactured", "Hexahedra: manufactured motion over an uneven bottom",
-      "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed "
-      "motion under the body force that sustains it: columns are sheared along x and along y, the bottom's "
-      "nodes slide on it by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root "
-      "mean squares. A node of the surface, of the bottom or of a wall feels the pressure gradient half a cell "
-      "inside and slips along it to first order, in a layer of one cell, which the pressure there feels. Everything "
-      "else is of second order.");
-  std::vector<double> sizes;
-  std::vector<std::vector<double>> errors(quantities.size());
-  for (const std::size_t n : {16U, 20U, 24U, 32U, 40U}) {
-    const Errors found = errors_of(flow_of(n, Stepping::one_step, 5 * static_cast<long>(n) / 4));
-    sizes.push_back(1 / static_cast<double>(n));
-    for (std::size_t i = 0; i < quantities.size(); ++i) errors[i].push_back(found.*quantities[i].error);
-  }
-  auto& panel = check.figure("convergence", "Errors under refinement", "Grey lines have slopes 1 and 2.")
-                    .panel({.x = "height of a cell", .y = "error", .log_x = true, .log_y = true});
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
-    const Quantity& quantity = quantities[i];
-    panel.line(quantity.id, sizes, errors[i]);
-    check.that({.id = quantity.id,
-                .text = "Over the uneven bottom " + quantity.text + ".",
-                .quantity = "observed order",
-                .source = source},
-               observed_order(sizes, errors[i]), quantity.order);
-  }
-  validation::slope_guide(panel, 1, sizes, errors[4].back() * 1.5);
-  validation::slope_guide(panel, 2, sizes, errors[0].back() / 1.5);
+      "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed motion "
+      "under the body force that sustains it: columns are sheared along x and along y, the bottom's nodes slide on it "
+      "by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root mean squares. A "
+      "node of the surface, of the bottom or of a wall feels the pressure gradient half a cell inside and slips along "
+      "it to first order, in a layer of one cell, which the pressure there feels. Everything else is of second order.",
+      source);
+  check.source(source);
+  refine(check, {"height of a cell", widths(1, {16, 20, 24, 32, 40})}, quantities, [](double height) {
+    const std::size_t n = cells_of(1, height);
+    return errors_of(flow_of(n, Stepping::one_step, 5 * static_cast<long>(n) / 4));
+  });
 }
 
 TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "[manufactured]") {
   Check check("lagrangian_mesh_3d_manufactured_time", "Hexahedra: manufactured motion, order in time",
               "The same motion on $6^3$ cells with 8 to 64 steps, against 512 steps on the same cells: errors of time "
-              "alone, with the bottom's nodes among them.");
+              "alone, with the bottom's nodes among them.",
+              source);
   constexpr std::size_t n = 6;
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Flow finest = flow_of(n, stepping, 512);
-    std::vector<double> taus, places, velocities;
-    for (const long steps : {8, 16, 32, 64}) {
-      const Flow flow = flow_of(n, stepping, steps);
-      MeanSquare place, velocity;
-      for (std::size_t k = 0; k < 3 * flow.x().size(); ++k) {
-        place.add(flow.state().q[k] - finest.state().q[k]);
-        velocity.add(flow.state().u[k] - finest.state().u[k]);
-      }
-      taus.push_back(duration / static_cast<double>(steps));
-      places.push_back(place.root());
-      velocities.push_back(velocity.root());
-    }
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
-    check.that({.id = id + "-places",
-                .text = id + ": places are second-order in time.",
-                .quantity = "observed order",
-                .source = source},
-               observed_order(taus, places), second);
-    check.that({.id = id + "-velocities",
-                .text = id + ": velocities are second-order in time.",
-                .quantity = "observed order",
-                .source = source},
-               observed_order(taus, velocities), second);
+    refine(check, {.axis = "step", .sizes = widths(duration, {8, 16, 32, 64}), .id = id},
+           {{id + "-places", id + ": places are second-order in time.", second},
+            {id + "-velocities", id + ": velocities are second-order in time.", second}},
+           [&](double tau) {
+             const Flow flow = flow_of(n, stepping, std::lround(duration / tau));
+             Mean place, velocity;
+             for (std::size_t k = 0; k < 3 * flow.x().size(); ++k) {
+               place.add(flow.state().q[k] - finest.state().q[k]);
+               velocity.add(flow.state().u[k] - finest.state().u[k]);
+             }
+             return std::array{place.rms(), velocity.rms()};
+           });
   }
 }
 
-}  // namespace lagrangian_mesh_3d_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_test

@@ -5,18 +5,17 @@
 #include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace lagrangian_mesh_barrier_test {
+namespace seiche::verification::lagrangian_mesh_barrier_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
-  Check check(
-      "lagrangian_mesh_barrier", "Corner barrier: force and energy",
-      "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node against "
-      "differences of the energy, fourth order in their width.");
+  Check check("lagrangian_mesh_barrier", "Corner barrier: force and energy",
+              "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node "
+              "against differences of the energy, fourth order in their width.",
+              "the energy of corner_barrier.hpp");
   Mesh mesh = free_patch(3, 3, {0, 0}, {3, 3});
   std::vector<double> areas(mesh.cells(), 1.0);
   std::vector<double> x = mesh.x;
@@ -28,8 +27,7 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
   std::vector<double> push_x(mesh.nodes(), 0.0);
   std::vector<double> push_y(mesh.nodes(), 0.0);
   barrier.push(mesh, areas, x.data(), y.data(), 1, push_x, push_y);
-  Convergence errors;
-  for (double width = 0.008; width > 0.0004; width /= 2) {
+  const auto difference = [&](double width) {
     Largest largest;
     for (std::size_t k = 0; k < mesh.nodes(); ++k) {
       const auto slope = [&](double& coordinate) {
@@ -38,20 +36,18 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
           coordinate = place + shift;
           return barrier.energy(mesh, areas, x.data(), y.data());
         };
-        const double difference =
+        const double slope_of_energy =
             (8 * (energy(width) - energy(-width)) - (energy(2 * width) - energy(-2 * width))) / (12 * width);
         coordinate = place;
-        return difference;
+        return slope_of_energy;
       };
       largest.add(std::hypot(push_x[k] + slope(x[k]), push_y[k] + slope(y[k])));
     }
-    errors.add(width, largest.value());
-  }
-  check.that({.id = "force",
-              .text = "The forces agree with the energy.",
-              .quantity = "order of the largest difference in the width of the differences",
-              .source = "the energy of corner_barrier.hpp"},
-             errors.order(1e-9), Order{4, 0.3, "fourth-order differences of a smooth energy"});
+    return largest.value();
+  };
+  refine(check, {.axis = "width of the differences", .sizes = {0.008, 0.004, 0.002, 0.001, 0.0005}, .floor = 1e-9},
+         {{"force", "The forces agree with the energy.", {4, 0.3, "fourth-order differences of a smooth energy"}}},
+         difference);
 }
 
-}  // namespace lagrangian_mesh_barrier_test
+}  // namespace seiche::verification::lagrangian_mesh_barrier_test

@@ -1,5 +1,4 @@
 // Velocities that an impulsive pressure on the surface gives the two-dimensional Lagrangian mesh.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -8,11 +7,9 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace lagrangian_mesh_impulse_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::lagrangian_mesh_impulse_test {
 
 const std::string source = "Lamb, Hydrodynamics (1932), art. 11; Frank (1994), chapter 2";
 constexpr double length = 40;
@@ -40,9 +37,7 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
   Worst fastest;
   for (std::size_t s = 0; s < rates.size(); ++s) fastest.add(rates[s] / model.first_volumes()[s]);
   errors.rates = fastest.value();
-  Worst speed;
-  Worst lower_half;
-  Worst surface;
+  Worst speed, lower_half, surface;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const Point exact = placed.velocity({mesh.x[k], mesh.y[k]});
     speed.add(std::hypot(exact.x, exact.y));
@@ -59,47 +54,31 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
 TEST_CASE("an impulse on the surface starts the potential flow of an exact wave", "[manufactured]") {
   Check check(
       "lagrangian_mesh_impulse", "A mesh set into potential flow by an impulse on its surface",
-      "An impulsive pressure, minus the potential of a solitary wave of 0.3 depths on its surface, acts on meshes "
-      "of 4 to 32 rows at rest. In the lower half the velocities are the wave's to second order, and so is the "
-      "energy. At the surface they are so to first order only: a surface node feels the pressure half a cell "
-      "below. This is what the mesh takes for potential flow; nodes started with the exact velocities slide over "
-      "the row beneath for ever.");
+      "An impulsive pressure, minus the potential of a solitary wave of 0.3 depths on its surface, acts on meshes of 4 "
+      "to 32 rows at rest. In the lower half the velocities are the wave's to second order, and so is the energy. At "
+      "the surface they are so to first order only: a surface node feels the pressure half a cell below. This is what "
+      "the mesh takes for potential flow; nodes started with the exact velocities slide over the row beneath for ever.",
+      source);
   const exact::SolitaryWave wave(0.3);
-  std::vector<double> h, lower_half, surface, kinetic;
+  const Order second{2, 0.2, "smooth wave; the coarsest mesh has four rows"};
   Largest rates;
-  for (const long rows : {4, 8, 16, 32}) {
-    const Errors errors = errors_of(wave, rows);
-    h.push_back(1 / static_cast<double>(rows));
-    lower_half.push_back(errors.lower_half);
-    surface.push_back(errors.surface);
-    kinetic.push_back(errors.kinetic);
-    rates.add(errors.rates);
-  }
-  auto& panel =
-      check.figure("impulse", "Velocities after an impulse on the surface", "Errors against the height of the cells.")
-          .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
-  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
-                         Order criterion) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = source}, observed_order(h, errors),
-               criterion);
-    panel.points(id, h, errors, Role::computed);
-  };
-  order("lower-half", "Velocities in the lower half agree with the wave, to second order.", lower_half,
-        {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
-  order("energy", "The kinetic energy after the impulse converges at second order.", kinetic,
-        {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
-  order("surface", "Velocities at the surface are so to first order.", surface,
-        {1, 0.2, "a surface node feels the pressure half a cell below"});
-  check.that(
-      {.id = "areas",
-       .text = "Rates of all cell areas after the impulse are zero to round-off.",
-       .quantity = "largest rate of an area over the area",
-       .unit = "sqrt(g/depth)",
-       .source = source},
-      {.value = rates.value(), .resolution = "4 to 32 rows"},
-      Roundoff{10, 1300,
-               "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the cells' "
-               "reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
+  refine(check, {"h2/depth", widths(1, {4, 8, 16, 32})},
+         {{"lower-half", "Velocities in the lower half agree with the wave, to second order.", second},
+          {"energy", "The kinetic energy after the impulse converges at second order.", second},
+          {"surface",
+           "Velocities at the surface are so to first order.",
+           {1, 0.2, "a surface node feels the pressure half a cell below"}}},
+         [&](double height) {
+           const Errors errors = errors_of(wave, std::lround(1 / height));
+           rates.add(errors.rates);
+           return std::array{errors.lower_half, errors.kinetic, errors.surface};
+         });
+  check.that("areas", "Rates of all cell areas after the impulse are zero to round-off.",
+             "largest rate of an area over the area [sqrt(g/depth)]",
+             {.value = rates.value(), .resolution = "4 to 32 rows"},
+             Roundoff{10, 1300,
+                      "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the "
+                      "cells' reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
 }
 
-}  // namespace lagrangian_mesh_impulse_test
+}  // namespace seiche::verification::lagrangian_mesh_impulse_test

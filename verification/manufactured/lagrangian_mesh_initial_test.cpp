@@ -1,11 +1,9 @@
 // First data of the two-dimensional Lagrangian mesh from exact waves: what is exact, and how the rest converges.
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/exact/solitary_wave.hpp"
@@ -14,12 +12,11 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace lagrangian_mesh_initial_test {
+namespace seiche::verification::lagrangian_mesh_initial_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 const std::string source = "Frank (1994), chapter 2: first data";
 
@@ -124,10 +121,8 @@ Errors errors_of(const Piece& piece, double depth, std::size_t columns, std::siz
                 .potential = std::abs(model.potential_energy(flow.state().q) / piece.potential - 1),
                 .change = 0,
                 .interior_change = 0};
-  Worst speed;
-  Worst interior_change;
-  double sum = 0;
-  double all = 0;
+  Worst speed, interior_change;
+  double sum = 0, all = 0;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const Point v = piece.velocity({mesh.x[k], mesh.y[k]});
     const double change = std::hypot(flow.u()[k] - v.x, flow.v()[k] - v.y);
@@ -144,37 +139,26 @@ Errors errors_of(const Piece& piece, double depth, std::size_t columns, std::siz
 
 void check_piece(Check& check, const std::string& id, const std::string& name, const Piece& piece, double depth,
                  std::size_t columns_per_row) {
-  std::vector<double> h, area, kinetic, potential, change, interior;
-  Largest columns;
-  for (const std::size_t rows : {4, 8, 16, 32}) {
-    const Errors errors = errors_of(piece, depth, columns_per_row * rows, rows);
-    h.push_back(1 / static_cast<double>(rows));
-    columns.add(errors.columns);
-    area.push_back(errors.area);
-    kinetic.push_back(errors.kinetic);
-    potential.push_back(errors.potential);
-    change.push_back(errors.change);
-    interior.push_back(errors.interior_change);
-  }
-  check.holds(id + "-columns: " + name + ": the columns hold equal areas of water.", {columns.value()},
+  const Order linear{2, 0.1, "smooth wave; the coarsest mesh has four rows"};
+  const Order square{2, 0.2, linear.reason};
+  Largest unequal;
+  refine(check, {.axis = "h2/depth", .sizes = widths(1, {4, 8, 16, 32}), .id = id, .title = name},
+         {{id + "-area", name + ": the mesh's area is the water's, to second order.", linear},
+          {id + "-kinetic", name + ": the mesh's kinetic energy is the water's, to second order.", square},
+          {id + "-potential", name + ": the mesh's potential energy is the water's, to second order.", linear},
+          {id + "-projection", name + ": the projection changes the velocities by second order (L2 norm).", square},
+          {id + "-projection-below",
+           name + ": the projection changes the velocities in the lower half by second order (largest norm).", square}},
+         [&](double height) {
+           const std::size_t rows = cells_of(1, height);
+           const Errors e = errors_of(piece, depth, columns_per_row * rows, rows);
+           unequal.add(e.columns);
+           return std::array{e.area, e.kinetic, e.potential, e.change, e.interior_change};
+         });
+  check.holds(id + "-columns: " + name + ": the columns hold equal areas of water.", {unequal.value()},
               Roundoff{10, static_cast<double>(32 * columns_per_row),
-                       "both ends of a column are rounded places, up to the tank's length, that is as many "
-                       "columns' widths as there are"});
-  auto& panel = check.figure(id, name, "Relative errors of the first data against the height of the cells.")
-                    .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
-  const auto order = [&](const std::string& what, const std::string& text, const std::vector<double>& errors,
-                         double tolerance, const std::string& reason) {
-    check.that({.id = id + "-" + what, .text = name + ": " + text, .quantity = "observed order", .source = source},
-               observed_order(h, errors), Order{2, tolerance, reason});
-    panel.points(what, h, errors, Role::computed);
-  };
-  const std::string smooth = "smooth wave; the coarsest mesh has four rows";
-  order("area", "the mesh's area is the water's, to second order.", area, 0.1, smooth);
-  order("kinetic", "the mesh's kinetic energy is the water's, to second order.", kinetic, 0.2, smooth);
-  order("potential", "the mesh's potential energy is the water's, to second order.", potential, 0.1, smooth);
-  order("projection", "the projection changes the velocities by second order (L2 norm).", change, 0.2, smooth);
-  order("projection-below", "the projection changes the velocities in the lower half by second order (largest norm).",
-        interior, 0.2, smooth);
+                       "both ends of a column are rounded places, up to the tank's length, that is as many columns' "
+                       "widths as there are"});
 }
 
 TEST_CASE("first data of a mesh are those of the exact wave, to second order", "[manufactured]") {
@@ -182,11 +166,12 @@ TEST_CASE("first data of a mesh are those of the exact wave, to second order", "
               "Surface and velocities of an exact solitary wave and of a wavelength of an exact Stokes wave between "
               "sides that move with the water, on meshes of 4 to 32 rows. Columns hold equal areas of water to "
               "round-off. The polygons' area, the energies after the projection on constant areas, and what the "
-              "projection changes converge with second order to the integrals of the waves.");
+              "projection changes converge with second order to the integrals of the waves.",
+              source);
   const exact::SolitaryWave solitary(0.3);
   check_piece(check, "solitary", "Solitary wave, A = 0.3", solitary_piece(solitary), 1, 20);
   const exact::StokesWave stokes(0.1, 4, 1, 1);
   check_piece(check, "stokes", "Stokes wave, a = 0.1, wavelength 4", stokes_piece(stokes), 1, 2);
 }
 
-}  // namespace lagrangian_mesh_initial_test
+}  // namespace seiche::verification::lagrangian_mesh_initial_test

@@ -3,16 +3,14 @@
 #include <numbers>
 #include <vector>
 
-#include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace mesh_remap_test {
+namespace seiche::verification::mesh_remap_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 constexpr double size = std::numbers::pi;
 
@@ -46,26 +44,16 @@ double error(std::size_t n) {
 
 TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manufactured]") {
   Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
-              "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for "
-              "others: nodes move by up to 0.3 of a cell. Root mean square of the errors at the new "
-              "nodes.");
-  std::vector<double> sizes, errors;
-  for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
-    sizes.push_back(size / static_cast<double>(n));
-    errors.push_back(error(n));
-  }
-  auto& panel = check.figure("convergence", "Errors under refinement", "The grey line has slope 3.")
-                    .panel({.x = "width of a cell", .y = "error", .log_x = true, .log_y = true});
-  panel.line("velocity", sizes, errors);
-  validation::slope_guide(panel, 3, sizes, errors.back() * 1.5);
-  check.that({.id = "velocity",
-              .text = "Velocities are carried to third order.",
-              .quantity = "observed order",
-              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             observed_order(sizes, errors),
-             Order{3, 0.3,
-                   "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
-                   "carries along, by h^2 times the change of the cell's size, h"});
+              "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for others: nodes "
+              "move by up to 0.3 of a cell. Root mean square of the errors at the new nodes.",
+              "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
+  refine(check, {"width of a cell", widths(size, {12, 16, 24, 32, 48, 64})},
+         {{"velocity",
+           "Velocities are carried to third order.",
+           {3, 0.3,
+            "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation carries along, by "
+            "h^2 times the change of the cell's size, h"}}},
+         [](double width) { return error(cells_of(size, width)); });
 }
 
-}  // namespace mesh_remap_test
+}  // namespace seiche::verification::mesh_remap_test

@@ -47,8 +47,7 @@ struct Operators {
   double interpolation = 0;
   Eigen::Vector2d difference{0, 0};
   Eigen::Vector2d symmetric{0, 0};
-  double laminar = 0;
-  double moving_least_squares = 0;
+  double laminar = 0, moving_least_squares = 0;
 };
 
 /// Distance to the nearest image in a unit period.

@@ -1,51 +1,47 @@
 // Particles under friction and before a piston: flows of which one number is known in closed form.
 #include <cmath>
-#include <vector>
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace particles_ends_test {
+namespace seiche::verification::particles_ends_test {
 
-using namespace seiche;
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr double g = 9.81;
 
 TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufactured]") {
-  Check check(
-      "particles_friction", "Uniform stream under friction",
-      "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, hence "
-      "$u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.");
+  Check check("particles_friction", "Uniform stream under friction",
+              "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, "
+              "hence $u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.",
+              "Manning's law, integrated");
   constexpr double depth = 0.3;
   constexpr double velocity = 2;
   constexpr double manning = 0.03;
   constexpr double end = 4;
   const double rate = g * manning * manning / std::pow(depth, 4.0 / 3);
   const double exact = velocity / (1 + rate * velocity * end);
-  Convergence errors;
-  for (long count = 40; count <= 640; count *= 2) {
-    Forcing forcing;
-    forcing.manning = manning;
-    ParticleFlow flow(uniform_stretches({{0, 20, {depth, velocity}}}, 20), {Free{}, Free{}}, forcing);
-    for (long k = 0; k < count; ++k) flow.advance(end / static_cast<double>(count));
-    errors.add(end / static_cast<double>(count), std::abs(flow.particles().velocity[10] - exact));
-  }
-  check.that({.id = "order",
-              .text = "The velocity after four seconds is second-order in the step.",
-              .quantity = "order of the error of the velocity",
-              .source = "Manning's law, integrated"},
-             errors.order(1e-12), Order{2, 0.1, "a scheme of second order for an ordinary differential equation"});
+  refine(check, {.axis = "step", .sizes = widths(end, {40, 80, 160, 320, 640}), .floor = 1e-12},
+         {{"order",
+           "The velocity after four seconds is second-order in the step.",
+           {2, 0.1, "a scheme of second order for an ordinary differential equation"}}},
+         [&](double tau) {
+           Forcing forcing;
+           forcing.manning = manning;
+           ParticleFlow flow(uniform_stretches({{0, 20, {depth, velocity}}}, 20), {Free{}, Free{}}, forcing);
+           for (std::size_t k = cells_of(end, tau); k > 0; --k) flow.advance(tau);
+           return std::abs(flow.particles().velocity[10] - exact);
+         });
 }
 
 TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufactured]") {
-  Check check(
-      "particles_piston", "Accelerated piston",
-      "A piston that moves into still water with velocity $v = b t^2$ makes a simple wave: until it breaks, the "
-      "celerity "
-      "at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the thrust $c^4/(2g)$.");
+  Check check("particles_piston", "Accelerated piston",
+              "A piston that moves into still water with velocity $v = b t^2$ makes a simple wave: until it breaks, "
+              "the celerity at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the "
+              "thrust $c^4/(2g)$.",
+              "Stoker, Water Waves (1957), section 10.3");
   constexpr double b = 0.2;
   constexpr double end = 2;
   const double c = std::sqrt(g);
@@ -54,19 +50,17 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
   const double fourth = c * c * c * c + 4 * c * c * c * rise / 3 + 6 * c * c * rise * rise / 5 +
                         4 * c * rise * rise * rise / 7 + rise * rise * rise * rise / 9;
   const double exact = 0.5 * fourth * end / g;
-  Convergence errors;
-  for (std::size_t count = 40; count <= 320; count *= 2) {
-    ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Piston{[](double t) { return b * t * t; }}, Wall{}},
-                      {});
-    const auto steps = static_cast<long>(3 * count);
-    for (long k = 0; k < steps; ++k) flow.advance(end / static_cast<double>(steps));
-    errors.add(10 / static_cast<double>(count), std::abs(flow.ledger().left_impulse.value() - exact));
-  }
-  check.that({.id = "impulse",
-              .text = "The piston's impulse agrees with the simple wave, to second order.",
-              .quantity = "order of the error of the impulse",
-              .source = "Stoker, Water Waves (1957), section 10.3"},
-             errors.order(1e-12), Order{2, 0.3, "second order in width and step"});
+  refine(check, {.axis = "particle width", .sizes = widths(10, {40, 80, 160, 320}), .floor = 1e-12},
+         {{"impulse",
+           "The piston's impulse agrees with the simple wave, to second order.",
+           {2, 0.3, "second order in width and step"}}},
+         [&](double width) {
+           const std::size_t count = cells_of(10, width);
+           ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count),
+                             {Piston{[](double t) { return b * t * t; }}, Wall{}}, {});
+           for (std::size_t k = 0; k < 3 * count; ++k) flow.advance(end / static_cast<double>(3 * count));
+           return std::abs(flow.ledger().left_impulse.value() - exact);
+         });
 }
 
-}  // namespace particles_ends_test
+}  // namespace seiche::verification::particles_ends_test

@@ -1,6 +1,5 @@
 // Parts of the particle method that are known in closed form: mirrors at walls, fixed sections, jumps that leave their
 // particle, the profile of a front.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,11 +12,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace particles_parts_test {
+namespace seiche::verification::particles_parts_test {
 
-using namespace seiche;
-using namespace seiche::shallow_water_particles;
-using namespace seiche::verification;
+using namespace shallow_water_particles;
 
 constexpr double g = 9.81;
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
@@ -84,28 +81,25 @@ TEST_CASE("a wall is a mirror", "[manufactured]") {
       };
       const std::string name =
           fmt::format("{}-{}", uneven ? "hump" : "level", level == Level::muscl ? "muscl" : "godunov");
-      const auto claim = [&](const std::string& id, const std::string& text, double value) {
-        check.holds(id + ": " + text, {value}, rounding);
-      };
+      const auto claim = [&](const std::string& text, double value) { check.holds(text, {value}, rounding); };
       const Particles half = slosh(0, 20, 0);
-      claim(name, "Half a basin behaves as half of the whole.", difference_from_half(half, slosh(-3, 40, 0)));
+      claim("Half a basin behaves as half of the whole.", difference_from_half(half, slosh(-3, 40, 0)));
       if (uneven) continue;
       constexpr double speed = 0.7;
       Particles carried = slosh(0, 20, speed);
       for (double& x : carried.edge) x -= speed * tau * steps;
       for (double& u : carried.velocity) u -= speed;
-      claim(name + "-carried", "A basin that is carried along behaves as one at rest.",
-            difference_from_half(carried, half));
+      claim("A basin that is carried along behaves as one at rest.", difference_from_half(carried, half));
     }
   }
 }
 
 TEST_CASE("water that leaves through a section takes its mass and momentum along", "[manufactured]") {
-  Check check(
-      "particles_outflow", "A fan through a fixed section",
-      "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows the "
-      "water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
-      "their integrals. To the left the same, bit by bit but for the order of sums.");
+  Check check("particles_outflow", "A fan through a fixed section",
+              "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows "
+              "the water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
+              "their integrals. To the left the same, bit by bit but for the order of sums.",
+              "Ritter (1892)");
   const double c0 = std::sqrt(g);
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   const auto passed = [&](int power) {
@@ -130,20 +124,17 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
     asymmetry.add(right.momentum - left.momentum);
   }
   const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
-    check.that({.id = id, .text = text, .quantity = "observed order", .source = "Ritter (1892)"},
-               observed_order(widths, errors, 1e-12),
+    check.that(id, text, "observed order", observed_order(widths, errors, 1e-12),
                Order{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"});
   };
   order("mass", "The mass that has left is of second order.", mass);
   order("momentum", "The momentum that has left is second-order in the particle spacing.", momentum);
-  check.that({.id = "mirrored",
-              .text = "To the left the same passes as to the right.",
-              .quantity = "largest difference of mass or momentum",
-              .source = source},
-             {.value = asymmetry.value()},
-             Roundoff{100.0 * 6 * 640, passed(2),
-                      "a hundred rounded operations per step near the section, of numbers up to the "
-                      "momentum that has passed"});
+  check.from(source).that(
+      "mirrored", "To the left the same passes as to the right.", "largest difference of mass or momentum",
+      {asymmetry.value()},
+      Roundoff{
+          100.0 * 6 * 640, passed(2),
+          "a hundred rounded operations per step near the section, of numbers up to the momentum that has passed"});
 }
 
 TEST_CASE("a particle that a jump has left is in the state behind it", "[manufactured]") {
@@ -169,13 +160,13 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
     hand_over(g, *jump, mass, tau, velocity, thrust);
     const double width = mass / mean.depth + sign * tau * (velocity - back.velocity);
     const double momentum = mass * mean.velocity + sign * tau * (shallow_water::thrust(g, back.depth) - thrust);
-    const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
+    const auto claim = [&](const std::string& text, double value, double expected) {
       check.holds(
-          (right ? "right-" : "left-") + id + ": " + text, {value},
+          (right ? "right-" : "left-") + text, {value},
           Roundoff{60, std::abs(expected) + 5, "some sixty operations on numbers up to the celerity", expected});
     };
-    claim("depth", "By its volume the particle has the depth behind.", mass / width, back.depth);
-    claim("velocity", "By its momentum it has the velocity behind.", momentum / mass, back.velocity);
+    claim("By its volume the particle has the depth behind.", mass / width, back.depth);
+    claim("By its momentum it has the velocity behind.", momentum / mass, back.velocity);
   }
 }
 
@@ -194,14 +185,13 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
     momenta.add(tip.edge_depth * tip.front_velocity / (e + 1) -
                 2 * std::sqrt(g) * std::pow(tip.edge_depth, 1.5) / (1.5 * e + 1) - mean.depth * mean.velocity);
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value},
-                Roundoff{100, 2,
-                         "the exponent is found to a rounding by halving; momenta up to 2, in some thirty "
-                         "operations"});
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(
+        text, {value},
+        Roundoff{100, 2, "the exponent is found to a rounding by halving; momenta up to 2, in some thirty operations"});
   };
-  claim("mass", "The mass under the tip's profile equals the particle's mass.", masses.value());
-  claim("momentum", "The momentum that has left is second-order in the particle spacing.", momenta.value());
+  claim("The mass under the tip's profile equals the particle's mass.", masses.value());
+  claim("The momentum that has left is second-order in the particle spacing.", momenta.value());
 }
 
-}  // namespace particles_parts_test
+}  // namespace seiche::verification::particles_parts_test

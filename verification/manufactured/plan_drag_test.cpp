@@ -9,13 +9,13 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan/plan_standing_mode.hpp"
+#include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace plan_drag_test {
+namespace seiche::verification::plan_drag_test {
 
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double manning = 0.3;
 constexpr double depth = 0.8;
@@ -64,85 +64,72 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
   Check check(
       "plan_drag", "Friction at the bottom in plan",
       "Water sloshes in a basin 6 by 4, depth 0.8, Manning's n = 0.3, until t = 4. What is lost of the energy is "
-      "compared with the work of the law, summed over the run by the trapezoidal rule. Volumes of cells stay.");
-  const std::vector<double> steps{0.1, 0.05, 0.025, 0.0125};
-  std::vector<double> off;
-  double lost = 0;
+      "compared with the work of the law, summed over the run by the trapezoidal rule. Volumes of cells stay.",
+      "Manning's law");
   double volumes = 0;
-  for (const double tau : steps) {
-    Flow flow(sloshing(), {}, {.stepping = Stepping::conservative}, {.gravity = 1, .drag = {.manning = manning}});
-    const double before = flow.energy();
-    double work = 0;
-    double rate = power(flow);
-    for (long n = 0; n < std::lround(4 / tau); ++n) {
-      flow.advance(tau);
-      const double next = power(flow);
-      work += 0.5 * tau * (rate + next);
-      rate = next;
-    }
-    flow.observe();
-    lost = before - flow.energy();
-    volumes = flow.ledger().largest_defect("volume_worst");
-    off.push_back(std::abs(lost - work) / before);
-  }
-  check.that({.id = "work",
-              .text = "The energy lost is the work of the law, to O(tau).",
-              .quantity = "order of the difference",
-              .source = "Manning's law"},
-             observed_order(steps, off),
-             Order{1, 0.2,
-                   "friction is implicit in velocities that gravity has changed and the columns' volumes, which act "
-                   "after it, have not: off by O(tau)"});
-  check.that({.id = "volumes",
-              .text = "The volume of every cell stays.",
-              .quantity = "largest defect",
-              .source = "formula 10"},
-             {.value = volumes}, Roundoff{320, 6, "a rounded place, up to 6, per step"});
+  refine(check, {"tau", {0.1, 0.05, 0.025, 0.0125}},
+         {{"work",
+           "The energy lost is the work of the law, to O(tau).",
+           {1, 0.2,
+            "friction is implicit in velocities that gravity has changed and the columns' volumes, which act after it, "
+            "have not: off by O(tau)"}}},
+         [&](double tau) {
+           Flow flow(sloshing(), {}, {.stepping = Stepping::conservative},
+                     {.gravity = 1, .drag = {.manning = manning}});
+           const double before = flow.energy();
+           double work = 0, rate = power(flow);
+           for (long n = 0; n < std::lround(4 / tau); ++n) {
+             flow.advance(tau);
+             const double next = power(flow);
+             work += 0.5 * tau * (rate + next);
+             rate = next;
+           }
+           flow.observe();
+           volumes = flow.ledger().largest_defect("volume_worst");
+           return std::abs(before - flow.energy() - work) / before;
+         });
+  check.that("volumes", "The volume of every cell stays.", "largest defect", {volumes},
+             Roundoff{320, 6, "a rounded place, up to 6, per step"});
 }
 
 TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate", "[manufactured]") {
   Check check("plan_absorption", "Absorption in plan",
               "A standing wave of $10^{-6}$ depths in a basin 6 by 4 whose water slows down everywhere at the rate r = "
               "0.3: $z'' + r z' + \\Omega^2 z = 0$, $\\Omega$ of the lattice in closed form. Elevation in a corner at "
-              "t = 7 against the solution.");
+              "t = 7 against the solution.",
+              "z'' + r z' + Omega^2 z = 0");
   constexpr double rate = 0.3;
   constexpr double time = 7;
   constexpr double amplitude = 1e-6;
-  const seiche::validation::PlanTank tank{.columns = 12, .rows = 8, .length = 6, .width = 4, .depth = depth};
+  const validation::PlanTank tank{.columns = 12, .rows = 8, .length = 6, .width = 4, .depth = depth};
   const double omega = tank.frequency(std::numbers::pi / 6, std::numbers::pi / 4);
   const double damped = std::sqrt(omega * omega - 0.25 * rate * rate);
   const double expected =
       std::exp(-0.5 * rate * time) * (std::cos(damped * time) + 0.5 * rate / damped * std::sin(damped * time));
-  std::vector<double> off;
-  const std::vector<double> steps{0.2, 0.1, 0.05, 0.025};
-  for (const double tau : steps) {
-    Flow flow(rectangular_lattice({.begin = 0,
-                                   .end = 6,
-                                   .south = 0,
-                                   .north = 4,
-                                   .columns = 12,
-                                   .rows = 8,
-                                   .elevation =
-                                       [](double x, double y) {
-                                         return amplitude * std::cos(std::numbers::pi * x / 6) *
-                                                std::cos(std::numbers::pi * y / 4);
-                                       },
-                                   .depth = depth}),
-              {}, {}, {.tolerance = 1e-13, .drag = {.absorption = [](seiche::Point) { return rate; }}});
-    march(flow, time, tau);
-    off.push_back(std::abs(flow.z()[0] / amplitude - expected));
-  }
-  check.that({.id = "decay",
-              .text = "The wave swings and decays as the damped oscillator, to O(tau).",
-              .quantity = "order of the difference",
-              .source = "z'' + r z' + Omega^2 z = 0"},
-             observed_order(steps, off),
-             Order{1, 0.2, "absorption acts before the forces of a step and not with them"});
-  check.that({.id = "size",
-              .text = "The error at the smallest step is small against the amplitude.",
-              .quantity = "difference over the first amplitude",
-              .source = "z'' + r z' + Omega^2 z = 0"},
-             {.value = off.back(), .resolution = "tau = 0.025"},
+  const auto errors =
+      refine(check, {"tau", {0.2, 0.1, 0.05, 0.025}},
+             {{"decay",
+               "The wave swings and decays as the damped oscillator, to O(tau).",
+               {1, 0.2, "absorption acts before the forces of a step and not with them"}}},
+             [&](double tau) {
+               Flow flow(rectangular_lattice({.begin = 0,
+                                              .end = 6,
+                                              .south = 0,
+                                              .north = 4,
+                                              .columns = 12,
+                                              .rows = 8,
+                                              .elevation =
+                                                  [](double x, double y) {
+                                                    return amplitude * std::cos(std::numbers::pi * x / 6) *
+                                                           std::cos(std::numbers::pi * y / 4);
+                                                  },
+                                              .depth = depth}),
+                         {}, {}, {.tolerance = 1e-13, .drag = {.absorption = [](Point) { return rate; }}});
+               march(flow, time, tau);
+               return std::abs(flow.z()[0] / amplitude - expected);
+             });
+  check.that("size", "The error at the smallest step is small against the amplitude.",
+             "difference over the first amplitude", {.value = errors[0].back(), .resolution = "tau = 0.025"},
              Bound{0.5 * rate * 0.025,
                    "half a step of decay between places and velocities: r tau/2 of the amplitude; other errors are of "
                    "second order"});
@@ -151,7 +138,8 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
 TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do not", "[manufactured]") {
   Check check("plan_pattern", "The pattern + - + - in plan",
               "Velocities of 12 x 10 equal cells before and after a short time in which the pattern + - + - is slowed "
-              "down: that pattern, velocities of second degree in x and y, and random ones.");
+              "down: that pattern, velocities of second degree in x and y, and random ones.",
+              "seiche/models/dispersive_shallow_water_2d/drag.hpp");
   const Lattice lattice =
       rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
   const std::size_t n = lattice.shape.nodes();
@@ -164,11 +152,11 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   constexpr double rate = 2;
   constexpr double h = 1e-6;
   const Drag drag({.lattice_rate = rate}, lattice, 1.0 / 3);
-  const auto slowed = [&](const std::function<seiche::Point(std::size_t)>& velocity, double time,
-                          const std::vector<double>& m, const InverseMasses& w) {
+  const auto slowed = [&](const std::function<Point(std::size_t)>& velocity, double time, const std::vector<double>& m,
+                          const InverseMasses& w) {
     std::vector<double> u(3 * n, 0.0);
     for (std::size_t k = 0; k < n; ++k) {
-      const seiche::Point given = velocity(k);
+      const Point given = velocity(k);
       u[k] = given.x;
       u[n + k] = given.y;
     }
@@ -178,7 +166,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   };
   const auto pattern = [](std::size_t k) {
     const double sign = (k % 13 + k / 13) % 2 == 0 ? 1 : -1;
-    return seiche::Point{sign, -0.5 * sign};
+    return Point{sign, -0.5 * sign};
   };
   const std::vector<double> equal(n, 1.0);
   InverseMasses ones(n);
@@ -186,75 +174,57 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   std::fill(ones.yy.begin(), ones.yy.end(), 1.0);
   const std::size_t inner = lattice.shape.node(6, 5);
   const auto [all, left] = slowed(pattern, h, equal, ones);
-  check.that({.id = "rate",
-              .text = "The pattern decays at the rate.",
-              .quantity = "rate of an inner node over the given one",
-              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
-             {.value = (1 - left[inner] / all[inner]) / (rate * h)},
+  check.that("rate", "The pattern decays at the rate.", "rate of an inner node over the given one",
+             {(1 - left[inner] / all[inner]) / (rate * h)},
              Bound{1e-4, "pair after pair: what one takes the next no longer has, some 10 rate h", 1});
   const auto [waves, damped] = slowed(
       [](std::size_t k) {
         const std::size_t row = k / 13;
         const double wave = std::cos(0.9 * static_cast<double>(k % 13) + 0.6 * static_cast<double>(row));
-        return seiche::Point{wave, wave};
+        return Point{wave, wave};
       },
       h, equal, ones);
   const double s1 = std::pow(std::sin(0.45), 2);
   const double s2 = std::pow(std::sin(0.3), 2);
-  check.that({.id = "waves",
-              .text = "Velocities of a plane wave decay at the rate of the law.",
-              .quantity = "rate of an inner node over that",
-              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
-             {.value = (1 - damped[inner] / waves[inner]) / (rate * h * s1 * s2 * (s1 + s2) / 2)},
+  check.that("waves", "Velocities of a plane wave decay at the rate of the law.", "rate of an inner node over that",
+             {(1 - damped[inner] / waves[inner]) / (rate * h * s1 * s2 * (s1 + s2) / 2)},
              Bound{1e-4, "one pair after the other, some 10 rate h, and rounding over 1e-8", 1});
   const auto [smooth, same] = slowed(
       [&](std::size_t k) {
         const double x = lattice.x[k];
         const double y = lattice.y[k];
-        return seiche::Point{1 + x - 2 * y + x * x - 0.7 * x * y + 0.2 * y * y, 3 - y + 0.4 * x * x + 0.3 * x * y};
+        return Point{1 + x - 2 * y + x * x - 0.7 * x * y + 0.2 * y * y, 3 - y + 0.4 * x * x + 0.3 * x * y};
       },
       0.1, masses, inverse);
-  seiche::Worst changed;
+  Worst changed;
   for (std::size_t k = 0; k < 2 * n; ++k) changed.add(same[k] - smooth[k]);
-  check.that({.id = "smooth",
-              .text = "Motions of second degree are not changed by damping the pattern.",
-              .quantity = "largest change of a velocity",
-              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
-             {.value = changed.value()},
+  check.that("smooth", "Motions of second degree are not changed by damping the pattern.",
+             "largest change of a velocity", {changed.value()},
              Roundoff{200, 40, "twelve roundings in each of sixteen pairs of velocities up to 40"});
   const auto [wild, tamed] = slowed(
       [](std::size_t k) {
         const auto at = static_cast<double>(k);
-        return seiche::Point{std::sin(12.9 * at * at), std::cos(7.3 * at * at)};
+        return Point{std::sin(12.9 * at * at), std::cos(7.3 * at * at)};
       },
       0.1, masses, inverse);
-  double momentum = 0;
-  double energy_before = 0;
-  double energy_after = 0;
+  double momentum = 0, energy_before = 0, energy_after = 0;
   for (std::size_t k = 0; k < n; ++k) {
     momentum += masses[k] * (tamed[k] - wild[k] + tamed[n + k] - wild[n + k]);
     energy_before += masses[k] * (wild[k] * wild[k] + wild[n + k] * wild[n + k]);
     energy_after += masses[k] * (tamed[k] * tamed[k] + tamed[n + k] * tamed[n + k]);
   }
-  check.that({.id = "momentum",
-              .text = "Momentum is conserved by the drag to round-off.",
-              .quantity = "change of its two components together",
-              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
-             {.value = momentum}, Roundoff{16 * 2 * static_cast<double>(n), 1, "sixteen pairs at every node"});
-  check.that({.id = "energy",
-              .text = "Energy of random motions falls when the pattern is damped.",
-              .quantity = "energy after over that before is less than 1",
-              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
-             {.value = energy_after < energy_before ? 1.0 : 0.0},
+  check.that("momentum", "Momentum is conserved by the drag to round-off.", "change of its two components together",
+             {momentum}, Roundoff{16 * 2 * static_cast<double>(n), 1, "sixteen pairs at every node"});
+  check.that("energy", "Energy of random motions falls when the pattern is damped.",
+             "energy after over that before is less than 1", {energy_after < energy_before ? 1.0 : 0.0},
              Qualitative{"after less than before", "every pair takes energy"});
 }
 
 TEST_CASE("steep water that runs together exchanges momentum and other water does not", "[manufactured]") {
-  Check check(
-      "plan_breaking", "Breaking in plan",
-      "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
-      "sixth column, what is steeper than 2 begins to break. Velocities before and after a short time. Then the "
-      "step falls to 0.6, where it is a bore of Froude number 1.55, and to 0.2, of 1.19.");
+  Check check("plan_breaking", "Breaking in plan",
+              "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
+              "sixth column, what is steeper than 2 begins to break. Velocities before and after a short time. Then "
+              "the step falls to 0.6, where it is a bore of Froude number 1.55, and to 0.2, of 1.19.");
   Lattice lattice =
       rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
   const std::size_t n = lattice.shape.nodes();
@@ -264,7 +234,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   InverseMasses inverse(n);
   for (std::size_t k = 0; k < n; ++k) inverse.xx[k] = inverse.yy[k] = 1 / masses[k];
   Drag drag({.breaking_slope = 2}, lattice, 1.0 / 3);
-  using Velocity = std::function<seiche::Point(std::size_t)>;
+  using Velocity = std::function<Point(std::size_t)>;
   const auto change = [&](Drag& by, std::size_t column, double step, const Velocity& velocity, double h) {
     for (std::size_t k = 0; k < n; ++k) lattice.z[k] = k % 13 > column ? step : 0.0;
     std::vector<double> q(lattice.x);
@@ -282,7 +252,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
     return std::pair{u, after};
   };
   const auto changed = [n](const std::pair<std::vector<double>, std::vector<double>>& velocities) {
-    seiche::Worst worst;
+    Worst worst;
     for (std::size_t k = 0; k < 2 * n; ++k) worst.add(velocities.second[k] - velocities.first[k]);
     return worst.value();
   };
@@ -297,10 +267,10 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
     return sum;
   };
   const auto meet_at = [](std::size_t column) {
-    return [column](std::size_t k) { return seiche::Point{k % 13 > column ? -0.5 : 0.5, k % 13 > column ? 0.2 : 0.0}; };
+    return [column](std::size_t k) { return Point{k % 13 > column ? -0.5 : 0.5, k % 13 > column ? 0.2 : 0.0}; };
   };
   const Velocity together = meet_at(5);
-  const Velocity away = [&](std::size_t k) { return seiche::Point{-together(k).x, together(k).y}; };
+  const Velocity away = [&](std::size_t k) { return Point{-together(k).x, together(k).y}; };
   const std::string source = "seiche/models/dispersive_shallow_water_2d/drag.hpp";
   check.source(source);
   constexpr double h = 1e-6;
@@ -311,50 +281,41 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   const double subcritical = std::sqrt(1 - depth * (depth + behind) / (2 * behind * behind));
   const double viscosity = 2 * std::sqrt(1.0 / 3) * mean_depth * std::sqrt(mean_depth) * subcritical;
   const double force = viscosity * mean_depth * 0.4 / 0.5;  // of the difference of two velocities
-  check.that({.id = "rate",
-              .text = "Two neighbours exchange momentum as the viscosity says.",
-              .quantity = "force over nu H times the width and the gradient of the velocity"},
-             {.value = (after[inner] - before[inner]) * masses[inner] / (h * -1.0 * force)},
+  check.that("rate", "Two neighbours exchange momentum as the viscosity says.",
+             "force over nu H times the width and the gradient of the velocity",
+             {(after[inner] - before[inner]) * masses[inner] / (h * -1.0 * force)},
              Bound{1e-4, "implicit: off by twice h times the rate of some 10, and rounding over 1e-6", 1});
   const auto [wild, tamed] = change(drag, 5, 1.2, together, 10);
-  check.that({.id = "momentum",
-              .text = "Momentum is kept, over any time.",
-              .quantity = "change of its two components together"},
-             {.value = momentum(tamed, 0) - momentum(wild, 0) + momentum(tamed, 1) - momentum(wild, 1)},
+  check.that("momentum", "Momentum is kept, over any time.", "change of its two components together",
+             {momentum(tamed, 0) - momentum(wild, 0) + momentum(tamed, 1) - momentum(wild, 1)},
              Roundoff{4 * static_cast<double>(n), 1, "one pair in each row"});
   // The step's last velocities are twice the mean less the first.
   std::vector<double> last = tamed;
   for (std::size_t k = 0; k < last.size(); ++k) last[k] = 2 * tamed[k] - wild[k];
-  check.that({.id = "no-return",
-              .text = "Over a long time the two come to one velocity and not to each other's.",
-              .quantity = "difference of the last velocities over that of the first"},
-             {.value = (last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
+  check.that("no-return", "Over a long time the two come to one velocity and not to each other's.",
+             "difference of the last velocities over that of the first",
+             {(last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
              Bound{0.05, "1/(1 + 2 x), x some tens, is positive and small", 0.05});
-  check.that({.id = "energy",
-              .text = "Energy falls where two velocities become one.",
-              .quantity = "energy after over that before is less than 1"},
-             {.value = energy(last) < energy(wild) ? 1.0 : 0.0},
-             Qualitative{"after less than before", "an implicit exchange"});
+  check.that("energy", "Energy falls where two velocities become one.", "energy after over that before is less than 1",
+             {energy(last) < energy(wild) ? 1.0 : 0.0}, Qualitative{"after less than before", "an implicit exchange"});
   const double goes_on = changed(change(drag, 5, 0.6, together, 0.1));
   Drag other({.breaking_slope = 2}, lattice, 1.0 / 3);
   other.continue_from(drag);
   other.shift_east();
   const double shifted = changed(change(other, 4, 0.6, meet_at(4), 0.1));
-  check.that({.id = "goes-on",
-              .text = "What broke breaks on, though it is not steep any more; so it does in a flow that goes on with "
-                      "it, a column further west when that one's window moves.",
-              .quantity = "both change velocities"},
-             {.value = goes_on > 0.01 && shifted > 0.01 ? 1.0 : 0.0},
+  check.that("goes-on",
+             "What broke breaks on, though it is not steep any more; so it does in a flow that goes on with it, a "
+             "column further west when that one's window moves.",
+             "both change velocities", {goes_on > 0.01 && shifted > 0.01 ? 1.0 : 0.0},
              Qualitative{"more than 0.01 of 0.5", "0.1 times a rate of some 10 changes a third of them"});
-  seiche::Worst others;
+  Worst others;
   others.add(changed(change(drag, 5, 0.2, together, 0.1)));
   others.add(changed(change(drag, 5, 1.2, away, 0.1)));
   others.add(changed(change(drag, 5, 0.6, together, 0.1)));
-  check.that({.id = "others",
-              .text = "What is no bore any more, water that runs apart, and a step that is not steep and did not "
-                      "break, stay as they are.",
-              .quantity = "largest change of a velocity"},
-             {.value = others.value()}, Roundoff{1, 1, "nothing is computed"});
+  check.that("others",
+             "What is no bore any more, water that runs apart, and a step that is not steep and did not break, stay as "
+             "they are.",
+             "largest change of a velocity", {others.value()}, Roundoff{1, 1, "nothing is computed"});
 }
 
-}  // namespace plan_drag_test
+}  // namespace seiche::verification::plan_drag_test

@@ -15,11 +15,9 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace plan_parts_test {
+namespace seiche::verification::plan_parts_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
 
@@ -90,7 +88,8 @@ TEST_CASE("cells of the plan model hold the water between surface and bottom", "
   Check check("plan_volumes", "Two-dimensional horizontal model: volumes over a bottom of degree four",
               "Volumes are integrals around the cells, by Gauss's rule of three points on each side, exact for bottoms "
               "of degree four. They are compared with integrals over the cells, by products of rules of seven points. "
-              "8 x 8 cells off a rectangle at random.");
+              "8 x 8 cells off a rectangle at random.",
+              source);
   Lattice lattice = jittered(rectangular_lattice({.begin = 0,
                                                   .end = 8,
                                                   .south = 0,
@@ -105,15 +104,11 @@ TEST_CASE("cells of the plan model hold the water between surface and bottom", "
   for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
     worst.add(model.first_volumes()[cell] - water_in_cell(lattice, cell));
   }
-  check.that({.id = "volume",
-              .text = "The volume of every cell is the integral of the depth.",
-              .quantity = "largest difference of a volume",
-              .unit = "m^3",
-              .source = source},
-             {.value = worst.value()},
+  check.that("volume", "The volume of every cell is the integral of the depth.", "largest difference of a volume [m^3]",
+             {worst.value()},
              Roundoff{40, 10,
-                      "four sides of three points, each the bottom's integral along x, up to 8 deep and 8 "
-                      "long, times a side of about one"});
+                      "four sides of three points, each the bottom's integral along x, up to 8 deep and 8 long, times "
+                      "a side of about one"});
 }
 
 TEST_CASE("a step over an uneven bottom carries velocities without a change of energy", "[manufactured]") {
@@ -163,20 +158,21 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
       through_wall.add(v[1] - 0.5 * v[0]);
     }
   }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.holds(id + ": " + text, {value}, Roundoff{60, 3, "some sixty operations on squares that add up to 3"});
+  const auto claim = [&](const std::string& text, double value) {
+    check.holds(text, {value}, Roundoff{60, 3, "some sixty operations on squares that add up to 3"});
   };
-  claim("normal", "The velocity normal to the bottom is kept.", normal_part.value());
-  claim("axis", "The velocity along the axis of the rotation is kept.", axis_part.value());
-  claim("length", "The magnitude of the carried velocity is conserved.", length.value());
-  claim("wall-energy", "At a slanted wall the energy is kept.", wall_energy.value());
-  claim("wall", "The velocity component through the wall is zero.", through_wall.value());
+  claim("The velocity normal to the bottom is kept.", normal_part.value());
+  claim("The velocity along the axis of the rotation is kept.", axis_part.value());
+  claim("The magnitude of the carried velocity is conserved.", length.value());
+  claim("At a slanted wall the energy is kept.", wall_energy.value());
+  claim("The velocity component through the wall is zero.", through_wall.value());
 }
 
 TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
   Check check("plan_shore_masses", "Two-dimensional horizontal model: masses on a shore",
               "A marker on the shoreline has the mass that linear elements give it, a sixth of each of its cells; all "
-              "others have a quarter. A canal between walls, 6 x 2 cells, shores at both ends.");
+              "others have a quarter. A canal between walls, 6 x 2 cells, shores at both ends.",
+              "linear elements; shoreline.hpp");
   Lattice lattice = rectangular_lattice({.begin = -10, .end = 10, .south = 0, .north = 2, .columns = 6, .rows = 2});
   lattice.bottom = std::make_shared<PolynomialBottom>(
       std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
@@ -194,20 +190,17 @@ TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
       worst.add(model.node_masses()[lattice.shape.node(i, j)] - mass);
     }
   }
-  check.that({.id = "share",
-              .text = "Masses are the shares of the cells around.",
-              .quantity = "largest difference of a mass",
-              .source = "linear elements; shoreline.hpp"},
-             {.value = worst.value()}, Roundoff{8, 4, "four products added, of volumes up to 4"});
+  check.that("share", "Masses are the shares of the cells around.", "largest difference of a mass", {worst.value()},
+             Roundoff{8, 4, "four products added, of volumes up to 4"});
 }
 
 TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
-  Check check(
-      "plan_shore_moment", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
-      "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. A "
-      "canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a whole "
-      "has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the integral "
-      "over both parameters is taken by Gauss's rule of 7 x 7 points.");
+  Check check("plan_shore_moment", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
+              "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. "
+              "A canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a "
+              "whole has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the "
+              "integral over both parameters is taken by Gauss's rule of 7 x 7 points.",
+              "closed form");
   const auto lattice_over = [](std::vector<PolynomialBottom::Term> terms) {
     Lattice lattice = rectangular_lattice({.begin = 0, .end = 3, .south = 0, .north = 2, .columns = 3, .rows = 2});
     lattice.bottom = std::make_shared<PolynomialBottom>(std::move(terms));
@@ -227,11 +220,8 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
   std::vector<double> q = places(plane);
   const Shoreline beach(plane.shape, plane.sides, plane.bottom, q);
   for (std::size_t j = 0; j <= 2; ++j) q[plane.shape.node(3, j)] += way;
-  check.that({.id = "wedge",
-              .text = "A straight shore over a plane bottom has flooded a wedge.",
-              .quantity = "difference of the moments",
-              .source = "closed form"},
-             {.value = beach.bottom_moment(q) - 2 * slope * slope * way * way * way / 6}, rounding);
+  check.that("wedge", "A straight shore over a plane bottom has flooded a wedge.", "difference of the moments",
+             {beach.bottom_moment(q) - 2 * slope * slope * way * way * way / 6}, rounding);
 
   const Lattice curved = lattice_over({{.coefficient = -0.9},
                                        {.coefficient = 0.1, .x_power = 2},
@@ -263,21 +253,17 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
     exact += Gauss::integrate(
         [&](double s) { return Gauss::integrate([&](double t) { return integrand(s, t); }, 0.0, 1.0); }, 0.0, 1.0);
   }
-  check.that({.id = "bowl",
-              .text = "The moment is the integral over both parameters; Gauss's three points are exact for a bowl.",
-              .quantity = "difference of the moments",
-              .source = "shoreline.hpp"},
-             {.value = shore.bottom_moment(moved) - exact}, rounding);
+  check.from("shoreline.hpp")
+      .that("bowl", "The moment is the integral over both parameters; Gauss's three points are exact for a bowl.",
+            "difference of the moments", {shore.bottom_moment(moved) - exact}, rounding);
 
   std::vector<double> forces(3 * nodes);
   shore.push(first, moved, 1, forces);
   double work = 0;
   for (std::size_t k = 0; k < 2 * nodes; ++k) work += forces[k] * (moved[k] - first[k]);
-  check.that({.id = "work",
-              .text = "The mean force over a straight way does the work that the moment gains.",
-              .quantity = "difference of work and moment",
-              .source = "discrete gradient; shoreline.hpp"},
-             {.value = work - exact}, rounding);
+  check.from("discrete gradient; shoreline.hpp")
+      .that("work", "The mean force over a straight way does the work that the moment gains.",
+            "difference of work and moment", {work - exact}, rounding);
 }
 
 TEST_CASE("a moving window appends still water of its own depth", "[manufactured]") {
@@ -314,16 +300,14 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
     double water = 0;
     for (const double v : model.first_volumes()) water += v;
     const std::string where = inclined ? "inclined" : "level";
-    const auto claim = [&](const std::string& id, const std::string& text, double value) {
-      check.holds(where + "-" + id + ": " + text, {value},
-                  Roundoff{60, 20,
-                           "volumes from places up to 7 deep and wide, in some "
-                           "sixty operations"});
+    const auto claim = [&](const std::string& text, double value) {
+      check.holds(where + "-" + text, {value},
+                  Roundoff{60, 20, "volumes from places up to 7 deep and wide, in some sixty operations"});
     };
-    claim("volume", "A new cell holds its width times the depth in its middle.", volume.value());
-    claim("constraints", "The shifted state meets its constraints.", defect.value());
-    claim("mass", "The masses of the nodes are the water of the cells.", model.mass() - water);
+    claim("A new cell holds its width times the depth in its middle.", volume.value());
+    claim("The shifted state meets its constraints.", defect.value());
+    claim("The masses of the nodes are the water of the cells.", model.mass() - water);
   }
 }
 
-}  // namespace plan_parts_test
+}  // namespace seiche::verification::plan_parts_test

@@ -1,18 +1,15 @@
 // The remap of the plan model on smooth fields: its order.
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
-#include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace plan_remap_test {
+namespace seiche::verification::plan_remap_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double size = std::numbers::pi;
 
@@ -61,34 +58,19 @@ Errors errors(std::size_t n) {
 
 TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   Check check("plan_remap_order", "Remap of the two-dimensional horizontal model: order",
-              "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
-              "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
-              "at the new nodes.");
-  std::vector<double> sizes, of_elevation, of_velocity;
-  for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
-    const Errors found = errors(n);
-    sizes.push_back(size / static_cast<double>(n));
-    of_elevation.push_back(found.elevation);
-    of_velocity.push_back(found.velocity);
-  }
-  auto& panel = check.figure("convergence", "Errors under refinement", "The grey line has slope 3.")
-                    .panel({.x = "width of a cell", .y = "error", .log_x = true, .log_y = true});
-  panel.line("elevation", sizes, of_elevation);
-  panel.line("velocity", sizes, of_velocity, evidence::Role::peer);
-  validation::slope_guide(panel, 3, sizes, of_velocity.back() * 1.5);
+              "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are exchanged for "
+              "others: nodes move by up to 0.3 of a cell. Root mean squares of the errors at the new nodes.",
+              "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
   const Order third{3, 0.3,
-                    "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
-                    "carries along, by h^2 times the change of the cell's size, h"};
-  check.that({.id = "elevation",
-              .text = "Elevations are carried to third order.",
-              .quantity = "observed order",
-              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             observed_order(sizes, of_elevation), third);
-  check.that({.id = "velocity",
-              .text = "Velocities after the remap are of second order.",
-              .quantity = "observed order",
-              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
-             observed_order(sizes, of_velocity), third);
+                    "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation carries "
+                    "along, by h^2 times the change of the cell's size, h"};
+  refine(check, {"width of a cell", widths(size, {12, 16, 24, 32, 48, 64})},
+         {{"elevation", "Elevations are carried to third order.", third},
+          {"velocity", "Velocities are carried to third order.", third}},
+         [](double width) {
+           const Errors found = errors(cells_of(size, width));
+           return std::array{found.elevation, found.velocity};
+         });
 }
 
-}  // namespace plan_remap_test
+}  // namespace seiche::verification::plan_remap_test

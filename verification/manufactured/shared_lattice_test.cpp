@@ -12,10 +12,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace shared_lattice_test {
+namespace seiche::verification::shared_lattice_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using plan_lattice::Shape;
 
 namespace plan = dispersive_shallow_water_2d;
@@ -254,7 +252,8 @@ TEST_CASE("the potential energies of blocks add up to that of the whole", "[manu
   Check check("shared_lattice_energy", "The potential energy of the blocks of a lattice",
               "Water in a canal between two shorelines, with improved dispersion, moved from its first places. Each "
               "block counts the cells that it owns: their surfaces, the edges of the shore beside them, the slopes of "
-              "their surfaces.");
+              "their surfaces.",
+              source);
   const auto bottom = std::make_shared<PolynomialBottom>(
       std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 1.0 / 16, .x_power = 2}});
   plan::Lattice lattice =
@@ -282,12 +281,9 @@ TEST_CASE("the potential energies of blocks add up to that of the whole", "[manu
     block.each(0, 1, [&](std::size_t here, std::size_t, bool owned) { own[here] = owned ? 1 : 0; });
     together += part.potential_energy(cut(q, block, 1), own);
   }
-  check.that({.id = "sum",
-              .text = "What the blocks count is the energy of the whole, each part of it once.",
-              .quantity = "difference of the energies",
-              .source = source},
-             {.value = together - all.potential_energy(q)},
+  check.that("sum", "What the blocks count is the energy of the whole, each part of it once.",
+             "difference of the energies", {together - all.potential_energy(q)},
              Roundoff{48 * 100.0, 1, "some hundred operations in each of 48 cells, whose sum is below one"});
 }
 
-}  // namespace shared_lattice_test
+}  // namespace seiche::verification::shared_lattice_test

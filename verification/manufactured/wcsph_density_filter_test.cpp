@@ -11,11 +11,9 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_density_filter_test {
+namespace seiche::verification::wcsph_density_filter_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Largest;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 const std::string source = "Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448";
@@ -40,12 +38,12 @@ Particles disturbed_layer() {
 }
 
 TEST_CASE("the density filter is moving least squares, which reproduces linear fields", "[manufactured]") {
-  Check check(
-      "wcsph_density_filter", "Density filter",
-      "Moving least squares of first order, written as sums over all pairs, reproduces a linear density on a "
-      "disordered layer with a free surface, corners and a floor, of unequal masses, to round-off. The flow's filter "
-      "gives the same densities as these sums from the state after one step, walls left alone, and steps "
-      "between filters are steps without one.");
+  Check check("wcsph_density_filter", "Density filter",
+              "Moving least squares of first order, written as sums over all pairs, reproduces a linear density on a "
+              "disordered layer with a free surface, corners and a floor, of unequal masses, to round-off. The flow's "
+              "filter gives the same densities as these sums from the state after one step, walls left alone, and "
+              "steps between filters are steps without one.",
+              source);
   const Settings settings{.gravity = 0, .sound_speed = 20, .viscosity = ArtificialViscosity{0.1}};
   Particles layer = disturbed_layer();
   for (std::size_t a = 0; a < layer.size(); ++a) layer.density[a] = linear(layer.x[a], layer.z[a]);
@@ -54,14 +52,10 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
   for (std::size_t a = 0; a < layer.size(); ++a) {
     largest.add(std::abs(filtered[a] - layer.density[a]) / 1000);
   }
-  check.that({.id = "linear",
-              .text = "A linear density is reproduced by the filter.",
-              .quantity = "largest relative error",
-              .source = source},
-             {.value = largest.value()},
+  check.that("linear", "A linear density is reproduced by the filter.", "largest relative error", {largest.value()},
              Roundoff{80, DirectSums(layer, spacing, settings).filter_cancellation(),
-                      "6 sums of some 10 roundings, and 20 of a 3 x 3 solution; the terms are larger than their sum "
-                      "by what cancels in moving least squares, most at the corners of the surface"});
+                      "6 sums of some 10 roundings, and 20 of a 3 x 3 solution; the terms are larger than their sum by "
+                      "what cancels in moving least squares, most at the corners of the surface"});
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     Settings plain = settings;
     plain.kernel = kernel;
@@ -83,8 +77,8 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
     check.holds(fmt::format("The filter of the flow is moving least squares ({}).", name_of(kernel)),
                 {relative_difference(found, expected)},
                 Roundoff{160, DirectSums(start, spacing, plain).filter_cancellation(),
-                         "as for the linear density, in both ways of summing; the particles have moved by a "
-                         "fiftieth of dx since their cancellation was determined"});
+                         "as for the linear density, in both ways of summing; the particles have moved by a fiftieth "
+                         "of dx since their cancellation was determined"});
     Largest change;
     const Particles& p = without.particles();
     const std::vector<double> before = sorted_back(p, p.density);
@@ -95,4 +89,4 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
   }
 }
 
-}  // namespace wcsph_density_filter_test
+}  // namespace seiche::verification::wcsph_density_filter_test

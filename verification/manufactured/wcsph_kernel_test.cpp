@@ -12,11 +12,9 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/reference_digits.hpp"
 
-namespace wcsph_kernel_test {
+namespace seiche::verification::wcsph_kernel_test {
 
-using namespace seiche::wcsph;
-using seiche::Worst;
-using namespace seiche::verification;
+using namespace wcsph;
 
 /// int q^power W dA with q = r/h: a polynomial of degree at most 10 on either side of q = 1.
 template <class Kernel>
@@ -46,8 +44,8 @@ void check_moments(Check& check, const std::string& id, const std::string& name,
     const Roundoff limit{.operations = 40,
                          .scale = 1,
                          .reason =
-                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; "
-                             "those of single points average out",
+                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; those "
+                             "of single points average out",
                          .expected = expected};
     const std::string q = power == 0 ? "1" : "q^" + std::to_string(power);
     check.holds(id + "-moment-" + std::to_string(power) + ": The " + name + " has the moment of " + q +
@@ -60,9 +58,8 @@ void check_moments(Check& check, const std::string& id, const std::string& name,
 }
 
 struct LatticeRow {
-  std::string id;
-  std::string name;
-  seiche::verification::LatticeSums sums;
+  std::string id, name;
+  verification::LatticeSums sums;
   double zeroth, first;
   int neighbours;
 };
@@ -71,26 +68,20 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
   const std::string cubic_source = "Monaghan and Lattanzio, Astron. Astrophys. 149 (1985) 135; integration by hand";
   Check check(
       "wcsph_kernels", "Smoothing kernels",
-      "Moments in the plane against exact fractions, of the value and, by parts, of the slope. Sums over square "
-      "and body-centred lattices: the sum of $V W$, the factor $M = -\\sum V x\\,\\partial W/\\partial x$ by "
-      "which the uncorrected first derivative is wrong however fine the lattice, and the number of neighbours.");
+      "Moments in the plane against exact fractions, of the value and, by parts, of the slope. Sums over square and "
+      "body-centred lattices: the sum of $V W$, the factor $M = -\\sum V x\\,\\partial W/\\partial x$ by which the "
+      "uncorrected first derivative is wrong however fine the lattice, and the number of neighbours.");
   check_moments<CubicSpline>(check, "cubic", "cubic spline", {1, 31.0 / 49, 635.0 / 882});
   check_moments<WendlandC2>(check, "wendland", "Wendland kernel", {1, 5.0 / 9, 56.0 / 99});
   const double h = 0.0148;
   const double top = 10 / (7 * std::numbers::pi * h * h);
   const Roundoff five{.operations = 5, .scale = top, .reason = "5 rounded operations on W(0)"};
-  check.that({.id = "cubic-top",
-              .text = "The cubic spline has W(0) = 10/(7 pi h^2).",
-              .quantity = "W(0)",
-              .unit = "1/m^2",
-              .source = cubic_source},
-             {.value = weight<CubicSpline>(0, h)}, Roundoff{5, top, five.reason, top});
-  check.that({.id = "cubic-h",
-              .text = "The cubic spline has W(h) = 5/(14 pi h^2).",
-              .quantity = "W(h)",
-              .unit = "1/m^2",
-              .source = cubic_source},
-             {.value = weight<CubicSpline>(h, h)}, Roundoff{5, top, five.reason, 0.25 * top});
+  check.from(cubic_source)
+      .that("cubic-top", "The cubic spline has W(0) = 10/(7 pi h^2).", "W(0) [1/m^2]", {weight<CubicSpline>(0, h)},
+            Roundoff{5, top, five.reason, top});
+  check.from(cubic_source)
+      .that("cubic-h", "The cubic spline has W(h) = 5/(14 pi h^2).", "W(h) [1/m^2]", {weight<CubicSpline>(h, h)},
+            Roundoff{5, top, five.reason, 0.25 * top});
   CHECK(weight<CubicSpline>(2 * h, h) == 0);
   CHECK(weight<WendlandC2>(2.5 * h, h) == 0);
   CHECK(radial_slope<WendlandC2>(2.5 * h, h) == 0);
@@ -106,11 +97,10 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
       {"wendland-2.0", "Wendland, h/dx = 2.0", lattice_sums<WendlandC2>(2.0, square), 1.001206, 0.999199, 44},
       {"cubic-body-centred", "cubic spline, h/dx = 1.3, body-centred",
        lattice_sums<CubicSpline>(1.3, Arrangement::body_centred), 1.000509, 0.994034, 44}};
-  seiche::evidence::Table table{
-      .id = "lattices",
-      .title = "Sums over lattices",
-      .caption = "M differs from 1 by up to 3 % and does not depend on the spacing.",
-      .columns = {{"kernel, lattice", ""}, {"sum V W", "1"}, {"M", "1"}, {"neighbours", "1"}}};
+  evidence::Table table{.id = "lattices",
+                        .title = "Sums over lattices",
+                        .caption = "M differs from 1 by up to 3 % and does not depend on the spacing.",
+                        .columns = {{"kernel, lattice", ""}, {"sum V W", "1"}, {"M", "1"}, {"neighbours", "1"}}};
   for (const LatticeRow& row : rows) {
     std::string id = row.id;
     std::replace(id.begin(), id.end(), '.', '_');
@@ -146,9 +136,7 @@ TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong toget
   check.source(source);
   const TaitFluid water(1000, 14.96);
   using Gauss = boost::math::quadrature::gauss<double, 15>;
-  Worst inverse;
-  Worst sound;
-  Worst energy;
+  Worst inverse, sound, energy;
   const double stiffness = 1000 * 14.96 * 14.96 / 7;
   for (double density = 920; density < 1100; density += 20) {
     inverse.add(water.density_at(water.pressure(density)) - density);
@@ -158,38 +146,27 @@ TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong toget
     energy.add(water.elastic_energy(density) - work);
   }
   const double scale = std::pow(1.1, 7) * stiffness;
-  check.that({.id = "inverse",
-              .text = "Density and pressure of Tait's equation are inverse functions.",
-              .quantity = "density error",
-              .unit = "kg/m^3"},
-             {.value = inverse.value()}, Roundoff{20, 1100, "two powers, 20 roundings of numbers up to 1100"});
-  check.that({.id = "sound",
-              .text = "The square of the sound speed is the slope of the pressure.",
-              .quantity = "pressure minus the integral of c^2",
-              .unit = "Pa"},
-             {.value = sound.value()}, Roundoff{60, scale, "15 points and a power on pressures up to 1.95 B"});
-  check.that({.id = "energy",
-              .text = "Elastic energy is the work of the pressure.",
-              .quantity = "e minus the integral of P/rho^2",
-              .unit = "J/kg"},
-             {.value = energy.value()},
+  check.that("inverse", "Density and pressure of Tait's equation are inverse functions.", "density error [kg/m^3]",
+             {inverse.value()}, Roundoff{20, 1100, "two powers, 20 roundings of numbers up to 1100"});
+  check.that("sound", "The square of the sound speed is the slope of the pressure.",
+             "pressure minus the integral of c^2 [Pa]", {sound.value()},
+             Roundoff{60, scale, "15 points and a power on pressures up to 1.95 B"});
+  check.that("energy", "Elastic energy is the work of the pressure.", "e minus the integral of P/rho^2 [J/kg]",
+             {energy.value()},
              Roundoff{60, 0.2 * stiffness / 1000,
                       "15 points and a power on P/rho^2 of up to 1.6 B/rho_0^2 over 0.1 rho_0; the terms of the "
                       "energy, in B/rho_0, are no larger"});
   CHECK(water.elastic_energy(1000) == 0);
   CHECK(std::abs(water.stiffness() - stiffness) < 1e-15 * 8 * stiffness);
   const double depth = 0.114;
-  check.that({.id = "hydrostatic",
-              .text = "Still water of the hydrostatic density carries its own weight.",
-              .quantity = "P(depth)",
-              .unit = "Pa",
-              .source = "P = rho_0 g depth"},
-             {.value = water.pressure(water.hydrostatic_density(9.81, depth))},
-             Roundoff{30, stiffness, "P is a difference of two terms near B", 1000 * 9.81 * depth});
+  check.from("P = rho_0 g depth")
+      .that("hydrostatic", "Still water of the hydrostatic density carries its own weight.", "P(depth) [Pa]",
+            {water.pressure(water.hydrostatic_density(9.81, depth))},
+            Roundoff{30, stiffness, "P is a difference of two terms near B", 1000 * 9.81 * depth});
   CHECK_THROWS_AS(water.hydrostatic_density(9.81, 1.001 * stiffness / 9810), std::invalid_argument);
   CHECK_THROWS_AS(TaitFluid(0, 10), std::invalid_argument);
   CHECK_THROWS_AS(TaitFluid(1000, 0), std::invalid_argument);
   CHECK_THROWS_AS(TaitFluid(1000, 10, 0.9), std::invalid_argument);
 }
 
-}  // namespace wcsph_kernel_test
+}  // namespace seiche::verification::wcsph_kernel_test

@@ -1,4 +1,5 @@
 // Operators of smoothed particles on a manufactured field: orders and floors, on lattices and on disordered particles.
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,17 +10,14 @@
 #include "verification/check.hpp"
 #include "verification/lattice_sums.hpp"
 #include "verification/manufactured/particle_operators.hpp"
+#include "verification/refinement.hpp"
 
-namespace wcsph_operators_test {
+namespace seiche::verification::wcsph_operators_test {
 
-using namespace seiche::verification;
-using seiche::evidence::Claim;
-using seiche::wcsph::CubicSpline;
+using wcsph::CubicSpline;
 
 constexpr double two_pi = 2 * std::numbers::pi;
-const std::string source =
-    "Quinlan, Basa and Lastiwka, Int. J. Numer. Meth. Eng. 66 (2006) 2064; regression: digits computed once by an "
-    "earlier program";
+const std::string source = "Quinlan, Basa and Lastiwka, Int. J. Numer. Meth. Eng. 66 (2006) 2064";
 
 /// Errors of f = sin(2 pi x) cos(2 pi z) in L2 over the norm of what is approximated, and by what factor the operator
 /// multiplies it.
@@ -35,8 +33,7 @@ Errors errors(std::size_t n, double jitter, double smoothing) {
   for (std::size_t a = 0; a < count; ++a) f[a] = std::sin(two_pi * cloud.x[a]) * std::cos(two_pi * cloud.z[a]);
   const std::vector<Operators> computed = operators<CubicSpline>(cloud, smoothing / static_cast<double>(n), f);
   Errors e{};
-  double norm = 0;
-  double gradient_norm = 0;
+  double norm = 0, gradient_norm = 0;
   for (std::size_t a = 0; a < count; ++a) {
     const Operators& at = computed[a];
     const Eigen::Vector2d gradient =
@@ -67,105 +64,37 @@ Errors errors(std::size_t n, double jitter, double smoothing) {
   return e;
 }
 
-const std::vector<std::size_t> sizes{32, 48, 64, 96, 128};
-
-std::vector<double> spacings() {
-  std::vector<double> dx;
-  for (const std::size_t n : sizes) dx.push_back(1 / static_cast<double>(n));
-  return dx;
-}
-
-/// One number of each entry.
-template <class Member>
-std::vector<double> column(const std::vector<Errors>& table, Member member, double limit = 0) {
-  std::vector<double> values;
-  for (const Errors& e : table) values.push_back(std::abs(e.*member - limit));
-  return values;
-}
-
-void draw(Check& check, const std::string& id, const std::string& title, const std::string& caption,
-          const std::vector<Errors>& table, bool symmetric) {
-  const std::vector<double> dx = spacings();
-  auto& panel =
-      check.figure(id, title, caption).panel({.x = "dx", .y = "relative L2 error", .log_x = true, .log_y = true});
-  panel.points("interpolation", dx, column(table, &Errors::interpolation));
-  panel.points("moving least squares", dx, column(table, &Errors::moving_least_squares), Role::exact);
-  panel.points("difference gradient", dx, column(table, &Errors::difference), Role::peer);
-  panel.points("laminar operator", dx, column(table, &Errors::laminar), Role::data);
-  if (symmetric) panel.points("symmetric gradient", dx, column(table, &Errors::symmetric), Role::guide);
-  std::vector<double> slope;
-  for (const double d : dx) slope.push_back(0.02 * d * d * 32 * 32);
-  panel.line("slope 2", dx, slope, Role::guide);
-}
-
-/// Error at N = 32, 64, 128 of the earlier program.
-struct Printed {
-  std::string id, operator_name;
-  double Errors::*error;
-  std::vector<double> values;
-  std::vector<double> half_digits;  ///< half a unit of the last printed digit
-};
-
-void check_printed(Check& check, const std::vector<Errors>& table, const std::vector<Printed>& rows, bool disordered) {
-  for (const Printed& row : rows) {
-    for (std::size_t k = 0; k < row.values.size(); ++k) {
-      const auto n = static_cast<double>(sizes[2 * k]);
-      const double scatter = disordered ? 3 * std::sqrt(20.0) / n * row.values[k] : 0;
-      check.holds(
-          fmt::format("The error of the {} at N = {} has its recorded value (regression).", row.operator_name, n),
-          {table[2 * k].*row.error},
-          Bound{row.half_digits[k] + scatter,
-                disordered ? "half a unit of the last printed digit, and three standard deviations of "
-                             "two norms over N^2/20 independent samples each"
-                           : "half a unit of the last printed digit",
-                row.values[k]});
-    }
-  }
-}
-
-void check_order(Check& check, const std::string& id, const std::string& text, const std::vector<double>& error,
-                 const Order& order) {
-  check.that(Claim{.id = id, .text = text, .quantity = "order in the spacing", .source = source},
-             observed_order(spacings(), error), order);
-}
+const std::vector<double> spacings = widths(1, {32, 48, 64, 96, 128});
 
 TEST_CASE("on a square lattice operators tend to their lattice sums with second order", "[manufactured]") {
-  Check check(
-      "wcsph_operators_lattice", "Operators of particles on a square lattice",
-      "$f = \\sin 2\\pi x\\,\\cos 2\\pi z$ on the periodic unit square, cubic spline, $h/dx = 1.3$. A plane wave "
-      "remains one: each operator multiplies it by a factor, which tends with order 2 not to 1 but to the "
-      "operator's sum over the lattice, so that the error of the first derivative tends to $|M-1| = 1.05\\,\\%$ "
-      "(changing its sign on the way). Moving least squares alone has the factor 1 exactly.");
-  std::vector<Errors> table;
-  for (const std::size_t n : sizes) table.push_back(errors(n, 0, 1.3));
+  Check check("wcsph_operators_lattice", "Operators of particles on a square lattice",
+              "$f = \\sin 2\\pi x\\,\\cos 2\\pi z$ on the periodic unit square, cubic spline, $h/dx = 1.3$. A plane "
+              "wave remains one: each operator multiplies it by a factor, which tends with order 2 not to 1 but to the "
+              "operator's sum over the lattice, so that the error of the first derivative tends to $|M-1| = "
+              "1.05\\,\\%$ (changing its sign on the way). Moving least squares alone has the factor 1 exactly.",
+              source);
   const LatticeSums sums = lattice_sums<CubicSpline>(1.3);
   const Order second{2, 0.05, "the next term of the expansion in (k h)^2 changes the slope by about 0.02 at N = 32"};
-  check_order(check, "interpolation-order", "The factor of interpolation tends to sum V W with order 2.",
-              column(table, &Errors::interpolation_factor, sums.zeroth), second);
-  check_order(check, "difference-order", "The factor of the difference gradient tends to M with order 2.",
-              column(table, &Errors::difference_factor, sums.first), second);
-  check_order(check, "laminar-order", "The factor of the laminar operator tends to its lattice sum with order 2.",
-              column(table, &Errors::laminar_factor, sums.laminar), second);
-  check_order(check, "mls-order", "Moving least squares is of order 2.", column(table, &Errors::moving_least_squares),
-              second);
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    check.holds(
-        fmt::format("mls-{}", sizes[k]) + ": Moving least squares on a lattice is interpolation over its own sum.",
-        {table[k].moving_least_squares},
-        Roundoff{2.0 / 3 * static_cast<double>(sizes[k] * sizes[k]) + 100, 1,
-                 "the factor is a quotient of two sums over N^2 particles, whose partial sums have a "
-                 "third of the square of the whole in the mean; two sums of 21 terms and a 3 x 3 "
-                 "solution, some 100 roundings of numbers up to 1",
-                 1 - table[k].interpolation_factor / sums.zeroth});
-  }
-  check_printed(
-      check, table,
-      {{"interpolation", "interpolation", &Errors::interpolation, {2.03e-2, 5.16e-3, 1.33e-3}, {5e-5, 5e-6, 5e-6}},
-       {"difference", "difference gradient", &Errors::difference, {1.04e-2, 5.28e-3, 9.22e-3}, {5e-5, 5e-6, 5e-6}},
-       {"laminar", "laminar operator", &Errors::laminar, {1.06e-2, 2.77e-3, 8.1e-4}, {5e-5, 5e-6, 5e-6}}},
-      false);
-  draw(check, "lattice", "Operators on a square lattice",
-       "The error of the uncorrected gradient does not vanish with the spacing at fixed h/dx.", table, false);
+  refine(
+      check, {"dx", spacings},
+      {{"interpolation-order", "The factor of interpolation tends to sum V W with order 2.", second},
+       {"difference-order", "The factor of the difference gradient tends to M with order 2.", second},
+       {"laminar-order", "The factor of the laminar operator tends to its lattice sum with order 2.", second},
+       {"mls-order", "Moving least squares is of order 2.", second}},
+      [&](double dx) {
+        const std::size_t n = cells_of(1, dx);
+        const Errors e = errors(n, 0, 1.3);
+        check.holds(
+            fmt::format("Moving least squares on a lattice is interpolation over its own sum (N = {}).", n),
+            {e.moving_least_squares},
+            Roundoff{2.0 / 3 * static_cast<double>(n * n) + 100, 1,
+                     "the factor is a quotient of two sums over N^2 particles, whose partial sums have a third of the "
+                     "square of the whole in the mean; two sums of 21 terms and a 3 x 3 solution, some 100 roundings "
+                     "of numbers up to 1",
+                     1 - e.interpolation_factor / sums.zeroth});
+        return std::array{std::abs(e.interpolation_factor - sums.zeroth), std::abs(e.difference_factor - sums.first),
+                          std::abs(e.laminar_factor - sums.laminar), e.moving_least_squares};
+      });
 }
 
 TEST_CASE("on disordered particles only moving least squares keeps its order", "[manufactured]") {
@@ -173,51 +102,41 @@ TEST_CASE("on disordered particles only moving least squares keeps its order", "
               "The same with every particle moved by up to 0.2 dx. At fixed $h/dx$ interpolation and the difference "
               "gradient have order 0, the symmetric gradient, which does not vanish for a constant, and the laminar "
               "operator order -1; moving least squares keeps order 2. A claim of second order at fixed $h/dx$ on "
-              "disordered particles would be wrong.");
-  std::vector<Errors> table;
-  for (const std::size_t n : sizes) table.push_back(errors(n, 0.2, 1.3));
+              "disordered particles would be wrong.",
+              source);
   const auto about = [](double theory) {
     return Order{theory, 0.25, "scatter of 3 sqrt(20)/N per norm over a factor of 4 in the spacing"};
   };
-  check_order(check, "interpolation-order", "Interpolation on disordered particles does not converge.",
-              column(table, &Errors::interpolation), about(0));
-  check_order(check, "difference-order", "The difference gradient does not converge.",
-              column(table, &Errors::difference), about(0));
-  check_order(check, "symmetric-order", "The symmetric gradient grows as 1/dx.", column(table, &Errors::symmetric),
-              about(-1));
-  check_order(check, "laminar-order", "The laminar operator grows as 1/dx.", column(table, &Errors::laminar),
-              about(-1));
-  check_order(check, "mls-order", "Moving least squares is of order 2.", column(table, &Errors::moving_least_squares),
-              Order{2, 0.05, "an error of the smooth field, without scatter"});
-  check_printed(
-      check, table,
-      {{"interpolation", "interpolation", &Errors::interpolation, {5.3e-2, 5.6e-2, 5.6e-2}, {5e-4, 5e-4, 5e-4}},
-       {"difference", "difference gradient", &Errors::difference, {8.1e-2, 7.8e-2, 7.7e-2}, {5e-4, 5e-4, 5e-4}},
-       {"symmetric", "symmetric gradient", &Errors::symmetric, {0.71, 1.51, 2.96}, {5e-3, 5e-3, 5e-3}},
-       {"laminar", "laminar operator", &Errors::laminar, {0.51, 1.01, 2.05}, {5e-3, 5e-3, 5e-3}},
-       {"mls", "moving least squares", &Errors::moving_least_squares, {2.01e-2, 5.05e-3, 1.27e-3}, {5e-5, 5e-6, 5e-6}}},
-      true);
-  draw(check, "disordered", "Operators on disordered particles",
-       "Disorder of 0.2 dx: the gradients and the laminar operator do not converge at fixed h/dx.", table, true);
+  refine(check, {"dx", spacings},
+         {{"interpolation-order", "Interpolation on disordered particles does not converge.", about(0)},
+          {"difference-order", "The difference gradient does not converge.", about(0)},
+          {"symmetric-order", "The symmetric gradient grows as 1/dx.", about(-1)},
+          {"laminar-order", "The laminar operator grows as 1/dx.", about(-1)},
+          {"mls-order",
+           "Moving least squares is of order 2.",
+           {2, 0.05, "an error of the smooth field, without scatter"}}},
+         [](double dx) {
+           const Errors e = errors(cells_of(1, dx), 0.2, 1.3);
+           return std::array{e.interpolation, e.difference, e.symmetric, e.laminar, e.moving_least_squares};
+         });
 }
 
 TEST_CASE("operators converge on disordered particles when the number of neighbours grows", "[manufactured]") {
-  Check check(
-      "wcsph_operators_growing_support", "Operators with a growing number of neighbours",
-      "Disorder of 0.2 dx and $h/dx = 1.3\\sqrt{N/32}$: h tends to 0 as the square root of the spacing, so that "
-      "errors of order $h^2$ appear with order 1.");
-  std::vector<Errors> table;
-  for (const std::size_t n : sizes) table.push_back(errors(n, 0.2, 1.3 * std::sqrt(static_cast<double>(n) / 32)));
+  Check check("wcsph_operators_growing_support", "Operators with a growing number of neighbours",
+              "Disorder of 0.2 dx and $h/dx = 1.3\\sqrt{N/32}$: h tends to 0 as the square root of the spacing, so "
+              "that errors of order $h^2$ appear with order 1.",
+              source);
   const Order first{1, 0.25, "order 2 in h; scatter and discrete sums of few neighbours at the coarse end"};
-  check_order(check, "difference-order", "The difference gradient is of order 1.", column(table, &Errors::difference),
-              first);
-  check_order(check, "interpolation-order", "Interpolation with growing support is of order 1.",
-              column(table, &Errors::interpolation), first);
-  check_order(check, "mls-order", "Moving least squares is of order 1.", column(table, &Errors::moving_least_squares),
-              Order{1, 0.05, "an error of the smooth field, without scatter"});
-  check_printed(
-      check, table,
-      {{"difference", "difference gradient", &Errors::difference, {8.1e-2, 4.4e-2, 2.2e-2}, {5e-4, 5e-4, 5e-4}}}, true);
+  refine(check, {"dx", spacings},
+         {{"difference-order", "The difference gradient is of order 1.", first},
+          {"interpolation-order", "Interpolation with growing support is of order 1.", first},
+          {"mls-order",
+           "Moving least squares is of order 1.",
+           {1, 0.05, "an error of the smooth field, without scatter"}}},
+         [](double dx) {
+           const Errors e = errors(cells_of(1, dx), 0.2, 1.3 * std::sqrt(1 / (32 * dx)));
+           return std::array{e.difference, e.interpolation, e.moving_least_squares};
+         });
 }
 
-}  // namespace wcsph_operators_test
+}  // namespace seiche::verification::wcsph_operators_test

@@ -11,10 +11,9 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_taylor_green_test {
+namespace seiche::verification::wcsph_taylor_green_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double k = 2 * std::numbers::pi;
 const std::string source = "Taylor and Green, Proc. R. Soc. Lond. A 158 (1937) 499";
@@ -91,10 +90,7 @@ Decay run(const Vortices& vortices, Run wanted) {
   Flow flow(std::move(particles), dx, settings);
   Decay decay{};
   const auto record = [&] {
-    double projection = 0;
-    double norm = 0;
-    double square = 0;
-    double error = 0;
+    double projection = 0, norm = 0, square = 0, error = 0;
     const double exact = std::exp(-vortices.rate() * flow.time());
     const Particles& p = flow.particles();
     for (std::size_t a = 0; a < p.size(); ++a) {
@@ -150,32 +146,27 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
   const auto loss = [&](const Decay& decay, std::size_t n, double smoothing) {
     return rate_on_lattice(n, smoothing) - decay.rate_over(rate);
   };
-  check.that({.id = "strain-spacing",
-              .text = "What is lost later does not depend on the spacing.",
-              .quantity = "rate of the lattice less that of the run, N = 100 over N = 50",
-              .source = source},
-             {.value = loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
-             Bound{0.25, "an error of first order would halve, to 0.5: half of that way", 1});
+  check.from(source).that("strain-spacing", "What is lost later does not depend on the spacing.",
+                          "rate of the lattice less that of the run, N = 100 over N = 50",
+                          {loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
+                          Bound{0.25, "an error of first order would halve, to 0.5: half of that way", 1});
   const Decay wide = run(vortices, {50, 0, {.smoothing = 2}});
-  check.that({.id = "strain-neighbours",
-              .text = "More neighbours do not feel the strain.",
-              .quantity = "rate of the lattice less that of the run, h = 2 dx over h = 1.3 dx",
-              .source = source},
-             {.value = loss(wide, 50, 2) / loss(coarse, 50, 1.3), .resolution = "N = 50"},
-             Bound{0.5, "what names the cause takes more than half of it away"});
+  check.from(source).that("strain-neighbours", "More neighbours do not feel the strain.",
+                          "rate of the lattice less that of the run, h = 2 dx over h = 1.3 dx",
+                          {.value = loss(wide, 50, 2) / loss(coarse, 50, 1.3), .resolution = "N = 50"},
+                          Bound{0.5, "what names the cause takes more than half of it away"});
 }
 
 TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufactured]") {
   Check check(
       "wcsph_taylor_green", "Taylor-Green vortices at Reynolds number 10",
       "$u = (-\\cos kx \\sin kz,\\ \\sin kx \\cos kz)\\,e^{-2\\nu k^2 t}$ on the periodic unit square, $\\nu = 0.1$, "
-      "$c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact mode "
-      "over one decay time.\n\n"
-      "Two things make it slow. At the start it is that of the operator on the lattice, a sum that is known. Then the "
-      "flow strains the lattice, and 21 neighbours of a strained lattice give the second derivative 1 % too small: in "
-      "the mean over the decay time, with any spacing, for the strain does not know the spacing. With a wider kernel "
-      "it is gone. The rates of an earlier program, 0.3 to 0.5 % higher, are those of a flow that is strained less: "
-      "after half of the time, or from a uniform density, ours come as near.");
+      "$c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact mode over one "
+      "decay time.\n\nTwo things make it slow. At the start it is that of the operator on the lattice, a sum that is "
+      "known. Then the flow strains the lattice, and 21 neighbours of a strained lattice give the second derivative 1 "
+      "% too small: in the mean over the decay time, with any spacing, for the strain does not know the spacing. With "
+      "a wider kernel it is gone. The rates of an earlier program, 0.3 to 0.5 % higher, are those of a flow that is "
+      "strained less: after half of the time, or from a uniform density, ours come as near.");
   const Vortices vortices{0.1};
   struct Row {
     std::string id, name;
@@ -191,8 +182,8 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
     check.holds(fmt::format("The rate of decay has its recorded value (regression) ({}).", row.name),
                 {decay.rate_over(vortices.rate())},
                 Bound{0.01,
-                      "the strain of the lattice takes as much, and how much there is of it depends on the "
-                      "start and on when one reads it",
+                      "the strain of the lattice takes as much, and how much there is of it depends on the start and "
+                      "on when one reads it",
                       row.printed});
     check.holds(fmt::format("The velocity field agrees with the vortices ({}).", row.name), {decay.velocity_error},
                 Bound{0.02, "regression: 1e-2 in an earlier program; factor 2 for the start"});
@@ -204,14 +195,13 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
 
 TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain scheme loses them",
           "[manufactured][full]") {
-  Check check(
-      "wcsph_particle_shifting", "Taylor-Green vortices at Reynolds number 100: particle shifting",
-      "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
-      "plain scheme loses its energy too fast, with the cubic spline by a factor. Shifting against the gradient "
-      "of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
+  Check check("wcsph_particle_shifting", "Taylor-Green vortices at Reynolds number 100: particle shifting",
+              "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
+              "plain scheme loses its energy too fast, with the cubic spline by a factor. Shifting against the "
+              "gradient of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
   const std::string shifting =
-      "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, "
-      "Marrone and Zhang, Comput. Methods Appl. Mech. Eng. 315 (2017) 25";
+      "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, Marrone and Zhang, Comput. "
+      "Methods Appl. Mech. Eng. 315 (2017) 25";
   check.source(shifting);
   const Vortices vortices{0.01};
   const Settings wide{.kernel = KernelName::wendland_c2, .smoothing = 2};
@@ -223,26 +213,22 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
   const auto energy_rate = [&](const Decay& decay) {
     return -std::log(decay.kinetic.back() / decay.kinetic.front()) / (2 * vortices.rate() * decay.time.back());
   };
-  check.that({.id = "rate",
-              .text = "With shifting the energy decays at the rate of the vortices.",
-              .quantity = "rate of decay of the kinetic energy over 4 nu k^2"},
+  check.that("rate", "With shifting the energy decays at the rate of the vortices.",
+             "rate of decay of the kinetic energy over 4 nu k^2",
              {.value = energy_rate(shifted), .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.05,
-                   "published decays with shifting agree with the exact one to the width of their lines; the "
-                   "plain scheme is wrong by a third to a factor",
+                   "published decays with shifting agree with the exact one to the width of their lines; the plain "
+                   "scheme is wrong by a third to a factor",
                    1});
-  check.that({.id = "velocity",
-              .text = "The velocity field agrees with the exact vortices.",
-              .quantity = "L2 of the velocity error over the initial speed, after one decay time"},
+  check.that("velocity", "The velocity field agrees with the exact vortices.",
+             "L2 of the velocity error over the initial speed, after one decay time",
              {.value = shifted.velocity_error, .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.02, "as at Re = 10, where the plain scheme keeps the vortices"});
-  check.that({.id = "better",
-              .text = "Shifting takes away most of the error of the plain scheme.",
-              .quantity = "velocity error with shifting over that without"},
-             {.value = shifted.velocity_error / plain.velocity_error},
+  check.that("better", "Shifting takes away most of the error of the plain scheme.",
+             "velocity error with shifting over that without", {shifted.velocity_error / plain.velocity_error},
              Bound{0.25, "a cure takes away more than three quarters of what it is for"});
   draw(check, "Reynolds number 100: kinetic energy of particles.", vortices,
        {{"cubic spline, plain", narrow}, {"Wendland, plain", plain}, {"Wendland with shifting", shifted}});
 }
 
-}  // namespace wcsph_taylor_green_test
+}  // namespace seiche::verification::wcsph_taylor_green_test

@@ -1,20 +1,16 @@
 // The pressure that a gauge in a wall reads: hydrostatic water, and linear pressures.
-#include <cmath>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/scene.hpp"
 #include "validation/instruments/particles/sph_wall_gauge.hpp"
 #include "verification/check.hpp"
-#include "verification/wcsph_problems.hpp"
 
-namespace wcsph_wall_gauge_test {
+namespace seiche::verification::wcsph_wall_gauge_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double gravity = 9.81;
 constexpr double depth = 0.5;
@@ -43,12 +39,12 @@ Flow with_pressure(double spacing, const Settings& settings, double along, doubl
 
 TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the water beside it", "[manufactured]") {
   Check check("wcsph_wall_gauge", "Pressure on a gauge in a wall",
-              "A tank of water 1 m x 0.5 m with given pressures and a round gauge in its wall. Hydrostatic: the "
-              "gauge reads $\\rho_0 g$ times the depth of its middle. A pressure that rises along the wall: about a "
-              "height about which the lattice is symmetric its mean is that of the middle, to round-off. One that "
-              "rises towards the wall: read as far inside as the weights have their centre; half the spacing halves "
-              "the error. Where there is no water there is no pressure.");
-  check.source(source);
+              "A tank of water 1 m x 0.5 m with given pressures and a round gauge in its wall. Hydrostatic: the gauge "
+              "reads $\\rho_0 g$ times the depth of its middle. A pressure that rises along the wall: about a height "
+              "about which the lattice is symmetric its mean is that of the middle, to round-off. One that rises "
+              "towards the wall: read as far inside as the weights have their centre; half the spacing halves the "
+              "error. Where there is no water there is no pressure.",
+              source);
   const double spacing = 0.025;
   const double diameter = 0.02;
   const Settings still = water(gravity);
@@ -65,11 +61,8 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
     CHECK_THROWS_AS(pressure_on({.x = wall_x, .z = 0.1, .diameter = -1}, flow), std::invalid_argument);
   }
   const Flow along = with_pressure(spacing, water(0), 2000, 0);
-  check.that({.id = "along",
-              .text = "A pressure that is linear along the wall agrees with the middle of the face.",
-              .quantity = "pressure",
-              .unit = "Pa"},
-             {.value = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter}, along)},
+  check.that("along", "A pressure that is linear along the wall agrees with the middle of the face.", "pressure [Pa]",
+             {pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter}, along)},
              Bound{2000 * 2 * 2 * spacing * 5000 / (1000 * 1600.0),
                    "volumes m/rho differ by P/(rho_0 c_0^2), 5000 of 1.6e6, over the support", 5000});
   double errors[2];
@@ -78,19 +71,15 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
     const Flow flow = with_pressure(dx, water(0), 0, 4000);
     errors[halving] = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter / (1 << halving)}, flow) - 5000;
   }
-  check.that({.id = "normal",
-              .text = "A pressure that rises towards the wall is read where the weights have their centre.",
-              .quantity = "error over its gradient times h"},
-             {.value = errors[0] / (4000 * 2 * spacing)},
-             Bound{0.02,
-                   "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the "
-                   "lattice at h/4, 3h/4, ... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 "
-                   "the kernel's integral along the wall",
-                   -0.424});
-  check.that({.id = "order",
-              .text = "Half the spacing halves that error.",
-              .quantity = "error over that with twice the spacing"},
-             {.value = errors[1] / errors[0]}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
+  check.that(
+      "normal", "A pressure that rises towards the wall is read where the weights have their centre.",
+      "error over its gradient times h", {errors[0] / (4000 * 2 * spacing)},
+      Bound{0.02,
+            "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the lattice at h/4, 3h/4, "
+            "... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 the kernel's integral along the wall",
+            -0.424});
+  check.that("order", "Half the spacing halves that error.", "error over that with twice the spacing",
+             {errors[1] / errors[0]}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
 }
 
-}  // namespace wcsph_wall_gauge_test
+}  // namespace seiche::verification::wcsph_wall_gauge_test

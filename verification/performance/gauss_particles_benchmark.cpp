@@ -79,8 +79,7 @@ void projection(benchmark::State& state) {
                      .period = length,
                      .bottom = true,
                      .ground = {.level = -std::numbers::pi}});
-  std::vector<double> u;
-  std::vector<double> v;
+  std::vector<double> u, v;
   const auto project = [&] {
     u = water.x;
     v = water.y;

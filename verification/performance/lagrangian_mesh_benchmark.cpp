@@ -9,7 +9,6 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <string>
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
@@ -25,9 +24,7 @@ constexpr double amplitude = 0.3;
 constexpr double longest_run = 8;  // then from the beginning again: before the wave reaches the wall
 
 struct Solver {
-  long solves = 0;
-  long iterations = 0;
-  long factorisations = 0;
+  long solves = 0, iterations = 0, factorisations = 0;
 
   Solver& operator+=(const Solver& other) {
     solves += other.solves;

@@ -5,7 +5,6 @@
 #include <benchmark/benchmark.h>
 
 #include <numbers>
-#include <vector>
 
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "verification/performance/work.hpp"

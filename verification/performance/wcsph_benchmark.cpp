@@ -9,7 +9,6 @@
 // Arguments: particles across the column (50: 6100 particles as in the figure; 690: a million), threads.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <variant>
 
 #include <omp.h>

@@ -21,8 +21,7 @@
 namespace seiche::performance {
 
 struct Work {
-  double bytes = 0;
-  double operations = 0;
+  double bytes = 0, operations = 0;
 
   friend Work operator+(Work a, Work b) { return {a.bytes + b.bytes, a.operations + b.operations}; }
   friend Work operator*(double times, Work work) { return {times * work.bytes, times * work.operations}; }

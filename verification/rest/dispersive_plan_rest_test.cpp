@@ -1,6 +1,5 @@
 // Still water in plan stays still: bit by bit at the still-water level, to round-off if it is raised.
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,16 +8,11 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace dispersive_plan_rest_test {
+namespace seiche::verification::dispersive_plan_rest_test {
 
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::PlanBottom;
-using seiche::Point;
-using seiche::Worst;
-using seiche::linear::SolverMethod;
+using namespace dispersive_shallow_water_2d;
+using namespace mechanics;
+using linear::SolverMethod;
 
 struct Lake {
   std::string id, text;
@@ -55,8 +49,8 @@ Lattice sheared() {
 
 std::vector<Lake> lakes() {
   Rectangle window = box();
-  window.sides.west = seiche::plan_lattice::HeldSide{};
-  window.sides.north = seiche::plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
+  window.sides.west = plan_lattice::HeldSide{};
+  window.sides.north = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
   return {{"level", "a level bottom", rectangular_lattice(box())},
           {"quartic", "a polynomial bottom", rectangular_lattice(box(quartic_bottom()))},
           {"bump", "a bump that is no polynomial", rectangular_lattice(box(std::make_shared<BumpBottom>()))},
@@ -77,11 +71,10 @@ double largest_speed(const State& state) {
 }
 
 TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
-  Check check(
-      "dispersive_plan_rest", "Still water in plan",
-      "20 x 20 cells, inner nodes moved at random by up to 0.15 of a cell, over any bottom and between any straight "
-      "walls. The potential energy counts from the still-water level, where its gradient vanishes: no force, no "
-      "pressure, no motion. 200 steps of 0.1.");
+  Check check("dispersive_plan_rest", "Still water in plan",
+              "20 x 20 cells, inner nodes moved at random by up to 0.15 of a cell, over any bottom and between any "
+              "straight walls. The potential energy counts from the still-water level, where its gradient vanishes: no "
+              "force, no pressure, no motion. 200 steps of 0.1.");
   for (const Lake& lake : lakes()) {
     for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
       PlanProblem problem(jittered(lake.lattice, 0.075, 3), {}, lake.settings);
@@ -95,12 +88,11 @@ TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
 }
 
 TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
-  Check check(
-      "dispersive_plan_raised_rest", "Raised water at rest in plan",
-      "The same lakes with the surface 0.2 above the level from which elevations count: gravity and pressure balance "
-      "by the identity $d\\Pi - gz\\,dV = -\\tfrac12 g z^2\\,dA$, for straight walls and the exact volume over the "
-      "bottom. For polynomial bottoms of degree four Gauss's rule on the edges is exact. For others it cancels inside "
-      "but not along walls on which nodes slide: their speed is shown.");
+  Check check("dispersive_plan_raised_rest", "Raised water at rest in plan",
+              "The same lakes with the surface 0.2 above the level from which elevations count: gravity and pressure "
+              "balance by the identity $d\\Pi - gz\\,dV = -\\tfrac12 g z^2\\,dA$, for straight walls and the exact "
+              "volume over the bottom. For polynomial bottoms of degree four Gauss's rule on the edges is exact. For "
+              "others it cancels inside but not along walls on which nodes slide: their speed is shown.");
   for (const Lake& lake : lakes()) {
     if (lake.id == "window") continue;
     Lattice lattice = jittered(lake.lattice, 0.075, 3);
@@ -125,4 +117,4 @@ TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
   }
 }
 
-}  // namespace dispersive_plan_rest_test
+}  // namespace seiche::verification::dispersive_plan_rest_test

@@ -6,18 +6,16 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_lake_at_rest_test {
+namespace seiche::verification::finite_volume_lake_at_rest_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 
 TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and without an island", "[rest]") {
-  Check check("finite_volume_lake_at_rest", "Finite volumes: a lake at rest",
-              "Bed $z = b\\,e^{-(x-5)^2} + 0.05 \\sin 3x$, surface at 0.8 m, 200 cells, 10 000 steps. With "
-              "$b = 0.3$ the bed is covered, with $b = 1.2$ an island parts the lake. The hydrostatic "
-              "reconstruction balances thrust and bed to round-off; one rounding of $g h^2/2$ per step would "
-              "random-walk to $4 \\epsilon \\sqrt{10^4}\\, g h \\tau/dx$.");
+  Check check(
+      "finite_volume_lake_at_rest", "Finite volumes: a lake at rest",
+      "Bed $z = b\\,e^{-(x-5)^2} + 0.05 \\sin 3x$, surface at 0.8 m, 200 cells, 10 000 steps. With $b = 0.3$ the bed "
+      "is covered, with $b = 1.2$ an island parts the lake. The hydrostatic reconstruction balances thrust and bed to "
+      "round-off; one rounding of $g h^2/2$ per step would random-walk to $4 \\epsilon \\sqrt{10^4}\\, g h \\tau/dx$.");
   constexpr std::size_t cells = 200;
   constexpr double dx = 10.0 / cells;
   for (const double height : {0.3, 1.2}) {
@@ -32,8 +30,7 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
     }
     FiniteVolumeFlow flow({}, 0, 10, depth, std::vector<double>(cells, 0.0), bed);
     for (int k = 0; k < 10000; ++k) flow.advance(0.005);
-    Worst fastest;
-    Worst moved;
+    Worst fastest, moved;
     for (std::size_t i = 0; i < cells; ++i) {
       fastest.add(flow.discharge()[i]);
       moved.add(flow.depth()[i] - depth[i]);
@@ -47,4 +44,4 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
   }
 }
 
-}  // namespace finite_volume_lake_at_rest_test
+}  // namespace seiche::verification::finite_volume_lake_at_rest_test

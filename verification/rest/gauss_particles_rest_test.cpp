@@ -3,22 +3,16 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
-namespace gauss_particles_rest_test {
+namespace seiche::verification::gauss_particles_rest_test {
 
-using namespace seiche::gauss_particles;
-using namespace seiche::verification;
-using seiche::CosineBottom;
-using seiche::Largest;
-using seiche::Point;
+using namespace gauss_particles;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
 
@@ -49,62 +43,54 @@ double highest_marker(const Flow& flow) {
 }
 
 TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
-  Check check(
-      "gauss_particles_rest", "Free particles at rest",
-      "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat bottom "
-      "gravity's part in the space is zero to round-off, on a lattice that stays and on one that is shifted at "
-      "random. Over an uneven bottom the sums over particles are no exact integrals: the water is accelerated by "
-      "O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.");
-  check.source(source);
+  Check check("gauss_particles_rest", "Free particles at rest",
+              "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat "
+              "bottom gravity's part in the space is zero to round-off, on a lattice that stays and on one that is "
+              "shifted at random. Over an uneven bottom the sums over particles are no exact integrals: the water is "
+              "accelerated by O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.",
+              source);
   for (const bool shift : {false, true}) {
     Flow flow = still(false, 20, 6, 0.01, shift);
     march(flow, 10, 0.03, [&] { flow.observe(); });
-    check.holds(std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
-                    (shift ? "is shifted at random." : "stays."),
-                {highest_marker(flow)},
-                Roundoff{333 * 333, 1,
-                         "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in "
-                         "all later ones"});
+    check.holds(
+        std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
+            (shift ? "is shifted at random." : "stays."),
+        {highest_marker(flow)},
+        Roundoff{
+            333 * 333, 1,
+            "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in all later ones"});
   }
-  std::vector<double> spacing;
-  std::vector<double> acceleration;
-  for (const int per_side : {8, 12, 16, 24, 32}) {
-    Flow flow = still(true, 20, per_side, 0, false);
-    constexpr double tau = 0.03;
-    flow.advance(tau);
-    spacing.push_back(1.0 / per_side);
-    acceleration.push_back(seiche::worst(flow.model().projected()) * 2 / tau);
-  }
-  check.that(
-      {.id = "uneven-order",
-       .text = "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
-       .quantity = "order of the largest acceleration"},
-      observed_order(spacing, acceleration),
-      Order{4, 0.5,
-            "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
-            "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the "
-            "row: s^3.5 in a mean, not less"});
+  refine(
+      check, {"spacing in cells", widths(1, {8, 12, 16, 24, 32})},
+      {{"uneven-order",
+        "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
+        {4, 0.5,
+         "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
+         "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the row: "
+         "s^3.5 in a mean, not less"}}},
+      [](double spacing) {
+        Flow flow = still(true, 20, static_cast<int>(cells_of(1, spacing)), 0, false);
+        constexpr double tau = 0.03;
+        flow.advance(tau);
+        return worst(flow.model().projected()) * 2 / tau;
+      });
   Flow flow = still(true, 20, 12, 0.01, false);
   flow.advance(0.03);
-  const double first = seiche::worst(flow.model().projected()) * 2 / 0.03;
+  const double first = worst(flow.model().projected()) * 2 / 0.03;
   march(flow, 10, 0.03, [&] { flow.observe(); });
-  check.that(
-      {.id = "uneven-bounded",
-       .text = "Over an uneven bottom, with the penalty, the surface moves by less than a steady push of the first "
-               "acceleration would raise the longest wave.",
-       .quantity = "highest elevation up to t = 10",
-       .unit = "depth"},
-      {.value = highest_marker(flow), .resolution = "20 cells, 12 particles to a side"},
-      Bound{2 * first / std::tanh(1.0),
-            "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
-            "longest wave, omega^2 = tanh 1, swings farthest"});
-  check.that({.id = "uneven-energy",
-              .text = "The energy changes by what the penalty takes, to round-off.",
-              .quantity = "largest defect of the energy after booking"},
+  check.that("uneven-bounded",
+             "Over an uneven bottom, with the penalty, the surface moves by less than a steady push of the first "
+             "acceleration would raise the longest wave.",
+             "highest elevation up to t = 10 [depth]",
+             {.value = highest_marker(flow), .resolution = "20 cells, 12 particles to a side"},
+             Bound{2 * first / std::tanh(1.0),
+                   "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
+                   "longest wave, omega^2 = tanh 1, swings farthest"});
+  check.that("uneven-energy", "The energy changes by what the penalty takes, to round-off.",
+             "largest defect of the energy after booking",
              {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
              Roundoff{333, 1e-2,
-                      "one rounding per step of potential energies m g (y - y0), which are sums of terms below "
-                      "1e-2"});
+                      "one rounding per step of potential energies m g (y - y0), which are sums of terms below 1e-2"});
 }
 
-}  // namespace gauss_particles_rest_test
+}  // namespace seiche::verification::gauss_particles_rest_test

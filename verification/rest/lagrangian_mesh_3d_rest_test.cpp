@@ -1,6 +1,4 @@
 // Still water stays still, bit by bit, on any hexahedral mesh between straight walls.
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -8,12 +6,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace lagrangian_mesh_3d_rest_test {
+namespace seiche::verification::lagrangian_mesh_3d_rest_test {
 
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Point;
+using namespace lagrangian_mesh_3d;
+using namespace mechanics;
 
 struct Lake {
   std::string id, text;
@@ -25,8 +21,8 @@ std::vector<Lake> lakes() {
   Layer wedge = layer;
   wedge.south_wall = [](double x) { return x < 3 ? 0.0 : (x - 3) * 0.5; };
   Layer window = layer;
-  window.sides.west = seiche::plan_lattice::HeldSide{};
-  window.sides.north = seiche::plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
+  window.sides.west = plan_lattice::HeldSide{};
+  window.sides.north = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
   Layer shoal = layer;
   shoal.bottom = uneven_bottom();
   Layer wedge_over_shoal = wedge;
@@ -39,11 +35,10 @@ std::vector<Lake> lakes() {
 }
 
 TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit", "[rest]") {
-  Check check(
-      "lagrangian_mesh_3d_rest", "Still water on random hexahedral meshes",
-      "12 x 8 x 3 cells, inner nodes moved at random by up to a tenth of a cell. The potential energy counts from "
-      "the still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the mesh. "
-      "1000 steps of 0.1.");
+  Check check("lagrangian_mesh_3d_rest", "Still water on random hexahedral meshes",
+              "12 x 8 x 3 cells, inner nodes moved at random by up to a tenth of a cell. The potential energy counts "
+              "from the still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the "
+              "mesh. 1000 steps of 0.1.");
   for (const Lake& lake : lakes()) {
     for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
       HexahedralProblem problem(jittered(lake.mesh, 0.03, 3));
@@ -56,4 +51,4 @@ TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit",
   }
 }
 
-}  // namespace lagrangian_mesh_3d_rest_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_rest_test

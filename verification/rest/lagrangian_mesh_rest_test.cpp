@@ -1,6 +1,4 @@
 // Still water stays still, bit by bit, on any mesh between any walls.
-#include <algorithm>
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -11,15 +9,10 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace lagrangian_mesh_rest_test {
+namespace seiche::verification::lagrangian_mesh_rest_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Point;
-using seiche::Worst;
-using seiche::worst;
+using namespace lagrangian_mesh_2d;
+using namespace mechanics;
 
 /// Moves every node that may move at random: interior nodes anywhere, others along their wall or the still surface.
 Mesh jittered(Mesh mesh, double part, unsigned seed) {
@@ -65,12 +58,11 @@ std::vector<Lake> lakes() {
 }
 
 TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") {
-  Check check(
-      "lagrangian_mesh_rest", "Still water on random meshes",
-      "12 x 5 cells, nodes moved at random by up to 10 % of a cell: interior ones anywhere, those at walls along "
-      "them, those at the surface along it. The potential energy of the polygon of water is counted from the "
-      "still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the mesh. "
-      "Two meshes each; 10000 steps of 0.02.");
+  Check check("lagrangian_mesh_rest", "Still water on random meshes",
+              "12 x 5 cells, nodes moved at random by up to 10 % of a cell: interior ones anywhere, those at walls "
+              "along them, those at the surface along it. The potential energy of the polygon of water is counted from "
+              "the still-water level, where its gradient vanishes: no force, no pressure, no motion, whatever the "
+              "mesh. Two meshes each; 10000 steps of 0.02.");
   for (const Lake& lake : lakes()) {
     for (const Integrator integrator : {Integrator::one_step, Integrator::conservative}) {
       Largest moved;
@@ -94,4 +86,4 @@ TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") 
   }
 }
 
-}  // namespace lagrangian_mesh_rest_test
+}  // namespace seiche::verification::lagrangian_mesh_rest_test

@@ -9,12 +9,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_two_levels_test {
+namespace seiche::verification::wcsph_two_levels_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Mean;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double gravity = 9.81;
 constexpr double column = 0.4;
@@ -62,18 +59,16 @@ double rms_velocity(const Particles& p) {
 TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   Check check("wcsph_two_levels", "Two levels of water in SPH",
               "A column 0.3 m high before water of 0.1 m, and before water as high as itself: then nothing is left of "
-              "the gate.");
-  check.source(source);
+              "the gate.",
+              source);
   constexpr double low = 0.1;
   const Settings plain = still(WallPressure::dynamic);
   const TaitFluid fluid(plain.density, plain.sound_speed, plain.exponent);
-  Worst pressure_error;
-  Worst area_error;
+  Worst pressure_error, area_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     const Scene scene = levels(low, lattice, plain);
     const Particles& p = scene.particles;
-    double behind = 0;
-    double ahead = 0;
+    double behind = 0, ahead = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const bool in_column = p.x[i] <= column;
       const double expected = std::max((in_column ? high : low) - p.z[i], 0.0);
@@ -84,18 +79,13 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
     area_error.add(ahead / ((basin - column) * low) - 1);
   }
   check.that(
-      {.id = "hydrostatic",
-       .text = "The pressure agrees with the depth below the level of its side, in water and walls.",
-       .quantity = "largest error over rho_0 g H"},
-      {.value = pressure_error.value()},
+      "hydrostatic", "The pressure agrees with the depth below the level of its side, in water and walls.",
+      "largest error over rho_0 g H", {pressure_error.value()},
       Roundoff{10, 100 / 7.0, "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 100/7 multiplies the rounding of the power"});
-  check.that({.id = "area",
-              .text = "Column and water ahead have the area of their rectangles.",
-              .quantity = "largest relative error"},
-             {.value = area_error.value()}, Roundoff{900, 1, "a rounding per particle of up to 900 on a side"});
+  check.that("area", "Column and water ahead have the area of their rectangles.", "largest relative error",
+             {area_error.value()}, Roundoff{900, 1, "a rounding per particle of up to 900 on a side"});
 
-  Worst place_error;
-  Worst density_error;
+  Worst place_error, density_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     const Scene level = levels(high, lattice, plain);
     const Scene whole = tank({.width = basin, .depth = high, .spacing = dx, .lattice = lattice}, plain);
@@ -110,12 +100,10 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
       density_error.add(level.particles.density[a] / whole.particles.density[b] - 1);
     }
   }
-  check.that({.id = "place",
-              .text = "Equal levels: the water is a tank's.",
-              .quantity = "largest distance over dx, or particles too many"},
-             {.value = place_error.value()}, Roundoff{4, 50, "coordinates of up to 50 dx, counted from the gate"});
-  check.that({.id = "density", .text = "Equal levels: so is its density.", .quantity = "largest relative difference"},
-             {.value = density_error.value()}, Roundoff{4, 1, "of the same depth, to its rounding"});
+  check.that("place", "Equal levels: the water is a tank's.", "largest distance over dx, or particles too many",
+             {place_error.value()}, Roundoff{4, 50, "coordinates of up to 50 dx, counted from the gate"});
+  check.that("density", "Equal levels: so is its density.", "largest relative difference", {density_error.value()},
+             Roundoff{4, 1, "of the same depth, to its rounding"});
 
   // Pairs of water cancel: what is left of the momentum's rate is the push of the two end walls.
   // Staggered rows, twice as dense as the water, push too hard before the water has made room: not these.
@@ -126,23 +114,20 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   for (std::size_t i = 0; i < rates.du.size(); ++i) {
     if (parted.particles().kind[i] == Kind::fluid) push += parted.particles().mass[i] * rates.du[i];
   }
-  check.that({.id = "push",
-              .text = "The difference of the pressures on the end walls sets the water in motion.",
-              .quantity = "rate of the momentum over rho g (H^2 - h^2)/2"},
-             {.value = push / (0.5 * plain.density * gravity * (high * high - low * low))},
+  check.that("push", "The difference of the pressures on the end walls sets the water in motion.",
+             "rate of the momentum over rho g (H^2 - h^2)/2",
+             {push / (0.5 * plain.density * gravity * (high * high - low * low))},
              Bound{dx / high,
-                   "where the surface meets the wall half of a spacing of water is not known better: the "
-                   "pressure at the floor over that height",
+                   "where the surface meets the wall half of a spacing of water is not known better: the pressure at "
+                   "the floor over that height",
                    1});
 
   Flow rest(levels(high, Lattice::square, followed).particles, dx, followed);
   march(rest, 0.5);
   check.that(
-      {.id = "rest",
-       .text = "Equal levels stay at rest, without a gate.",
-       .quantity = "rms velocity over sqrt(g H) after 0.5 s"},
-      {.value = rms_velocity(rest.particles())},
+      "rest", "Equal levels stay at rest, without a gate.", "rms velocity over sqrt(g H) after 0.5 s",
+      {rms_velocity(rest.particles())},
       Bound{dx / high * 0.1, "sound of pressure rho c u as high as that of one spacing of water: dx/H sqrt(g H)/c"});
 }
 
-}  // namespace wcsph_two_levels_test
+}  // namespace seiche::verification::wcsph_two_levels_test

@@ -1,6 +1,5 @@
 // The dispersive shallow-water model makes whole steps in two passes over memory, with an elimination from both ends.
 // They must do what the separate calls of the integrators do.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -17,16 +16,12 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace dispersive_fused_step_test {
+namespace seiche::verification::dispersive_fused_step_test {
 
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
-using seiche::Largest;
-using seiche::Worst;
-using seiche::worst;
-using seiche::mechanics::ConservativeStep;
-using seiche::mechanics::OneStep;
-using seiche::mechanics::State;
+using namespace dispersive_shallow_water_1d;
+using mechanics::ConservativeStep;
+using mechanics::OneStep;
+using mechanics::State;
 
 constexpr double cotangent = 10;
 
@@ -37,10 +32,10 @@ struct Basin {
 
 /// Water of `cells` cells of 0.25 up to x = 0; the beach ends there.
 std::vector<Basin> basins() {
-  const auto level = std::make_shared<seiche::LevelBottom>(1.0);
-  const auto beach = std::make_shared<seiche::PiecewiseLinearBottom>(std::vector{-1000.0, -cotangent, 10 * cotangent},
-                                                                     std::vector{-1.0, -1.0, 10.0});
-  const auto waves = std::make_shared<seiche::CosineBottom>(1.0, 0.2, 0.3);
+  const auto level = std::make_shared<LevelBottom>(1.0);
+  const auto beach = std::make_shared<PiecewiseLinearBottom>(std::vector{-1000.0, -cotangent, 10 * cotangent},
+                                                             std::vector{-1.0, -1.0, 10.0});
+  const auto waves = std::make_shared<CosineBottom>(1.0, 0.2, 0.3);
   return {{"level", "level, walls", {.bottom = level}},
           {"beach", "wall and shore", {.bottom = beach, .right = End::tip}},
           {"beach-gn",
@@ -63,7 +58,7 @@ Markers pushed_water(const Channel& channel, std::size_t cells) {
 template <class Step>
 State run(Model& model, const Markers& markers, typename Step::Settings settings, double tau, int steps) {
   State state = model.state_of(markers);
-  seiche::mechanics::Start(model).project(state);
+  mechanics::Start(model).project(state);
   Step scheme(model, settings);
   for (int n = 0; n < steps; ++n) scheme.step(state, tau);
   return state;
@@ -99,8 +94,8 @@ Roundoff limit(int steps, double length) {
   return {.operations = 2.0 * steps * 64 + length * length,
           .scale = 1,
           .reason =
-              "both ways add the same to a place, but for roundings of rates and multipliers of order 1, some 64 "
-              "in a step; by these a place, up to the channel's length, may round the other way for once"};
+              "both ways add the same to a place, but for roundings of rates and multipliers of order 1, some 64 in a "
+              "step; by these a place, up to the channel's length, may round the other way for once"};
 }
 
 /// The scheme reflects what feedback puts into the rates and never damps it.
@@ -108,18 +103,17 @@ Roundoff fed_back(double scale) {
   return {.operations = 2.0 * 1000,
           .scale = scale,
           .reason =
-              "feedback divides the rounding of places, up to 75, by tau in every step; impulses become "
-              "multipliers by 2/tau"};
+              "feedback divides the rounding of places, up to 75, by tau in every step; impulses become multipliers by "
+              "2/tau"};
 }
 
 /// Around the blocks of 256 markers, in which the passes go.
 const std::vector<std::size_t> sizes{60, 255, 256, 257, 511, 512, 700, 1024, 1300};
 
 TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") {
-  Check check(
-      "dispersive_fused_step", "Dispersive shallow water: fused and separate passes, one-step scheme",
-      "A pulse of velocity 0.1 in the middle of the water splits in two, 1000 steps of 0.05. Once with the fused "
-      "step, once with the separate calls.");
+  Check check("dispersive_fused_step", "Dispersive shallow water: fused and separate passes, one-step scheme",
+              "A pulse of velocity 0.1 in the middle of the water splits in two, 1000 steps of 0.05. Once with the "
+              "fused step, once with the separate calls.");
   const int steps = 1000;
   for (const Basin& basin : basins()) {
     const Markers markers = pushed_water(basin.channel, 300);
@@ -197,4 +191,4 @@ TEST_CASE("fused steps agree with separate calls in long channels", "[robustness
   }
 }
 
-}  // namespace dispersive_fused_step_test
+}  // namespace seiche::verification::dispersive_fused_step_test

@@ -8,11 +8,9 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace dispersive_plan_breakdown_test {
+namespace seiche::verification::dispersive_plan_breakdown_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_2d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_2d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -59,11 +57,10 @@ std::string name_of(Stepping stepping) {
 }
 
 TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, step and place", "[robustness]") {
-  Check check(
-      "dispersive_plan_breakdown", "Breakdown of the two-dimensional horizontal model",
-      "An eddy shears the lattice until a cell folds; a block of water collapses until its edge touches the "
-      "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity that "
-      "is no number. Each run stops there, whatever the scheme, and says why, when and where.");
+  Check check("dispersive_plan_breakdown", "Breakdown of the two-dimensional horizontal model",
+              "An eddy shears the lattice until a cell folds; a block of water collapses until its edge touches the "
+              "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
+              "that is no number. Each run stops there, whatever the scheme, and says why, when and where.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Scheme scheme{.stepping = stepping};
     Flow eddy(
@@ -92,4 +89,4 @@ TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, st
   }
 }
 
-}  // namespace dispersive_plan_breakdown_test
+}  // namespace seiche::verification::dispersive_plan_breakdown_test

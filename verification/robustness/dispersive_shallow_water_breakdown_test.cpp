@@ -10,20 +10,18 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace dispersive_shallow_water_breakdown_test {
+namespace seiche::verification::dispersive_shallow_water_breakdown_test {
 
-using namespace seiche;
-using namespace seiche::dispersive_shallow_water_1d;
-using namespace seiche::verification;
+using namespace dispersive_shallow_water_1d;
 
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
-  return seiche::verification::run_until_breakdown(flow, end,
-                                                   [tau](Flow& f) { f.advance(std::min(tau, 0.9 * f.stable_step())); });
+  return verification::run_until_breakdown(flow, end,
+                                           [tau](Flow& f) { f.advance(std::min(tau, 0.9 * f.stable_step())); });
 }
 
 void holds_of_breakdown(Check& check, const std::string& run, const Flow& flow, const Breakdown& breakdown,
                         const std::string& word, double leftmost, double rightmost) {
-  seiche::verification::holds_of_breakdown(check, run, breakdown, word, leftmost, rightmost);
+  verification::holds_of_breakdown(check, run, breakdown, word, leftmost, rightmost);
   check.holds(run + ": There still is a longest stable step.",
               {std::isfinite(flow.stable_step()) && flow.stable_step() > 0 ? 1.0 : 0.0},
               Qualitative{"finite and positive after the failure", "a caller may go on with a shorter step"});
@@ -78,10 +76,9 @@ TEST_CASE("a pressure that is not a number stops with time, step and place", "[r
 }
 
 TEST_CASE("steps beyond the stability limit are counted, and too long ones stop", "[robustness]") {
-  Check check(
-      "dispersive_long_steps", "Steps beyond the stability limit",
-      "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and counted; "
-      "a wave in steps of 20 depths' travel time makes markers cross or the iteration fail.");
+  Check check("dispersive_long_steps", "Steps beyond the stability limit",
+              "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and "
+              "counted; a wave in steps of 20 depths' travel time makes markers cross or the iteration fail.");
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
   Flow still(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)));
   const double limit = still.stable_step();
@@ -115,4 +112,4 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
   }
 }
 
-}  // namespace dispersive_shallow_water_breakdown_test
+}  // namespace seiche::verification::dispersive_shallow_water_breakdown_test

@@ -8,10 +8,10 @@
 #include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/check.hpp"
 
-namespace exact_solutions_test {
+namespace seiche::verification::exact_solutions_test {
 
-using namespace seiche::exact;
-using seiche::validation::LagrangianManufactured;
+using namespace exact;
+using validation::LagrangianManufactured;
 
 TEST_CASE("exact solutions refuse parameters that have no solution", "[robustness]") {
   constexpr double g = 9.81;
@@ -77,4 +77,4 @@ TEST_CASE("exact solutions refuse parameters that have no solution", "[robustnes
   CHECK_THROWS_AS(LagrangianManufactured().at(1.1, 0), Bad);
 }
 
-}  // namespace exact_solutions_test
+}  // namespace seiche::verification::exact_solutions_test

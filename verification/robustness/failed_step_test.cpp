@@ -3,10 +3,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/projected_step.hpp"
@@ -20,11 +17,9 @@
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace failed_step_test {
+namespace seiche::verification::failed_step_test {
 
-using namespace seiche;
-using namespace seiche::mechanics;
-using namespace seiche::verification;
+using namespace mechanics;
 using rigid_chain::RigidChain;
 
 bool same(const State& a, const State& b) {
@@ -101,11 +96,10 @@ bool keeps_state(Flow& flow, double tau) {
 }
 
 TEST_CASE("a step that fails leaves the state as it was, with every integrator", "[robustness]") {
-  Check check(
-      "failed_steps", "Steps that fail: integrators",
-      "A chain breaks at one of its first linearisations, in stages and sweeps of the third or a later step, or "
-      "at the end of a step or stage. Coordinates, rates, multipliers, time and number of steps are then those "
-      "of before, and the exception is a Divergence with the time of the stage and the step.");
+  Check check("failed_steps", "Steps that fail: integrators",
+              "A chain breaks at one of its first linearisations, in stages and sweeps of the third or a later step, "
+              "or at the end of a step or stage. Coordinates, rates, multipliers, time and number of steps are then "
+              "those of before, and the exception is a Divergence with the time of the stage and the step.");
   Failures failures;
   for (const auto where : {FragileChain::At::linearise, FragileChain::At::settle}) {
     for (const int count : {3, 8, 17, 30}) {
@@ -136,8 +130,7 @@ TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
               "Water that reaches the end of the curve it slides along, within or at the end of a step; pressure, "
               "absorption or a wall's motion whose function throws at a later time. The state is that of before the "
               "step, the first one with its smooth start included.");
-  int failed = 0;
-  int changed = 0;
+  int failed = 0, changed = 0;
   const auto count = [&](bool kept) {
     ++failed;
     changed += kept ? 0 : 1;
@@ -227,4 +220,4 @@ TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robus
               Bound{0, "equality of bytes"});
 }
 
-}  // namespace failed_step_test
+}  // namespace seiche::verification::failed_step_test

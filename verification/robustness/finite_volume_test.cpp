@@ -5,10 +5,8 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
-namespace finite_volume_test {
+namespace seiche::verification::finite_volume_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
@@ -85,4 +83,4 @@ TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", 
   }
 }
 
-}  // namespace finite_volume_test
+}  // namespace seiche::verification::finite_volume_test

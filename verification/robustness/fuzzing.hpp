@@ -101,8 +101,7 @@ inline std::string mutated(std::string bytes, const std::vector<std::string>& ot
 
 /// What became of the inputs of one reader.
 struct Tally {
-  long accepted = 0;
-  long refused = 0;
+  long accepted = 0, refused = 0;
   long misbehaved = 0;  ///< another exception, a message of several lines, or an empty one
   long crashes = 0;     ///< of a child process
   Largest slowest;      ///< [s]

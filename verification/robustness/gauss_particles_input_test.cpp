@@ -1,7 +1,6 @@
 // What the free-particle model refuses, and how it says so.
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,13 +12,9 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace gauss_particles_input_test {
+namespace seiche::verification::gauss_particles_input_test {
 
-using namespace seiche::gauss_particles;
-using seiche::Point;
-using namespace seiche::verification;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+using namespace gauss_particles;
 
 LatticePlan tank() {
   return {.cell_x = 0.25, .left_wall = 0.0, .right_wall = 2.0, .bottom = true};
@@ -42,7 +37,7 @@ std::unique_ptr<FieldSpace> splines(const LatticePlan& plan = tank(), SplineSpac
 std::string breakdown(const std::function<void()>& action) {
   try {
     action();
-  } catch (const seiche::Divergence& failure) {
+  } catch (const Divergence& failure) {
     return failure.what();
   }
   return {};
@@ -52,114 +47,90 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
   Check check("gauss_particles_bad_input", "Bad input of the free-particle model",
               "Water in a tank with one thing wrong at a time.");
   Refusals refusals(check);
-  const auto with_particles = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
-    refusals.refused(text, words, [&] {
-      Particles particles = layer(water());
-      change(particles);
-      Flow flow(std::move(particles), splines());
-    });
-  };
-  with_particles("A negative mass.", {"mass of particle 3", "-1", "non-negative"},
-                 [](Particles& p) { p.mass[3] = -1; });
-  with_particles("A mass that is not a number.", {"mass of particle 0", "nan"},
-                 [](Particles& p) { p.mass[0] = not_a_number; });
-  with_particles("A place that is not a number.", {"particle 7", "nan", "finite"},
-                 [](Particles& p) { p.y[7] = not_a_number; });
-  with_particles("Arrays of different lengths.", {"1152 x", "1151 y"}, [](Particles& p) { p.y.pop_back(); });
-  with_particles("Nothing but markers.", {"none of them with a mass"},
-                 [](Particles& p) { p.mass.assign(p.size(), 0); });
-  with_particles("No particles.", {"0 particles"}, [](Particles& p) { p = {}; });
-  with_particles("Too few particles for the cells.", {"particles", "at least 8"}, [](Particles& p) {
+  const auto with_particles =
+      refusals.of(layer(water()), [&](Particles particles) { Flow flow(std::move(particles), splines()); });
+  with_particles({"mass of particle 3", "-1", "non-negative"}, [](Particles& p) { p.mass[3] = -1; });
+  with_particles({"mass of particle 0", "nan"}, [](Particles& p) { p.mass[0] = not_a_number; });
+  with_particles({"particle 7", "nan", "finite"}, [](Particles& p) { p.y[7] = not_a_number; });
+  with_particles({"1152 x", "1151 y"}, [](Particles& p) { p.y.pop_back(); });
+  with_particles({"none of them with a mass"}, [](Particles& p) { p.mass.assign(p.size(), 0); });
+  with_particles({"0 particles"}, [](Particles& p) { p = {}; });
+  with_particles({"particles", "at least 8"}, [](Particles& p) {
     Layer coarse = water();
     coarse.columns = 16;
     coarse.rows = 8;
     p = layer(coarse);
   });
-  with_particles("Water that fills no cell.", {"no cell", "full enough"}, [](Particles& p) {
+  with_particles({"no cell", "full enough"}, [](Particles& p) {
     for (double& m : p.mass) m *= 1e-3;
   });
 
-  refusals.refused("Gravity on the surface in the dissipative scheme.",
-                   {"surface", "dissipative", "conservative stepping"}, [] {
-                     Layer with_markers = water();
-                     with_markers.markers = 20;
-                     Flow flow(layer(with_markers), splines(), {}, {.penalty = 0, .surface = SurfaceLine{}}, {},
-                               Stepping::dissipative);
-                   });
+  refusals.refused({"surface", "dissipative", "conservative stepping"}, [] {
+    Layer with_markers = water();
+    with_markers.markers = 20;
+    Flow flow(layer(with_markers), splines(), {}, {.penalty = 0, .surface = SurfaceLine{}}, {}, Stepping::dissipative);
+  });
 
-  refusals.refused("The penalty in the dissipative scheme, where it would do nothing.",
-                   {"penalty", "0.01", "dissipative", "allowed: 0"},
+  refusals.refused({"penalty", "0.01", "dissipative", "allowed: 0"},
                    [] { Flow flow(layer(water()), splines(), {}, {}, {}, Stepping::dissipative); });
 
-  const auto with_plan = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
-    refusals.refused(text, words, [&] {
-      LatticePlan plan = tank();
-      change(plan);
-      Flow flow(layer(water()), splines(plan));
-    });
-  };
-  with_plan("Linear splines.", {"degree", "= 1", "[2, 4]"}, [](LatticePlan& p) { p.degree = 1; });
-  with_plan("Splines of degree 5.", {"degree", "= 5", "[2, 4]"}, [](LatticePlan& p) { p.degree = 5; });
-  with_plan("Cells without a width.", {"cell_x", "= 0", "positive"}, [](LatticePlan& p) { p.cell_x = 0; });
-  with_plan("Walls that are not a whole number of cells apart.", {"right_wall - left_wall", "multiple", "0.25"},
-            [](LatticePlan& p) { p.right_wall = 2.1; });
-  with_plan("A period of two and a half cells more.", {"period", "multiple"}, [](LatticePlan& p) {
+  const auto with_plan = refusals.of(tank(), [&](LatticePlan plan) { Flow flow(layer(water()), splines(plan)); });
+  with_plan({"degree", "= 1", "[2, 4]"}, [](LatticePlan& p) { p.degree = 1; });
+  with_plan({"degree", "= 5", "[2, 4]"}, [](LatticePlan& p) { p.degree = 5; });
+  with_plan({"cell_x", "= 0", "positive"}, [](LatticePlan& p) { p.cell_x = 0; });
+  with_plan({"right_wall - left_wall", "multiple", "0.25"}, [](LatticePlan& p) { p.right_wall = 2.1; });
+  with_plan({"period", "multiple"}, [](LatticePlan& p) {
     p.right_wall.reset();
     p.period = 2.1;
   });
-  with_plan("A channel with fewer cells than a spline spans twice.", {"cells of a periodic lattice", "7"},
-            [](LatticePlan& p) {
-              p.right_wall.reset();
-              p.cell_x = 0.5;
-              p.period = 2;
-            });
-  with_plan("A periodic channel with a wall at its end.", {"right_wall", "periodic"},
-            [](LatticePlan& p) { p.period = 2; });
-  with_plan("A lid without a bottom.", {"lid", "bottom"}, [](LatticePlan& p) {
+  with_plan({"cells of a periodic lattice", "7"}, [](LatticePlan& p) {
+    p.right_wall.reset();
+    p.cell_x = 0.5;
+    p.period = 2;
+  });
+  with_plan({"right_wall", "periodic"}, [](LatticePlan& p) { p.period = 2; });
+  with_plan({"lid", "bottom"}, [](LatticePlan& p) {
     p.bottom = false;
     p.lid = 2;
   });
-  with_plan("A bottom with a corner.", {"slope jumps", "x = 1"}, [](LatticePlan& p) {
+  with_plan({"slope jumps", "x = 1"}, [](LatticePlan& p) {
     p.ground.profile =
-        std::make_shared<seiche::PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
+        std::make_shared<PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
   });
 
-  const auto with_settings = [&](const std::string& text, const std::vector<std::string>& words, Settings settings) {
-    refusals.refused(text, words, [&] { Flow flow(layer(water()), splines(), {}, settings); });
-  };
-  with_settings("Gravity upwards.", {"gravity", "= -1", "non-negative"}, {.gravity = -1});
-  with_settings("A negative penalty.", {"penalty", "= -0.01", "non-negative"}, {.penalty = -0.01});
-  with_settings("Water without a density.", {"density", "= 0", "positive"}, {.density = 0});
-  refusals.refused("Inner cells that must hold more than they can.", {"inner_fraction", "= 1.5"},
-                   [] { splines(tank(), {.inner_fraction = 1.5}); });
-  refusals.refused("No space of fields.", {"no space"}, [] { Flow flow(layer(water()), nullptr); });
-  refusals.refused("A space without fields.", {"no stream function"},
-                   [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
-  refusals.refused("A layer whose surface is below its bottom.", {"depth", "positive"}, [] {
+  const auto with_settings =
+      refusals.with<Settings>([&](const Settings& settings) { Flow flow(layer(water()), splines(), {}, settings); });
+  with_settings({"gravity", "= -1", "non-negative"}, {.gravity = -1});
+  with_settings({"penalty", "= -0.01", "non-negative"}, {.penalty = -0.01});
+  with_settings({"density", "= 0", "positive"}, {.density = 0});
+  refusals.refused({"inner_fraction", "= 1.5"}, [] { splines(tank(), {.inner_fraction = 1.5}); });
+  refusals.refused({"no space"}, [] { Flow flow(layer(water()), nullptr); });
+  refusals.refused({"no stream function"}, [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
+  refusals.refused({"depth", "positive"}, [] {
     Layer dry = water();
     dry.surface = [](double) { return -1.0; };
     layer(dry);
   });
-  refusals.refused("End-corrected masses in five rows.", {"rows", "at least 6"}, [] {
+  refusals.refused({"rows", "at least 6"}, [] {
     Layer flat = water();
     flat.rows = 5;
     layer(flat);
   });
-  refusals.refused("A velocity that is not a number.", {"nan"}, [] {
-    Flow flow(layer(water()), splines(), [](Point) { return Point{not_a_number, 0}; });
-  });
-  refusals.refused("A step beyond the stability limit.", {"tau", "= 0.6", "2/sqrt(pi g/h)"}, [] {
+  refusals.refused({"nan"}, [] { Flow flow(layer(water()), splines(), [](Point) { return Point{not_a_number, 0}; }); });
+  const auto with_step = refusals.with<double>([&](const double& tau) {
     Flow flow(layer(water()), splines());
-    flow.advance(0.6);
+    flow.advance(tau);
   });
+  with_step({"tau", "= 0"}, 0);
+  with_step({"tau", "-0.1"}, -0.1);
+  with_step({"tau", "= 0.6", "2/sqrt(pi g/h)"}, 0.6);
 }
 
 TEST_CASE("free particles that leave their lattice are a divergence with time and place", "[robustness]") {
-  Check check(
-      "gauss_particles_breakdown", "Free particles that leave their lattice",
-      "A drop flies through a lattice that does not follow it: the run stops before the step in which a particle "
-      "comes within two cells of its end, and the state is that before the step.");
-  const LatticeAt fixed = [](seiche::mechanics::Interval, const Bounds&) {
+  Check check("gauss_particles_breakdown", "Free particles that leave their lattice",
+              "A drop flies through a lattice that does not follow it: the run stops before the step in which a "
+              "particle comes within two cells of its end, and the state is that before the step.");
+  const LatticeAt fixed = [](mechanics::Interval, const Bounds&) {
     return Lattice{SplineAxis(3, -2, 0.25, 16, Ends::free), SplineAxis(3, -2, 0.25, 16, Ends::free)};
   };
   Flow flow(disc(1, 12), std::make_unique<SplineSpace>(Ground{}, fixed, SplineSpace::Settings{}),
@@ -178,4 +149,4 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
                     1.5 - std::sqrt((121.0 + 144.0) / 2) / 12});
 }
 
-}  // namespace gauss_particles_input_test
+}  // namespace seiche::verification::gauss_particles_input_test

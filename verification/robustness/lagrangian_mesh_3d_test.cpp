@@ -1,12 +1,9 @@
 // What the hexahedral Lagrangian mesh refuses, and how it breaks down: with reason, time, step and place.
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
@@ -14,13 +11,9 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace lagrangian_mesh_3d_test {
+namespace seiche::verification::lagrangian_mesh_3d_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_3d;
-using namespace seiche::verification;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+using namespace lagrangian_mesh_3d;
 
 Layer still_layer() {
   return {.begin = 0, .end = 4, .south = 0, .north = 3, .columns = 4, .rows = 3, .layers = 2};
@@ -35,83 +28,65 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
       "lagrangian_mesh_3d_input", "Bad input of the hexahedral mesh",
       "A mesh of 4 x 3 x 2 cells with one thing wrong at a time: its layer, its nodes, its sides, its settings.");
   Refusals refusals(check);
-  const auto layer = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
-    refusals.refused(text, words, [&] {
-      Layer l = still_layer();
-      change(l);
-      layer_mesh(l);
-    });
-  };
-  layer("A layer of no length.", {"end = 0", "begin = 0"}, [](Layer& l) { l.end = 0; });
-  layer("A layer of no width.", {"north = 0", "south = 0"}, [](Layer& l) { l.north = 0; });
-  layer("No depth.", {"depth", "0", "positive"}, [](Layer& l) { l.depth = 0; });
-  layer("No layers.", {"layers", "= 0", "at least 1"}, [](Layer& l) { l.layers = 0; });
-  layer("No columns.", {"columns", "= 0", "at least 1"}, [](Layer& l) { l.columns = 0; });
-  layer("A surface below the bottom.", {"elevation -1.5", "x = 2", "above the bottom -1"},
+  const auto layer = refusals.of(still_layer(), [&](Layer l) { layer_mesh(l); });
+  layer({"end = 0", "begin = 0"}, [](Layer& l) { l.end = 0; });
+  layer({"north = 0", "south = 0"}, [](Layer& l) { l.north = 0; });
+  layer({"depth", "0", "positive"}, [](Layer& l) { l.depth = 0; });
+  layer({"layers", "= 0", "at least 1"}, [](Layer& l) { l.layers = 0; });
+  layer({"columns", "= 0", "at least 1"}, [](Layer& l) { l.columns = 0; });
+  layer({"elevation -1.5", "x = 2", "above the bottom -1"},
         [](Layer& l) { l.elevation = [](double x, double) { return x < 2 ? 0 : -1.5; }; });
-  layer("A surface that is not a number.", {"elevation nan", "above the bottom"},
+  layer({"elevation nan", "above the bottom"},
         [](Layer& l) { l.elevation = [](double, double) { return not_a_number; }; });
-  const auto mesh = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
-    refusals.refused(text, words, [&] {
-      Mesh m = layer_mesh(still_layer());
-      change(m);
-      Flow flow(std::move(m));
-    });
-  };
-  mesh("A node without an elevation.", {"60, 60, 59 nodes", "60 each"}, [](Mesh& m) { m.z.pop_back(); });
-  mesh("A node whose place is not a number.", {"node 7", "nan", "finite"}, [](Mesh& m) { m.x[7] = not_a_number; });
-  mesh("A cell whose corner is turned over.", {"corner", "of cell", "positive"},
-       [](Mesh& m) { m.x[m.node(1, 1, 1)] = 2.5; });
-  mesh("A bottom that is not level.", {"bottom node 3", "that of all others, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });
-  mesh("A driven side without a velocity.", {"driven side", "no velocity"},
-       [](Mesh& m) { m.sides.north = plan_lattice::DrivenSide{}; });
-  mesh("A node above the uneven bottom that it slides on.", {"bottom node 3", "that of the bottom, -0.8"}, [](Mesh& m) {
+  const auto mesh = refusals.of(layer_mesh(still_layer()), [&](Mesh m) { Flow flow(std::move(m)); });
+  mesh({"60, 60, 59 nodes", "60 each"}, [](Mesh& m) { m.z.pop_back(); });
+  mesh({"node 7", "nan", "finite"}, [](Mesh& m) { m.x[7] = not_a_number; });
+  mesh({"corner", "of cell", "positive"}, [](Mesh& m) { m.x[m.node(1, 1, 1)] = 2.5; });
+  mesh({"bottom node 3", "that of all others, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });
+  mesh({"driven side", "no velocity"}, [](Mesh& m) { m.sides.north = plan_lattice::DrivenSide{}; });
+  mesh({"bottom node 3", "that of the bottom, -0.8"}, [](Mesh& m) {
     m.bottom = plane_bottom(0.05);
     for (std::size_t k = 0; k < m.plan.nodes(); ++k) m.z[k] = -1 + 0.05 * m.x[k] + (k == 3 ? 1e-10 : 0);
   });
-  layer("A surface below an uneven bottom.", {"elevation 0", "x = 4", "above the bottom 0"},
-        [](Layer& l) { l.bottom = plane_bottom(0.25); });
-  const auto over_slope = [&](const std::string& text, const std::vector<std::string>& words, auto change) {
-    refusals.refused(text, words, [&] {
-      Layer l = still_layer();
-      l.bottom = plane_bottom(0.05);
-      Mesh m = layer_mesh(l);
-      Window window;
-      change(m, window);
-      Flow flow(std::move(m), {}, {}, {}, window);
-    });
+  layer({"elevation 0", "x = 4", "above the bottom 0"}, [](Layer& l) { l.bottom = plane_bottom(0.25); });
+  struct Sloped {
+    Mesh mesh;
+    Window window;
   };
-  over_slope("A driven side over an uneven bottom.", {"driven side", "uneven bottom"},
-             [](Mesh& m, Window&) { m.sides.west = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }}; });
-  over_slope("A moving window over an uneven bottom.", {"moving window", "uneven bottom"},
-             [](Mesh&, Window& w) { w.reach = [](double t) { return t; }; });
-  over_slope("A body in space over an uneven bottom.", {"free bottom", "uneven"},
-             [](Mesh& m, Window&) { m.free_bottom = true; });
-  refusals.refused("A wall that bends outwards.", {"bends outwards", "(2, 0)", "180"}, [] {
+  Layer sloped = still_layer();
+  sloped.bottom = plane_bottom(0.05);
+  const auto over_slope =
+      refusals.of(Sloped{layer_mesh(sloped), {}}, [](Sloped s) { Flow flow(std::move(s.mesh), {}, {}, {}, s.window); });
+  over_slope({"driven side", "uneven bottom"},
+             [](Sloped& s) { s.mesh.sides.west = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }}; });
+  over_slope({"moving window", "uneven bottom"}, [](Sloped& s) { s.window.reach = [](double t) { return t; }; });
+  over_slope({"free bottom", "uneven"}, [](Sloped& s) { s.mesh.free_bottom = true; });
+  refusals.refused({"bends outwards", "(2, 0)", "180"}, [] {
     Layer l = still_layer();
     l.south_wall = [](double x) { return x < 2 ? 0.0 : 0.3 * (2 - x); };
     Flow flow(layer_mesh(l));
   });
-  const auto settings = [&](const std::string& text, const std::vector<std::string>& words, Settings bad) {
-    refusals.refused(text, words, [&] { Flow flow(layer_mesh(still_layer()), {}, {}, bad); });
-  };
-  settings("Negative gravity.", {"gravity", "-1"}, {.gravity = -1});
-  settings("No density.", {"density", "0", "positive"}, {.density = 0});
-  settings("A tolerance below rounding.", {"tolerance", "[1e-15, 0.0001]"}, {.tolerance = 1e-16});
-  refusals.refused("A moving window with a free rear.", {"moving window", "WallSide, HeldSide"}, [] {
+  const auto settings =
+      refusals.with<Settings>([&](const Settings& bad) { Flow flow(layer_mesh(still_layer()), {}, {}, bad); });
+  settings({"gravity", "-1"}, {.gravity = -1});
+  settings({"density", "0", "positive"}, {.density = 0});
+  settings({"tolerance", "[1e-15, 0.0001]"}, {.tolerance = 1e-16});
+  refusals.refused({"moving window", "WallSide, HeldSide"}, [] {
     Layer l = still_layer();
     l.sides.west = plan_lattice::FreeSide{};
     Flow flow(layer_mesh(l), {}, {}, {}, {.reach = [](double t) { return t; }});
   });
-  refusals.refused("Velocities of another number of nodes.", {"3 velocities", "60"},
-                   [] { Flow flow(layer_mesh(still_layer()), std::vector<Vector>(3)); });
+  refusals.refused({"3 velocities", "60"}, [] { Flow flow(layer_mesh(still_layer()), std::vector<Vector>(3)); });
+  refusals.refused({"tau", "-0.1", "positive"}, [] {
+    Flow flow(layer_mesh(still_layer()));
+    flow.advance(-0.1);
+  });
 }
 
 TEST_CASE("a wave that folds hexahedra at a wall stops with time, step and place", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_3d_fold", "A high wave inverts hexahedra at a wall",
-      "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake the "
-      "wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
+  Check check("lagrangian_mesh_3d_fold", "A high wave inverts hexahedra at a wall",
+              "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake "
+              "the wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
   constexpr double a = 0.7;
   const double celerity = std::sqrt(1 + a);
   const double decay = std::sqrt(0.75 * a / (1 + a));
@@ -139,10 +114,9 @@ TEST_CASE("a wave that folds hexahedra at a wall stops with time, step and place
 }
 
 TEST_CASE("a moving window that follows still water changes nothing", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_3d_window", "A moving window over still water",
-      "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. Nothing moves, "
-      "and the window stands where it should.");
+  Check check("lagrangian_mesh_3d_window", "A moving window over still water",
+              "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. Nothing "
+              "moves, and the window stands where it should.");
   Layer layer = still_layer();
   layer.sides.west = plan_lattice::HeldSide{};
   Flow flow(layer_mesh(layer), {}, {}, {}, {.reach = [](double t) { return 4 + t; }});
@@ -157,4 +131,4 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
               Bound{0, "one for each unit of time, once the water beyond the next column stirs", 10});
 }
 
-}  // namespace lagrangian_mesh_3d_test
+}  // namespace seiche::verification::lagrangian_mesh_3d_test

@@ -3,21 +3,18 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace lagrangian_mesh_breakdown_test {
+namespace seiche::verification::lagrangian_mesh_breakdown_test {
 
-using namespace seiche;
-using namespace seiche::lagrangian_mesh_2d;
-using namespace seiche::verification;
+using namespace lagrangian_mesh_2d;
 
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
-  return seiche::verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
+  return verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
 }
 
 TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place", "[robustness]") {
@@ -43,10 +40,9 @@ TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place"
 }
 
 TEST_CASE("a node that leaves the curve of its wall stops with time, step and place", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_short_curve", "A node leaves the curve it slides along",
-      "The curve of a wall of slope 1 ends 0.05 above the still-water level. A surge of 0.3 carries the contact point "
-      "past its end, whatever the scheme.");
+  Check check("lagrangian_mesh_short_curve", "A node leaves the curve it slides along",
+              "The curve of a wall of slope 1 ends 0.05 above the still-water level. A surge of 0.3 carries the "
+              "contact point past its end, whatever the scheme.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     Mesh mesh = layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 16, .rows = 4}, 1);
     const auto one = [](double) { return 1.0; };
@@ -77,4 +73,4 @@ TEST_CASE("implicit steps that do not converge stop, and long steps are counted"
                      6);
 }
 
-}  // namespace lagrangian_mesh_breakdown_test
+}  // namespace seiche::verification::lagrangian_mesh_breakdown_test

@@ -1,24 +1,19 @@
 // The solvers of the pressure equation give one motion of the Lagrangian mesh.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace lagrangian_mesh_solvers_test {
+namespace seiche::verification::lagrangian_mesh_solvers_test {
 
-using namespace seiche::lagrangian_mesh_2d;
-using seiche::Worst;
-using namespace seiche::verification;
-using seiche::linear::SolverMethod;
+using namespace lagrangian_mesh_2d;
+using linear::SolverMethod;
 
 /// Water with an inclined surface, released between walls.
 Flow released(std::size_t columns, std::size_t rows, Scheme scheme, SolverMethod method, double tolerance,
@@ -46,10 +41,9 @@ const std::vector<std::pair<std::string, Stepping>> steppings{{"one-step", Stepp
                                                               {"conservative", Stepping::conservative}};
 
 TEST_CASE("banded and iterative solvers give one motion", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_solvers", "Lagrangian mesh: two solvers, one motion",
-      "Water with a surface of $0.25\\cos(\\pi x/6)$, 48 x 8 cells, 50 steps of 0.05: the mesh is well deformed. "
-      "Banded Cholesky factorisation; conjugate gradients to relative residuals of 1e-13 and 1e-8.");
+  Check check("lagrangian_mesh_solvers", "Lagrangian mesh: two solvers, one motion",
+              "Water with a surface of $0.25\\cos(\\pi x/6)$, 48 x 8 cells, 50 steps of 0.05: the mesh is well "
+              "deformed. Banded Cholesky factorisation; conjugate gradients to relative residuals of 1e-13 and 1e-8.");
   for (const auto& [id, stepping] : steppings) {
     const auto run = [&, which = stepping](SolverMethod method, double tolerance) {
       Flow flow = released(48, 8, {.stepping = which}, method, tolerance);
@@ -57,8 +51,7 @@ TEST_CASE("banded and iterative solvers give one motion", "[robustness]") {
       return flow;
     };
     const Flow banded = run(SolverMethod::banded, 1e-10);
-    const auto agrees = [&, name = id](const std::string& what, const Flow& other,
-                                       const seiche::evidence::Criterion& limit) {
+    const auto agrees = [&, name = id](const std::string& what, const Flow& other, const evidence::Criterion& limit) {
       check.holds(name + ": the " + what + " solver gives the banded one's motion.",
                   {largest_difference(banded, other)}, limit);
     };
@@ -70,4 +63,4 @@ TEST_CASE("banded and iterative solvers give one motion", "[robustness]") {
   }
 }
 
-}  // namespace lagrangian_mesh_solvers_test
+}  // namespace seiche::verification::lagrangian_mesh_solvers_test

@@ -8,11 +8,10 @@
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace mechanics_input_test {
+namespace seiche::verification::mechanics_input_test {
 
-using namespace seiche::mechanics;
-using namespace seiche::rigid_chain;
-using namespace seiche::verification;
+using namespace mechanics;
+using namespace rigid_chain;
 using Catch::Matchers::Contains;
 
 template <class Stepper>
@@ -57,10 +56,10 @@ TEST_CASE("a rate that is not finite stops the run with time, step and place, an
   try {
     scheme.step(state, 1);
     FAIL("went on");
-  } catch (const seiche::Divergence& error) {
+  } catch (const Divergence& error) {
     CHECK(error.step() == 3);
     CHECK(error.time() == before.time);
-  } catch (const seiche::linear::NotPositiveDefinite&) {  // that it stopped, and left the state alone, is what matters
+  } catch (const linear::NotPositiveDefinite&) {  // that it stopped, and left the state alone, is what matters
   }
   CHECK(state.q == before.q);
   CHECK(state.u == before.u);
@@ -71,7 +70,7 @@ TEST_CASE("an implicit step that does not converge says so and leaves the state"
   State state = spiral_start(chain);
   ConservativeStep<RigidChain> scheme(chain);
   const State before = state;
-  CHECK_THROWS_AS(scheme.step(state, 5), seiche::Divergence);
+  CHECK_THROWS_AS(scheme.step(state, 5), Divergence);
   CHECK(state.q == before.q);
   CHECK(state.u == before.u);
 }
@@ -97,4 +96,4 @@ TEST_CASE("the ledger counts what is booked and refuses wrong numbers of values"
   CHECK(std::isnan(ledger.largest_defect("mass")));
 }
 
-}  // namespace mechanics_input_test
+}  // namespace seiche::verification::mechanics_input_test

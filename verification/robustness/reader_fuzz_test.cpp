@@ -17,7 +17,6 @@
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/isolated.hpp"
 #include "seiche/io/table.hpp"
-#include "seiche/io/text_table.hpp"
 #include "validation/case/configuration.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/scoring/solver_files.hpp"
@@ -25,10 +24,7 @@
 #include "verification/robustness/fuzzing.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace reader_fuzz_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::reader_fuzz_test {
 
 void claim(Check& check, const std::string& format, const Tally& tally) {
   const long count = tally.accepted + tally.refused + tally.misbehaved;
@@ -67,8 +63,7 @@ std::string record_bytes(const ScratchFolder& scratch) {
 
 /// A file as a solver writes it.
 struct SolverFile {
-  std::string id;
-  std::string format;
+  std::string id, format;
   std::string name;  ///< of the file: where in a folder, where that tells the reader something
   std::vector<std::string> texts;
 };
@@ -78,30 +73,30 @@ const std::vector<SolverFile> solver_files{
     {"openfoam",
      "openfoam",
      "U",
-     {"# Probe 0 (0.1 -0.5 0.5)\n# Probe 1 (1 -0.5 0.5)\n# Probe 0 1\n# Time\n0.5 (1 0 0) (2 0 -1e-3)\n"
-      "1 (0.5 0 0) (1 0 0)\n",
+     {"# Probe 0 (0.1 -0.5 0.5)\n# Probe 1 (1 -0.5 0.5)\n# Probe 0 1\n# Time\n0.5 (1 0 0) (2 0 -1e-3)\n1 (0.5 0 0) (1 "
+      "0 0)\n",
       "# Location 0 : (0.5 0 0)\n# hB : Interface height above the boundary\n# Time\thB hL\n0 1 0\n0.5\t0.9 -0.1\n"}},
     {"openfoam_set", "openfoam", "sets/6/line_h.xy", {"0.5 \t0.96\n1.5 \t0.94\n2.5 \t0.93\n"}},
     {"geoclaw_gauge",
      "geoclaw",
      "gauge00001.txt",
-     {"# gauge_id= 1 location=( 0.5 0.0 ) num_var= 4\n# Columns: level, time, h, hu, hv, eta\n 1 0.0 1 0 0 1\n"
-      " 2 0.5 0.9 0.1 0 0.9\n"}},
+     {"# gauge_id= 1 location=( 0.5 0.0 ) num_var= 4\n# Columns: level, time, h, hu, hv, eta\n 1 0.0 1 0 0 1\n 2 0.5 "
+      "0.9 0.1 0 0.9\n"}},
     {"geoclaw_grid",
      "geoclaw",
      "grids/fort.q0001",
-     {"1 grid_number\n1 AMR_level\n3 mx\n0.0 xlow\n1.0 dx\n\n1 0 1\n0.9 0.1 0.9\n0.8 0.2 0.8\n\n"
-      "2 grid_number\n2 AMR_level\n2 mx\n1.0 xlow\n0.5 dx\n\n0.9 0.1 0.9\n0.8 0.2 0.8\n\n"}},
+     {"1 grid_number\n1 AMR_level\n3 mx\n0.0 xlow\n1.0 dx\n\n1 0 1\n0.9 0.1 0.9\n0.8 0.2 0.8\n\n2 grid_number\n2 "
+      "AMR_level\n2 mx\n1.0 xlow\n0.5 dx\n\n0.9 0.1 0.9\n0.8 0.2 0.8\n\n"}},
     {"reef3d",
      "reef3d",
      "REEF3D-CFD-WSF-HG.dat",
-     {"number of gauges:  2\n\nx_coord     y_coord\n1\t 0.5\t 0.005\n2\t 1.5\t 0.005\n\n\ntime\t P1\t P2\n\n"
-      "0\t 1\t 1\n0.5\t 0.9\t 1.1\n"}},
+     {"number of gauges:  2\n\nx_coord     y_coord\n1\t 0.5\t 0.005\n2\t 1.5\t 0.005\n\n\ntime\t P1\t P2\n\n0\t 1\t "
+      "1\n0.5\t 0.9\t 1.1\n"}},
     {"dualsphysics",
      "dualsphysics",
      "elevation.csv",
-     {" ;PosX [m]:;0.5;1.5\n ;PosY [m]:;0;0\n ;PosZ [m]:;0;0\nPart;Time [s];Elevation_0 [m];Elevation_1 [m]\n"
-      "0;0;1;1\n1;0.5;0.9;1.1\n"}},
+     {" ;PosX [m]:;0.5;1.5\n ;PosY [m]:;0;0\n ;PosZ [m]:;0;0\nPart;Time [s];Elevation_0 [m];Elevation_1 "
+      "[m]\n0;0;1;1\n1;0.5;0.9;1.1\n"}},
     {"swash",
      "swash",
      "gauge.tbl",
@@ -124,14 +119,13 @@ Tally fuzz_file(const std::filesystem::path& path, const std::vector<std::string
 /// @param share  of the inputs of the tier full
 void damage_files(double share) {
   const auto inputs = [share](double of_full) { return std::lround(share * of_full); };
-  Check check(
-      "reader_fuzz", "Damaged files",
-      "Valid CSV tables, TOML configurations, records, HDF5 files and files of every solver whose form is read "
-      "are damaged at random: bytes flipped, replaced, removed, inserted, files cut off or spliced together, "
-      "one to six such changes each, the same in every run. Every input must be read, or refused with a message "
-      "of one line; a crash or a hang would end the test. HDF5 is read in a child process, because the library "
-      "itself crashes on some of these files: the number of such crashes is measured, and each must come out "
-      "as a refusal like any other. `ci/checks/fuzz` does the same with ten times the inputs.");
+  Check check("reader_fuzz", "Damaged files",
+              "Valid CSV tables, TOML configurations, records, HDF5 files and files of every solver whose form is read "
+              "are damaged at random: bytes flipped, replaced, removed, inserted, files cut off or spliced together, "
+              "one to six such changes each, the same in every run. Every input must be read, or refused with a "
+              "message of one line; a crash or a hang would end the test. HDF5 is read in a child process, because the "
+              "library itself crashes on some of these files: the number of such crashes is measured, and each must "
+              "come out as a refusal like any other. `ci/checks/fuzz` does the same with ten times the inputs.");
   const std::vector<std::string> tables{
       "# a result\nx [m],h [m],u [m/s]\n0.5,1,0\n1.5,0.9,0.1\n2.5,1e-3,-2.5e+00\n",
       "t,eta\r\n0,0\r\n1,0.25\r\n2,-0.125\r\n",
@@ -186,10 +180,9 @@ TEST_CASE("readers survive more damaged files", "[robustness][full]") {
 }
 
 TEST_CASE("what crashes or spins in a child process is a refusal in the parent", "[robustness]") {
-  Check check(
-      "isolated_readers", "Crashes stay in the child process",
-      "The HDF5 library crashes on some damaged files and never ends on others. It reads in a child process, and "
-      "whatever becomes of that process must come out as an ordinary exception.");
+  Check check("isolated_readers", "Crashes stay in the child process",
+              "The HDF5 library crashes on some damaged files and never ends on others. It reads in a child process, "
+              "and whatever becomes of that process must come out as an ordinary exception.");
   const auto outcome = [](const std::function<std::string()>& action) -> std::string {
     try {
       return io::isolated(action, 1);
@@ -223,4 +216,4 @@ TEST_CASE("what crashes or spins in a child process is a refusal in the parent",
           });
 }
 
-}  // namespace reader_fuzz_test
+}  // namespace seiche::verification::reader_fuzz_test

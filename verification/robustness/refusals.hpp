@@ -1,47 +1,74 @@
 /// Bad input is refused by a std::invalid_argument that names what is wrong.
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/check.hpp"
 
 namespace seiche::verification {
 
-/// The message of the std::invalid_argument that `action` must throw; empty when it throws nothing or something else.
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  } catch (const std::exception& other) {
-    UNSCOPED_INFO("not a std::invalid_argument: " << other.what());
-  }
-  return {};
-}
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Rows of a table of what is refused: words of the message, and what is bad.
+///
+///     const auto channel = refusals.of(level_channel(), [](const Channel& c) { Flow flow(c, water()); });
+///     channel({"gravity", "= 0", "positive"}, [](Channel& c) { c.gravity = 0; });
 class Refusals {
  public:
   explicit Refusals(Check& check) : check_(check) {}
 
   /// `action` is refused with a message that contains all of `words`: parameter, value, range.
   template <class Action>
-  void refused(const std::string& what, const std::vector<std::string>& words, Action action) {
-    const std::string message = refusal(action);
+  void refused(const std::vector<std::string>& words, Action action) {
+    std::string message;
+    try {
+      action();
+    } catch (const std::invalid_argument& error) {
+      message = error.what();
+    } catch (const std::exception& other) {
+      UNSCOPED_INFO("not a std::invalid_argument: " << other.what());
+    }
     INFO(message);
     bool named = true;
     std::string wanted;
     for (const std::string& word : words) {
       named = named && message.find(word) != std::string::npos;
-      wanted += (wanted.empty() ? "\"" : ", \"") + word + "\"";
+      wanted += (wanted.empty() ? "" : ", ") + word;
     }
     check_.holds(
-        what, {named ? 1.0 : 0.0},
+        "Rejected, naming: " + wanted + ".", {named ? 1.0 : 0.0},
         evidence::Qualitative{
-            "std::invalid_argument whose message contains " + wanted,
+            "std::invalid_argument whose message contains all of it",
             "input must be rejected before anything is computed, with what is wrong, its value and what is allowed"});
+  }
+
+  /// Rows that change something good before it is used.
+  template <class Good, class Use>
+  auto of(Good good, Use use) {
+    return [=, this](const std::vector<std::string>& words, auto change) {
+      refused(words, [&] {
+        Good bad = good;
+        change(bad);
+        use(std::move(bad));
+      });
+    };
+  }
+  /// Rows that give what is used.
+  template <class Bad, class Use>
+  auto with(Use use) {
+    return [=, this](const std::vector<std::string>& words, const Bad& bad) { refused(words, [&] { use(bad); }); };
+  }
+  /// Steps of a flow that are none.
+  template <class Flow>
+  void steps(Flow& flow) {
+    for (const double tau : {0.0, -0.1, not_a_number, infinity}) {
+      refused({"tau", "positive and finite"}, [&] { flow.advance(tau); });
+    }
   }
 
  private:

@@ -1,9 +1,7 @@
 // Files and texts that others prepared: nothing is read from elsewhere, nothing else is overwritten, nothing strange is
 // shown, and what only claims to be large takes no memory.
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,10 +15,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace strangers_files_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::strangers_files_test {
 
 /// An HDF5 file that `fill` writes by the library's own functions, for what ours cannot.
 template <class Fill>
@@ -151,4 +146,4 @@ TEST_CASE("a stranger's text is shown in printable characters", "[robustness]") 
   CHECK(printable("").empty());
 }
 
-}  // namespace strangers_files_test
+}  // namespace seiche::verification::strangers_files_test

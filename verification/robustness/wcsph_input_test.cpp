@@ -1,7 +1,6 @@
 // What weakly compressible SPH refuses, and how it stops.
 #include <omp.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -10,18 +9,15 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace wcsph_input_test {
+namespace seiche::verification::wcsph_input_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 constexpr double spacing = 0.1;
 const Settings good{.sound_speed = 20};
@@ -125,15 +121,14 @@ TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, 
   omp_set_num_threads(usual);
   CHECK(flow.particles().x == x);
   CHECK(flow.time() == time);
-  const auto claim = [&](const std::string& id, const std::string& text, double value, double limit,
-                         const std::string& reason) {
-    check.holds(id + ": " + text, {value}, Bound{limit, reason});
+  const auto claim = [&](const std::string& text, double value, double limit, const std::string& reason) {
+    check.holds(text, {value}, Bound{limit, reason});
   };
-  claim("parallel", "The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
+  claim("The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
         "they are the user's, and may throw or share what they use");
-  claim("times", "The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
+  claim("The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
         "a measured motion begins at 0");
-  claim("calls", "The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
+  claim("The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
         "pose and rate at two instants for each of at most three evaluations, and at one for each of at most four "
         "positions: 20");
 }
@@ -147,7 +142,7 @@ TEST_CASE("a computation that breaks down says when and where, and keeps the las
   double time = -1;
   try {
     for (int step = 0; step < 1000; ++step) flow.advance(0.004);
-  } catch (const seiche::Divergence& divergence) {
+  } catch (const Divergence& divergence) {
     message = divergence.what();
     time = divergence.time();
   }
@@ -163,4 +158,4 @@ TEST_CASE("a computation that breaks down says when and where, and keeps the las
   CHECK_THROWS_AS(Flow(water, spacing, good).advance(std::numeric_limits<double>::quiet_NaN()), std::exception);
 }
 
-}  // namespace wcsph_input_test
+}  // namespace seiche::verification::wcsph_input_test

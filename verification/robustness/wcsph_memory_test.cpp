@@ -1,7 +1,6 @@
 // What weakly compressible SPH needs of memory: as much as its arrays, and nothing twice.
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
@@ -9,11 +8,9 @@
 #include "verification/check.hpp"
 #include "verification/live_memory.hpp"
 
-namespace wcsph_memory_test {
+namespace seiche::verification::wcsph_memory_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 /// Bytes per particle after some steps of a column in a tank that is mostly empty.
 double memory_of(Settings settings, double& particles) {
@@ -28,13 +25,11 @@ double memory_of(Settings settings, double& particles) {
 }
 
 TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
-  Check check(
-      "wcsph_memory", "Weakly compressible SPH: memory",
-      "Memory per particle of a dam break in a large tank after three steps. Needed are, in bytes: the particle 57; "
-      "rates 40; its "
-      "record, as neighbours read it, 64, and its mass there 8; where the lists were made 24; with "
-      "eddies stresses 32. Clusters of as many particles as a register has lanes share 40 and a list of "
-      "candidates at 4, about 45 beside eight particles.");
+  Check check("wcsph_memory", "Weakly compressible SPH: memory",
+              "Memory per particle of a dam break in a large tank after three steps. Needed are, in bytes: the "
+              "particle 57; rates 40; its record, as neighbours read it, 64, and its mass there 8; where the lists "
+              "were made 24; with eddies stresses 32. Clusters of as many particles as a register has lanes share 40 "
+              "and a list of candidates at 4, about 45 beside eight particles.");
   const auto lanes = static_cast<double>(pair_loops(KernelName::cubic_spline).lanes);
   for (const bool eddies : {false, true}) {
     Settings settings;
@@ -47,4 +42,4 @@ TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
   }
 }
 
-}  // namespace wcsph_memory_test
+}  // namespace seiche::verification::wcsph_memory_test

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <H5Cpp.h>
@@ -15,11 +14,9 @@
 #include "verification/robustness/refusals.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace wcsph_particle_file_test {
+namespace seiche::verification::wcsph_particle_file_test {
 
-using namespace seiche;
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 Scene scene() {
   return flume({.length = 0.4, .depth = 0.1, .stroke = 0.05, .frequency = 6, .spacing = 0.02}, {.sound_speed = 20});
@@ -76,11 +73,10 @@ std::string dimensions(const Dataset& set) {
 }
 
 TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
-  Check check(
-      "wcsph_particle_file", "Particle files for ParaView",
-      "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads to "
-      "an HDF5 dataset of the shape and type it states, values and order included; the same particles give the "
-      "same bytes; without close nothing is left.");
+  Check check("wcsph_particle_file", "Particle files for ParaView",
+              "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads "
+              "to an HDF5 dataset of the shape and type it states, values and order included; the same particles give "
+              "the same bytes; without close nothing is left.");
   const ScratchFolder scratch("seiche_wcsph_particle_file_test");
   const Particles particles = scene().particles;
   write(scratch.path() / "waves", particles, reversed(particles));
@@ -91,8 +87,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   CHECK(series.attribute("CollectionType").value() == std::string("Temporal"));
   const std::size_t count = particles.size();
   std::vector<double> times;
-  double items = 0;
-  double mismatches = 0;
+  double items = 0, mismatches = 0;
   bool polyvertex = true;
   double wrong_values = 0;
   for (const pugi::xml_node grid : series.children("Grid")) {
@@ -171,13 +166,11 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   Refusals refusals(check);
   ParticleFile file(scratch.path() / "bad");
   file.frame(1, particles, pressure_of(particles));
-  refusals.refused("Times that do not increase.", {"time = 1", "later than 1"},
-                   [&] { file.frame(1, particles, pressure_of(particles)); });
-  refusals.refused("A time that is not a number.", {"time", "nan"},
+  refusals.refused({"time = 1", "later than 1"}, [&] { file.frame(1, particles, pressure_of(particles)); });
+  refusals.refused({"time", "nan"},
                    [&] { file.frame(std::numeric_limits<double>::quiet_NaN(), particles, pressure_of(particles)); });
-  refusals.refused("Fewer pressures than particles.", {"1 pressures", "must be as many"},
-                   [&] { file.frame(2, particles, std::vector<double>(1)); });
+  refusals.refused({"1 pressures", "must be as many"}, [&] { file.frame(2, particles, std::vector<double>(1)); });
   CHECK_THROWS_AS(ParticleFile("/proc/nowhere/file"), std::runtime_error);
 }
 
-}  // namespace wcsph_particle_file_test
+}  // namespace seiche::verification::wcsph_particle_file_test

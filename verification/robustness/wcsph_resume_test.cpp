@@ -15,10 +15,9 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_resume_test {
+namespace seiche::verification::wcsph_resume_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
+using namespace wcsph;
 
 struct Problem {
   std::string id, name;
@@ -164,4 +163,4 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
               Bound{0, "equality of bytes, of counts and of extremes"});
 }
 
-}  // namespace wcsph_resume_test
+}  // namespace seiche::verification::wcsph_resume_test

@@ -10,11 +10,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace wcsph_still_tank_test {
+namespace seiche::verification::wcsph_still_tank_test {
 
-using namespace seiche::wcsph;
-using namespace seiche::verification;
-using seiche::Worst;
+using namespace wcsph;
 
 constexpr double gravity = 9.81;
 constexpr double width = 1;
@@ -64,9 +62,7 @@ Rest settle(Settings settings, double spacing, double time, bool full) {
   const std::vector<double> pressure = flow.pressure();
   const double scale = 1000 * gravity * depth;
   const double core = 3.5 * flow.smoothing_length();
-  double count = 0;
-  double core_count = 0;
-  double speed = 0;
+  double count = 0, core_count = 0, speed = 0;
   for (std::size_t a = 0; a < p.size(); ++a) {
     if (p.kind[a] != Kind::fluid) continue;
     const double error = pressure[a] / scale - (1 - p.z[a] / depth);
@@ -96,7 +92,7 @@ struct Option {
 
 std::vector<Rest> settle_all(Check& check, const std::vector<Option>& options, double spacing, double time,
                              bool full = false) {
-  seiche::evidence::Table table{
+  evidence::Table table{
       .id = "errors",
       .title = fmt::format("Tank at rest after {} s", time),
       .caption =
@@ -122,8 +118,9 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
   Check check(
       "wcsph_still_tank", "Tank at rest: plain scheme, clamped walls, density filter",
       "1 m x 0.5 m of water, $dx = 0.025$ m, $c_0 = 10\\sqrt{2gH}$, $\\alpha = 0.1$, hydrostatic start, 2 s. Dynamic "
-      "wall particles make errors of the pressure of 4 % at walls and corners, which do not converge with the "
-      "spacing: a property of theirs. The density filter smooths the interior and lets the water sink slowly.");
+      "wall particles make errors of the pressure of 4 % at walls and corners, which do not converge with the spacing: "
+      "a property of theirs. The density filter smooths the interior and lets the water sink slowly.",
+      source);
   Settings clamped;
   clamped.walls = WallPressure::clamped;
   Settings filtered;
@@ -141,10 +138,7 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
   const std::string reason = "regression: 1.5 times that of an earlier program; noise after two seconds of settling";
   for (std::size_t k = 0; k < printed.size(); ++k) {
     const auto claim = [&](const std::string& what, double value, double limit) {
-      check.that({.id = printed[k].id + "-" + what,
-                  .text = fmt::format("The tank stays at rest ({}).", printed[k].name),
-                  .quantity = what,
-                  .source = source},
+      check.that(printed[k].id + "-" + what, fmt::format("The tank stays at rest ({}).", printed[k].name), what,
                  {.value = value, .resolution = fmt::format("dx = 0.025 m, {} steps", rest[k].steps)},
                  Bound{1.5 * limit, reason});
     };
@@ -152,26 +146,21 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]"
     claim("pressure-core", rest[k].core, printed[k].core);
     claim("velocity", rest[k].velocity, printed[k].velocity);
   }
-  check.that({.id = "sinking",
-              .text = "The plain scheme keeps the centre of mass.",
-              .quantity = "sinking of the centre of mass over the depth",
-              .source = "equilibrium"},
-             {.value = rest[0].sinking},
-             Bound{1e-3, "regression: 4e-4 in an earlier program; the gap at the walls settles"});
-  check.that({.id = "filter-smooths",
-              .text = "The density filter takes most of the noise out of the interior.",
-              .quantity = "core error with the filter over that without",
-              .source = "Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448"},
-             {.value = rest[2].core / rest[0].core}, Bound{0.5, "regression: 0.31 in an earlier program"});
+  check.from("equilibrium")
+      .that("sinking", "The plain scheme keeps the centre of mass.", "sinking of the centre of mass over the depth",
+            {rest[0].sinking}, Bound{1e-3, "regression: 4e-4 in an earlier program; the gap at the walls settles"});
+  check.from("Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448")
+      .that("filter-smooths", "The density filter takes most of the noise out of the interior.",
+            "core error with the filter over that without", {rest[2].core / rest[0].core},
+            Bound{0.5, "regression: 0.31 in an earlier program"});
 }
 
 TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves the water where it is",
           "[robustness]") {
-  Check check(
-      "wcsph_still_tank_diffusion", "Tank at rest: density diffusion",
-      "The same tank for one second. Density diffusion takes the noise out of the pressure; with corrected "
-      "gradients, the hydrostatic one being linear, it leaves the water where it is, which the uncorrected form "
-      "does not: that lets it sink by one per cent of the depth in two seconds.");
+  Check check("wcsph_still_tank_diffusion", "Tank at rest: density diffusion",
+              "The same tank for one second. Density diffusion takes the noise out of the pressure; with corrected "
+              "gradients, the hydrostatic one being linear, it leaves the water where it is, which the uncorrected "
+              "form does not: that lets it sink by one per cent of the depth in two seconds.");
   Settings diffusive;
   diffusive.density_diffusion = 0.1;
   const std::vector<Rest> rest =
@@ -179,8 +168,7 @@ TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves 
   const std::string antuono = "Antuono, Colagrossi, Marrone and Molteni, Comput. Phys. Comm. 181 (2010) 532";
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = antuono}, {.value = value},
-               Bound{limit, reason});
+    check.from(antuono).that(id, text, quantity, {value}, Bound{limit, reason});
   };
   claim("core", "The interior has the pressure that the uncorrected form gives it.", "core error over rho_0 g H",
         rest[1].core, 1.5 * 1.2e-2, "regression: 1.5 times that of an earlier program for the uncorrected form");
@@ -194,10 +182,9 @@ TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves 
 TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[robustness]") {
   Check check("wcsph_still_tank_extrapolated", "Tank at rest: extrapolated wall pressure",
               "The same tank with three full rows of wall particles on the lattice of the water, whose density at the "
-              "beginning is "
-              "that of water without pressure. Dynamic walls push only after the water has pressed on them, and the "
-              "pressure wave of this start stays in their densities. Extrapolation from the water with its hydrostatic "
-              "gradient finds the right pressure at once.");
+              "beginning is that of water without pressure. Dynamic walls push only after the water has pressed on "
+              "them, and the pressure wave of this start stays in their densities. Extrapolation from the water with "
+              "its hydrostatic gradient finds the right pressure at once.");
   const std::string adami = "Adami, Hu and Adams, J. Comput. Phys. 231 (2012) 7057";
   Settings extrapolated;
   extrapolated.walls = WallPressure::extrapolated;
@@ -205,7 +192,7 @@ TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[ro
       check, {{"dynamic", "dynamic walls", {}}, {"extrapolated", "extrapolated walls", extrapolated}}, 0.025, 1, true);
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
-    check.that({.id = id, .text = text, .quantity = quantity, .source = adami}, {.value = value}, Bound{limit, reason});
+    check.from(adami).that(id, text, quantity, {value}, Bound{limit, reason});
   };
   claim("pressure", "The pressure of the still tank is hydrostatic.", "L2 error over rho_0 g H", rest[1].all, 0.0105,
         "|M - 1| = 1.05 % of the pressure at the bottom, by which the derivative on the lattice is wrong");
@@ -218,4 +205,4 @@ TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[ro
         "more than half of the error is that of the walls");
 }
 
-}  // namespace wcsph_still_tank_test
+}  // namespace seiche::verification::wcsph_still_tank_test
