@@ -181,13 +181,12 @@ ExactSolution dispersive_standing_entry() {
                      return DispersiveStandingWave::critical_wavelength(wave.parameters()).value_or(none_given) *
                             wave.depth();
                    }}},
-      .make =
-          [](const Values& p) {
-            return DispersiveStandingWave(p.at("amplitude"), p.at("wavelength"), p.at("depth"), p.at("gravity"),
-                                          {p.at("alpha"), p.at("gamma"), p.at("weight_exponent")});
+      .make = made_by(
+          [](double amplitude, double length, double depth, double g, double alpha, double gamma, double weight) {
+            return DispersiveStandingWave(amplitude, length, depth, g, {alpha, gamma, weight});
           },
-      .row = [](const DispersiveStandingWave& wave, At at) { return Row{wave.position(at[0], at[1])}; },
-  };
+          "amplitude", "wavelength", "depth", "gravity", "alpha", "gamma", "weight_exponent"),
+      .row = [](const DispersiveStandingWave& wave, At at) { return Row{wave.position(at[0], at[1])}; }};
 }
 
 }  // namespace seiche::exact

@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche {
 
@@ -37,22 +38,10 @@ Line::Line(Point origin, Point direction) : origin_(origin) {
   tangent_ = {direction.x / length, direction.y / length};
 }
 
-Point Line::position(double s) const {
-  return {origin_.x + s * tangent_.x, origin_.y + s * tangent_.y};
-}
-
-double Line::moment(double s) const {
-  return s * mean_moment_rate(0, s);
-}
-
 double Line::mean_moment_rate(double s0, double s1) const {
   const double y0 = origin_.y + s0 * tangent_.y;
   const double y1 = origin_.y + s1 * tangent_.y;
   return tangent_.x * (y0 * y0 + y0 * y1 + y1 * y1) / 6;
-}
-
-double Line::arc_length_at(Point near) const {
-  return (near.x - origin_.x) * tangent_.x + (near.y - origin_.y) * tangent_.y;
 }
 
 GraphCurve::GraphCurve(Function elevation, Function slope, Function second_derivative, double begin, double end,
@@ -62,9 +51,8 @@ GraphCurve::GraphCurve(Function elevation, Function slope, Function second_deriv
       second_derivative_(std::move(second_derivative)),
       begin_(begin),
       end_(end) {
-  if (!elevation_ || !slope_ || !second_derivative_) {
-    throw std::invalid_argument("elevation, slope and second_derivative of a curve must be functions");
-  }
+  require_that(elevation_ && slope_ && second_derivative_,
+               "elevation, slope and second_derivative of a curve must be functions");
   require_finite("begin of the curve", begin);
   require_finite("end of the curve", end);
   require_positive("end - begin of the curve", end - begin);
@@ -169,10 +157,8 @@ double turn(Point before, Point after) {
   const double angle = std::atan2(from.x * to.y - from.y * to.x, dot(from, to));
   constexpr double least = 1e-6;
   constexpr double most = 1.57;
-  if (!(std::abs(angle) >= least && std::abs(angle) <= most)) {
-    throw std::invalid_argument(
-        fmt::format("a line turns by {:g} rad; allowed: {:g} to {:g}, to either side", angle, least, most));
-  }
+  require_that(std::abs(angle) >= least && std::abs(angle) <= most,
+               "a line turns by {:g} rad; allowed: {:g} to {:g}, to either side", angle, least, most);
   return angle;
 }
 
@@ -263,10 +249,6 @@ double BentLine::mean_moment_rate(double s0, double s1) const {
   };
   const auto arc = [&](double from, double to) { return mean_moment_on_arc(from, to); };
   return mean<double>(s0, s1, on(before_), arc, on(after_));
-}
-
-double BentLine::moment(double s) const {
-  return s * mean_moment_rate(0, s);
 }
 
 double BentLine::arc_length_at(Point near) const {

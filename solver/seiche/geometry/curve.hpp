@@ -59,13 +59,17 @@ class Line final : public Curve {
  public:
   /// @param direction  of any length but zero. Throws std::invalid_argument.
   Line(Point origin, Point direction);
-  [[nodiscard]] Point position(double s) const override;
+  [[nodiscard]] Point position(double s) const override {
+    return {origin_.x + s * tangent_.x, origin_.y + s * tangent_.y};
+  }
   [[nodiscard]] Point tangent(double) const override { return tangent_; }
   [[nodiscard]] Point curvature(double) const override { return {0, 0}; }
   [[nodiscard]] Point mean_tangent(double, double) const override { return tangent_; }
-  [[nodiscard]] double moment(double s) const override;
+  [[nodiscard]] double moment(double s) const override { return s * mean_moment_rate(0, s); }
   [[nodiscard]] double mean_moment_rate(double s0, double s1) const override;
-  [[nodiscard]] double arc_length_at(Point near) const override;
+  [[nodiscard]] double arc_length_at(Point near) const override {
+    return (near.x - origin_.x) * tangent_.x + (near.y - origin_.y) * tangent_.y;
+  }
 
  private:
   Point origin_, tangent_;
@@ -121,7 +125,7 @@ class BentLine final : public Curve {
   [[nodiscard]] Point tangent(double s) const override;
   [[nodiscard]] Point curvature(double s) const override;
   [[nodiscard]] Point mean_tangent(double s0, double s1) const override;
-  [[nodiscard]] double moment(double s) const override;
+  [[nodiscard]] double moment(double s) const override { return s * mean_moment_rate(0, s); }
   [[nodiscard]] double mean_moment_rate(double s0, double s1) const override;
   [[nodiscard]] double arc_length_at(Point near) const override;
   [[nodiscard]] double radius() const { return radius_; }

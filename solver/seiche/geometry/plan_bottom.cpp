@@ -11,6 +11,7 @@
 #include <gsl/gsl_linalg.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche {
 
@@ -50,7 +51,7 @@ double PlanBottom::increment(double x, double y, double dx, double dy) const {
 }
 
 PolynomialBottom::PolynomialBottom(std::vector<Term> terms) : terms_(std::move(terms)) {
-  if (terms_.empty()) throw std::invalid_argument("a polynomial bottom without terms; allowed: at least one");
+  require_that(!terms_.empty(), "a polynomial bottom without terms; allowed: at least one");
   for (const Term& term : terms_) {
     require_finite("coefficient", term.coefficient);
     require_within("x_power", term.x_power, 0, 12);
@@ -157,10 +158,8 @@ void require_lines(const char* name, std::span<const double> lines) {
   require_at_least(fmt::format("lines of {}", name), static_cast<long>(lines.size()), 4);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     require_finite(fmt::format("{}[{}]", name, i), lines[i]);
-    if (i > 0 && !(lines[i] > lines[i - 1])) {
-      throw std::invalid_argument(
-          fmt::format("{}[{}] = {:g}; allowed: above the last one, {:g}", name, i, lines[i], lines[i - 1]));
-    }
+    const double before = i > 0 ? lines[i - 1] : -std::numeric_limits<double>::infinity();
+    require_that(lines[i] > before, "{}[{}] = {:g}; allowed: above the last one, {:g}", name, i, lines[i], before);
   }
 }
 
@@ -170,10 +169,8 @@ SplineBottom::SplineBottom(std::vector<double> x, std::vector<double> y, std::ve
     : x_(std::move(x)), y_(std::move(y)) {
   require_lines("x", x_);
   require_lines("y", y_);
-  if (elevation.size() != x_.size() * y_.size()) {
-    throw std::invalid_argument(
-        fmt::format("elevation has {} values; allowed: {} x {}", elevation.size(), x_.size(), y_.size()));
-  }
+  require_that(elevation.size() == x_.size() * y_.size(), "elevation has {} values; allowed: {} x {}", elevation.size(),
+               x_.size(), y_.size());
   for (std::size_t k = 0; k < elevation.size(); ++k) {
     require_finite(fmt::format("elevation[{}]", k), elevation[k]);
     nodes_.push_back({.f = elevation[k]});
@@ -205,7 +202,7 @@ SplineBottom SplineBottom::sampled(const Sampling& sampling,
   const auto lines = [&](const char* name, double from, double to) {
     require_finite(name, from);
     require_finite(name, to);
-    if (!(to > from)) throw std::invalid_argument(fmt::format("{} ends at {:g}; allowed: above {:g}", name, to, from));
+    require_that(to > from, "{} ends at {:g}; allowed: above {:g}", name, to, from);
     const double count = std::ceil((to - from) / sampling.spacing * (1 - 1e-12));
     require_within(fmt::format("intervals along {}", name), count, 3, 5000);
     std::vector<double> places;

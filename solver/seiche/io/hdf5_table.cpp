@@ -14,6 +14,7 @@
 
 #include "seiche/io/isolated.hpp"
 #include "seiche/printable.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::io {
 namespace {
@@ -37,7 +38,7 @@ class Bytes {
     using Item = typename Sequence::value_type;
     std::size_t count = 0;
     copy(&count, sizeof count);
-    if (count > (content_.size() - position_) / sizeof(Item)) throw std::invalid_argument("incomplete answer");
+    require_that(count <= (content_.size() - position_) / sizeof(Item), "incomplete answer");
     Sequence sequence(count, Item{});
     copy(sequence.data(), count * sizeof(Item));
     return sequence;
@@ -47,7 +48,7 @@ class Bytes {
 
  private:
   void copy(void* target, std::size_t size) {
-    if (size > content_.size() - position_) throw std::invalid_argument("incomplete answer");
+    require_that(size <= content_.size() - position_, "incomplete answer");
     if (size == 0) return;  // an empty sequence may have no address
     std::memcpy(target, content_.data() + position_, size);
     position_ += size;
@@ -81,9 +82,8 @@ herr_t note_link(hid_t /*root*/, const char* name, const H5L_info_t* info, void*
 /// @throws std::invalid_argument when the file cannot be walked through
 std::vector<std::string> dataset_names(const H5::H5File& file) {
   std::vector<std::string> names;
-  if (H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) < 0) {
-    throw std::invalid_argument("damaged: its datasets cannot be listed");
-  }
+  require_that(H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) >= 0,
+               "damaged: its datasets cannot be listed");
   return names;
 }
 
@@ -91,9 +91,8 @@ std::string unit_of(const H5::DataSet& set) {
   for (const char* name : {"unit", "units"}) {
     if (!set.attrExists(name)) continue;
     const H5::Attribute attribute = set.openAttribute(name);
-    if (attribute.getTypeClass() != H5T_STRING || attribute.getSpace().getSimpleExtentNpoints() != 1) {
-      throw std::invalid_argument(fmt::format("its attribute {} is not a text", name));
-    }
+    require_that(attribute.getTypeClass() == H5T_STRING && attribute.getSpace().getSimpleExtentNpoints() == 1,
+                 "its attribute {} is not a text", name);
     std::string text;
     attribute.read(attribute.getStrType(), text);
     const std::size_t begin = text.find_first_not_of(" \t");
@@ -107,16 +106,15 @@ std::string unit_of(const H5::DataSet& set) {
 void require_own_storage(const H5::DataSet& set) {
   const H5::DSetCreatPropList properties = set.getCreatePlist();
   const H5D_layout_t layout = properties.getLayout();
-  if (layout == H5D_VIRTUAL || (layout == H5D_CONTIGUOUS && properties.getExternalCount() > 0)) {
-    throw std::invalid_argument("its numbers lie in another file, must be in this one");
-  }
+  require_that(layout != H5D_VIRTUAL && (layout != H5D_CONTIGUOUS || properties.getExternalCount() == 0),
+               "its numbers lie in another file, must be in this one");
 }
 
 /// @param most_elements  left of those that the file may have
 /// @throws std::invalid_argument with the reason why the dataset is no column
 std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   const H5T_class_t kind = set.getTypeClass();
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::invalid_argument("its elements are not numbers");
+  require_that(kind == H5T_FLOAT || kind == H5T_INTEGER, "its elements are not numbers");
   const H5::DataSpace space = set.getSpace();
   std::array<hsize_t, H5S_MAX_RANK> extents{};
   const int dimensions = space.isSimple() ? space.getSimpleExtentDims(extents.data()) : 0;
@@ -126,15 +124,12 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   }
   require_own_storage(set);
   const auto count = static_cast<hsize_t>(space.getSimpleExtentNpoints());
-  if (count > most_elements) {
-    throw std::invalid_argument(fmt::format("{} elements with those before it, must be at most {}",
-                                            count + longest_file - most_elements, longest_file));
-  }
+  require_that(count <= most_elements, "{} elements with those before it, must be at most {}",
+               count + longest_file - most_elements, longest_file);
   std::vector<double> values(count);
   if (count > 0) set.read(values.data(), H5::PredType::NATIVE_DOUBLE);
-  const auto odd = std::find_if(values.begin(), values.end(), [](double v) { return std::isinf(v); });
-  if (odd != values.end()) {
-    throw std::invalid_argument(fmt::format("element {}: '{}' is not a finite number", odd - values.begin(), *odd));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    require_that(!std::isinf(values[k]), "element {}: '{}' is not a finite number", k, values[k]);
   }
   return values;
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::exact::overturning {
 
@@ -226,9 +227,8 @@ double Evolution::ending_place() const {
 }
 
 Moment Evolution::at(double time) const {
-  if (!(time >= moments_.front().time && time <= now().time)) {
-    throw std::out_of_range(fmt::format("time {} outside [0, {}]", time, now().time));
-  }
+  require_that<std::out_of_range>(time >= moments_.front().time && time <= now().time, "time {} outside [0, {}]", time,
+                                  now().time);
   const auto next = std::ranges::upper_bound(moments_, time, {}, &Moment::time);
   const std::span<const Moment> past(moments_.begin(), next);
   if (past.back().time == time) return past.back();
