@@ -13,6 +13,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace dispersive_plan_bottom_reduction_test {
 

@@ -12,6 +12,7 @@
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification {
 

@@ -30,6 +30,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/twin.hpp"
 #include "verification/noise.hpp"
+#include "verification/polynomial_bottom.hpp"
 #include "verification/wcsph_problems.hpp"
 
 namespace metamorphic_test {

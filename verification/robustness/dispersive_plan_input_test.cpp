@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace dispersive_plan_input_test {
@@ -135,10 +136,6 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
     Flow flow(rectangular_lattice(still_water()));
     flow.advance(not_a_number);
   });
-  refusals.refused("A polynomial bottom without terms.", {"without terms", "at least one"},
-                   [] { PolynomialBottom bottom({}); });
-  refusals.refused("A power that is too high.", {"y_power", "13", "[0, 12]"},
-                   [] { PolynomialBottom bottom({{.coefficient = 1, .y_power = 13}}); });
 }
 
 TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]") {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/math/quadrature/gauss.hpp>
 
+#include "seiche/geometry/gauss_mean.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
@@ -159,18 +159,6 @@ void SmoothBottom::sample(std::span<const double> x, std::span<double> elevation
     slope[i] = slope_(x[i]);
   }
 }
-
-namespace {
-
-template <class Function>
-double gauss_mean(const Function& f, double from, double to) {
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
-  return 0.5 * boost::math::quadrature::gauss<double, 10>::integrate([&](double s) { return f(middle + half * s); },
-                                                                     -1.0, 1.0);
-}
-
-}  // namespace
 
 std::optional<double> SmoothBottom::uniform_slope(double from, double to) const {
   require_inside(from);
