@@ -32,7 +32,7 @@ spacings.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/exact/wavemaker.hpp"
 #include "validation/breaking/sph_plunging.hpp"
 #include "validation/case/case.hpp"

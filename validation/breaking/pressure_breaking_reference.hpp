@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "validation/breaking/free_particle_surface.hpp"
 #include "validation/case/claims.hpp"

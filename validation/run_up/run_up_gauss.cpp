@@ -30,9 +30,9 @@ more slowly than at a wall.
 
 #include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/exact/slope_runup.hpp"
+#include "seiche/exact/overturning/slope_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 #include "seiche/exact/solitary_runup.hpp"
-#include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/polyline_distance.hpp"
 #include "validation/instruments/shifted_front.hpp"

@@ -1,4 +1,4 @@
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "seiche/exact/slope_runup.hpp"
+#include "seiche/exact/overturning/slope_runup.hpp"
 
 #include <algorithm>
 #include <cmath>
