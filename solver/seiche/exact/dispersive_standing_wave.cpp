@@ -9,6 +9,7 @@
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -65,10 +66,7 @@ std::optional<double> DispersiveStandingWave::critical_depth(const Parameters& p
   for (int k = 1; k * step < deepest; ++k) {
     const double kh = k * step;
     if (!(correction(kh) * correction(kh + step) <= 0)) continue;
-    std::uintmax_t iterations = 60;
-    const auto [low, high] = boost::math::tools::toms748_solve(correction, kh, kh + step,
-                                                               boost::math::tools::eps_tolerance<double>(), iterations);
-    return 0.5 * (low + high);
+    return root(correction, kh, kh + step);
   }
   return std::nullopt;
 }

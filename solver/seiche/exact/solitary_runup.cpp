@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 #include <gsl/gsl_sf_bessel.h>
-#include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
@@ -25,15 +25,6 @@ namespace {
 constexpr double invisible = 40;
 /// The zeros of J0 - i J1 nearest the real axis are +-2.98 - 1.28 i: a beach rings down as e^{-0.64 t/X0}.
 constexpr double ringing_rate = 0.6398;
-
-/// Root of a function with a change of sign between from and to, to round-off.
-template <class Function>
-double root(Function function, double from, double to) {
-  std::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve(function, from, to, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 }  // namespace
 

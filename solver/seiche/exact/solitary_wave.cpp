@@ -1,12 +1,11 @@
 #include "seiche/exact/solitary_wave.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 #include <gsl/gsl_sf_expint.h>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -354,12 +353,8 @@ double SolitarySurface::potential(double x) const {
 }
 
 double SolitarySurface::half_width() const {
-  std::uintmax_t iterations = 60;
-  const auto above = [&](double label) { return point(label).elevation - 0.5 * crest(); };
   const double last = static_cast<double>(position_.size() - 1) * solution_.spacing;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(above, 0.0, last, boost::math::tools::eps_tolerance<double>(), iterations);
-  return point(0.5 * (low + high)).x;
+  return point(root([&](double label) { return point(label).elevation - 0.5 * crest(); }, 0, last)).x;
 }
 
 double SolitarySurface::maximum_slope() const {

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
@@ -56,10 +56,7 @@ double StandingWave::second_harmonic(double kh) {
 double StandingWave::critical_depth() {
   // 32 w^7 omega_2 as a polynomial of z = w^4 = tanh^2 k h
   const auto polynomial = [](double z) { return 9 - z * (12 + z * (3 + 2 * z)); };
-  std::uintmax_t iterations = 60;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(polynomial, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(), iterations);
-  return std::atanh(std::sqrt(0.5 * (low + high)));
+  return std::atanh(std::sqrt(root(polynomial, 0, 1)));
 }
 
 StandingWave::StandingWave(double amplitude, double wavelength, double depth, double gravity) : gravity_(gravity) {

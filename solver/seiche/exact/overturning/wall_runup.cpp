@@ -196,8 +196,8 @@ double WallLoad::force_series(double amplitude, double depth) {
 
 double WallLoad::uncertainty() const {
   const auto other = coarser<WallLoad>();
-  return worst(std::array{other.still_.value / still_.value - 1, other.bottom_.value / bottom_.value - 1,
-                          other.force_.value / force_.value - 1});
+  return seiche::worst(std::array{other.still_.value / still_.value - 1, other.bottom_.value / bottom_.value - 1,
+                                  other.force_.value / force_.value - 1});
 }
 
 SelfTest WallLoad::self_test() const {

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -191,10 +190,7 @@ Bore Bore::from_velocity(double gravity, double behind, double behind_velocity, 
   do {
     low *= 0.5;
   } while (excess(low) < 0 && low > 1e-300);
-  std::uintmax_t iterations = 200;
-  const auto [a, b] =
-      boost::math::tools::toms748_solve(excess, low, behind, boost::math::tools::eps_tolerance<double>(53), iterations);
-  return {gravity, std::abs(excess(a)) < std::abs(excess(b)) ? a : b, behind, 0, start};
+  return {gravity, root_at_end(excess, low, behind), behind, 0, start};
 }
 
 sw::State Bore::at(double x, double t) const {

@@ -92,9 +92,7 @@ class Ritter : public Riemann {
   [[nodiscard]] double front(double t) const { return jump() + left_wave().fastest * t; }
   /// Position of the wave that runs back into the water at rest, dam - c1 t [m].
   [[nodiscard]] double tail(double t) const { return jump() + left_wave().slowest * t; }
-  /// Depth 4 h1/9 [m], velocity 2 c1/3 [m/s] and discharge (8/27) h1 c1 [m^2/s] at the dam, constant for t > 0.
-  [[nodiscard]] double depth_at_dam() const { return 4 * left().depth / 9; }
-  [[nodiscard]] double velocity_at_dam() const { return 2 * shallow_water::celerity(gravity(), left().depth) / 3; }
+  /// Discharge (8/27) h1 c1 [m^2/s] at the dam, where the depth is 4 h1/9 and the velocity 2 c1/3, constant for t > 0.
   [[nodiscard]] double discharge_at_dam() const {
     return 8.0 / 27.0 * left().depth * shallow_water::celerity(gravity(), left().depth);
   }

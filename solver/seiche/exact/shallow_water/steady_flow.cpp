@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -11,10 +10,10 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
@@ -106,10 +105,7 @@ void SteadyBump::place_jump(double outflow_depth) {
                "outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
                "with a jump on it",
                outflow_depth);
-  std::uintmax_t iterations = 200;
-  const auto [a, b] = boost::math::tools::toms748_solve(imbalance, highest, foot,
-                                                        boost::math::tools::eps_tolerance<double>(53), iterations);
-  jump_ = std::abs(imbalance(a)) < std::abs(imbalance(b)) ? a : b;
+  jump_ = root_at_end(imbalance, highest, foot);
 }
 
 sw::State SteadyBump::at(double x, double /*t*/) const {
