@@ -67,22 +67,18 @@ std::string one_line(const std::string& text) {
   return printable(text.substr(0, 200));
 }
 
-herr_t note_dataset(hid_t /*root*/, const char* name, const H5O_info_t* info, void* names) {
+/// Called by HDF5 for each object or link: notes the names of those of a kind.
+template <class Info, auto kind>
+herr_t note(hid_t /*root*/, const char* name, const Info* info, void* names) {
   auto& known = *static_cast<std::vector<std::string>*>(names);
-  if (info->type == H5O_TYPE_DATASET) known.emplace_back(name);
-  return known.size() < most_datasets ? 0 : 1;
-}
-
-herr_t note_link(hid_t /*root*/, const char* name, const H5L_info_t* info, void* names) {
-  auto& known = *static_cast<std::vector<std::string>*>(names);
-  if (info->type == H5L_TYPE_EXTERNAL) known.emplace_back(name);
+  if (info->type == kind) known.emplace_back(name);
   return known.size() < most_datasets ? 0 : 1;
 }
 
 /// @throws std::invalid_argument when the file cannot be walked through
 std::vector<std::string> dataset_names(const H5::H5File& file) {
   std::vector<std::string> names;
-  require_that(H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) >= 0,
+  require_that(H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note<H5O_info_t, H5O_TYPE_DATASET>, &names) >= 0,
                "damaged: its datasets cannot be listed");
   return names;
 }
@@ -138,6 +134,11 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
 std::string datasets(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
   H5::Exception::dontPrint();
   Bytes bytes;
+  const auto put_dataset = [&](const std::string& name, const std::string& reason, const std::string& unit,
+                               const std::vector<double>& values) {
+    for (const std::string& text : {name, reason, unit}) put(bytes, one_line(text));
+    bytes.put(values.data(), values.size());
+  };
   try {
     const H5::H5File file(path.string(), H5F_ACC_RDONLY);
     const std::vector<std::string> names = dataset_names(file);
@@ -161,20 +162,11 @@ std::string datasets(const std::filesystem::path& path, const std::vector<std::s
           reason = "damaged: cannot be read";
         }
       }
-      put(bytes, one_line(name));
-      put(bytes, one_line(reason));
-      put(bytes, one_line(unit));
-      bytes.put(values.data(), values.size());
+      put_dataset(name, reason, unit, values);
     }
     std::vector<std::string> links;  // which H5Ovisit does not follow
-    H5Lvisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_link, &links);
-    for (const std::string& name : links) {
-      put(bytes, one_line(name));
-      put(bytes, "a link to another file, must be in this one");
-      put(bytes, "");
-      constexpr double none = 0;
-      bytes.put(&none, 0);
-    }
+    H5Lvisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note<H5L_info_t, H5L_TYPE_EXTERNAL>, &links);
+    for (const std::string& name : links) put_dataset(name, "a link to another file, must be in this one", "", {});
   } catch (const H5::Exception&) {
     throw std::invalid_argument("damaged: the HDF5 library cannot open it");
   }

@@ -10,6 +10,7 @@
 
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact::overturning {
 
@@ -214,16 +215,11 @@ double Evolution::ending_place() const {
   // Where a surface breaks, the fluid is accelerated most.
   const auto surface = view(now().state);
   const auto rate = view(now().rate);
-  std::size_t place = 0;
-  double fastest = 0;
+  Largest fastest;
   for (std::size_t j = 0; j < surface.size(); ++j) {
-    const double speed = std::hypot(rate.displacement[j], rate.y[j]);
-    if (speed > fastest) {
-      fastest = speed;
-      place = j;
-    }
+    fastest.add(std::hypot(rate.displacement[j], rate.y[j]), label(j, surface.size()) + surface.displacement[j]);
   }
-  return label(place, surface.size()) + surface.displacement[place];
+  return fastest.where();
 }
 
 Moment Evolution::at(double time) const {
