@@ -34,7 +34,7 @@ Frank's figure; against potential flow it is one.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"

@@ -36,7 +36,7 @@ spacings.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/exact/wavemaker.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"

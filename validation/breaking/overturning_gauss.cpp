@@ -29,7 +29,7 @@ to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 #include <fmt/format.h>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/breaking/free_particle_surface.hpp"

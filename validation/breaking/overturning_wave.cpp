@@ -22,7 +22,7 @@ throws a thick jet near the crest.
 #include <fmt/format.h>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/agreement.hpp"

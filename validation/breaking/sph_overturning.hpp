@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/lattice.hpp"
 #include "validation/case/checkpoints.hpp"

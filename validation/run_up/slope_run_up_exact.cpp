@@ -16,7 +16,7 @@ tension, and no measured tongue is followed to where it is thinner than a film.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/slope_runup.hpp"
+#include "seiche/exact/overturning/slope_runup.hpp"
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"

@@ -21,7 +21,7 @@ a velocity that is uniform over the depth knows nothing.
 #include <fmt/format.h>
 
 #include "reports/evidence/grid_convergence.hpp"
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"

@@ -14,7 +14,7 @@ thin sheet, and the exact values leave every series.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 

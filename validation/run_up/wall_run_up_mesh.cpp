@@ -28,7 +28,7 @@ Above $A = 0.45$ they may fold when the water falls again; the case then tells w
 
 #include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"

@@ -9,6 +9,7 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification {
 

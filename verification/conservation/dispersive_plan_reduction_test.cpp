@@ -10,6 +10,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::dispersive_plan_reduction_test {
 

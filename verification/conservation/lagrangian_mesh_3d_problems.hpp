@@ -10,6 +10,7 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification {
 

@@ -15,6 +15,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/metamorphic.hpp"
 #include "verification/noise.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::metamorphic_lattices_test {
 

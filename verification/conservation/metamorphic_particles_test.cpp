@@ -244,7 +244,7 @@ Seen volumes(const Twin& twin, shallow_water_finite_volume::Scheme scheme, bool 
   }
   const double a = twin.place(0.0), b = twin.place(10.0);
   FiniteVolumeFlow flow(settings, std::min(a, b), std::max(a, b), depth, discharge, bed);
-  for (int k = 0; k < steps; ++k) flow.step(0.03125 * twin.time);
+  for (int k = 0; k < steps; ++k) flow.advance(0.03125 * twin.time);
   Seen seen(n);
   for (std::size_t k = 0; k < n; ++k) {
     seen.at(twin.in_row(k, n), {flow.depth()[k] / twin.length, 0}, twin.velocity_back({flow.velocity()[k], 0}));

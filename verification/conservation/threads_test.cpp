@@ -26,6 +26,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::threads_test {
 

@@ -10,6 +10,7 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::hexahedral_flow_test {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/instruments/polyline_distance.hpp"

@@ -54,9 +54,8 @@ TEST_CASE("bore and stationary jump satisfy the jump conditions", "[exact]") {
   const StationaryJump jump(g, 1, 2, 100);
   check_digits(check, "upstream", "velocity upstream of the stationary jump", jump.upstream().velocity, 5.42494240, 8);
   check_digits(check, "downstream", "velocity downstream of it", jump.downstream().velocity, 2.71247120, 8);
-  const StationaryJump mirrored(g, 1, 2, 100, StationaryJump::Flow::leftwards);
-  CHECK(mirrored.at(90).depth == 2);
-  CHECK(mirrored.at(110).velocity == -jump.upstream().velocity);
+  CHECK(jump.at(110).depth == 2);
+  CHECK(jump.at(90).velocity == jump.upstream().velocity);
 }
 
 TEST_CASE("a bore reflected from a wall leaves water at rest", "[exact]") {

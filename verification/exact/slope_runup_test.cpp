@@ -1,4 +1,4 @@
-#include "seiche/exact/slope_runup.hpp"
+#include "seiche/exact/overturning/slope_runup.hpp"
 
 #include <cmath>
 #include <complex>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/overturning/slope_climb.hpp"
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"

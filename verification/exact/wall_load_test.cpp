@@ -1,4 +1,4 @@
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 
 #include <cmath>
 #include <stdexcept>

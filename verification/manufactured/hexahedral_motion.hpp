@@ -23,6 +23,7 @@
 
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification {
 

@@ -11,6 +11,7 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/polynomial_bottom.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::lagrangian_mesh_3d_section_test {

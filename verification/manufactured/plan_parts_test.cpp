@@ -14,6 +14,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::plan_parts_test {
 

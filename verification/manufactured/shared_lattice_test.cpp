@@ -11,6 +11,7 @@
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::shared_lattice_test {
 

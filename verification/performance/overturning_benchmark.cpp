@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "seiche/exact/overturning/evolution.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/exact/overturning/surface_velocity.hpp"
-#include "seiche/exact/overturning_wave.hpp"
 #include "verification/performance/work.hpp"
 
 namespace {

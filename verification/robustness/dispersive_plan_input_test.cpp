@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace seiche::verification::dispersive_plan_input_test {

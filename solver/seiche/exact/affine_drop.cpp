@@ -6,10 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include <fmt/format.h>
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <boost/math/quadrature/gauss.hpp>
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_fehlberg78.hpp>
@@ -17,6 +15,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -54,17 +53,17 @@ void put(const Matrix2d& m, Phase& phase, std::size_t first) {
 Vector2d DropInstant::label(double x, double y) const {
   require_finite("x", x);
   require_finite("y", y);
-  Vector2d particle = deformation.inverse() * Vector2d(x, y);
+  const Vector2d particle = deformation.inverse() * Vector2d(x, y);
   if (!(particle.squaredNorm() <= outermost)) {
     // The range of y inside the drop at this x, from the quadratic |A^-1 (x, y)|^2 = 1.
     const Matrix2d form = (deformation * deformation.transpose()).inverse();
     const double middle = -form(0, 1) / form(1, 1) * x;
-    const double reach = (1 - form.determinant() / form(1, 1) * x * x) / form(1, 1);
-    throw OutsideFluid(reach < 0 ? fmt::format("x = {:.17g} is outside the drop: must be in [{:g}, {:g}]", x,
-                                               -std::sqrt(form(1, 1) / form.determinant()),
-                                               std::sqrt(form(1, 1) / form.determinant()))
-                                 : fmt::format("y = {:.17g} is outside the drop at x = {:g}: must be in [{:g}, {:g}]",
-                                               y, x, middle - std::sqrt(reach), middle + std::sqrt(reach)));
+    const double half = (1 - form.determinant() / form(1, 1) * x * x) / form(1, 1);
+    const double widest = std::sqrt(form(1, 1) / form.determinant());
+    require_that<OutsideFluid>(half >= 0, "x = {:.17g} is outside the drop: must be in [{:g}, {:g}]", x, -widest,
+                               widest);
+    require_that<OutsideFluid>(false, "y = {:.17g} is outside the drop at x = {:g}: must be in [{:g}, {:g}]", y, x,
+                               middle - std::sqrt(half), middle + std::sqrt(half));
   }
   return particle;
 }
@@ -132,32 +131,38 @@ AffineDrop::Invariants AffineDrop::invariants(const DropInstant& instant) const 
           pi * (flow(0, 1) - flow(1, 0))};
 }
 
+namespace {
+
+/// Accuracy of an integrated motion that lasts so long, in units of its strength.
+double integrated(double duration) {
+  return 3 * (duration * tolerance + 4 * epsilon * std::sqrt(30));
+}
+const std::string steps_of_drop =
+    "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on errs less "
+    "by the step; rounded in about 30 steps; growing at most as the deformation, threefold";
+
+}  // namespace
+
 SelfTest AffineDrop::self_test() const {
   const double end = 3 / strength_;
   const DropInstant later = at(end);
   const Invariants before = invariants(at(0));
   const Invariants after = invariants(later);
-  const std::string reason =
-      "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on errs "
-      "less by the step, and all steps together last 3; rounded in about 30 steps; growing at most as the deformation, "
-      "threefold";
-  const double limit = 3 * (3 * tolerance + 4 * epsilon * std::sqrt(30));
   const double speed = rate_.norm();
-  const double angular_scale = before.area * density_ * deformation_.norm() * std::max(speed, size_ * strength_);
-  const double circulation_scale = before.area * std::max(strength_, speed / size_);
-  const double energy = std::max(before.kinetic_energy, density_ * std::pow(size_, 4) * strength_ * strength_ / 8);
-  const AffineDrop back(later.deformation,
-                        later.rate * later.deformation.inverse() -
-                            0.5 * (later.rate * later.deformation.inverse()).trace() * Matrix2d::Identity(),
-                        density_);
-  return {
-      {"area is constant", std::abs(after.area / before.area - 1), limit, reason},
-      {"kinetic energy is constant", std::abs(after.kinetic_energy - before.kinetic_energy) / energy, limit, reason},
-      {"angular momentum is constant", std::abs(after.angular_momentum - before.angular_momentum) / angular_scale,
-       limit, reason},
-      {"circulation is constant", std::abs(after.circulation - before.circulation) / circulation_scale, limit, reason},
-      {"the motion can be run back", (back.at(-end).deformation - deformation_).norm() / deformation_.norm(), 4 * limit,
-       "twice as many steps; the way back amplifies an error in the rate by the elapsed time"}};
+  const auto constant = [&](const std::string& name, double Invariants::*member, double scale) {
+    return Identity{name + " is constant", std::abs(after.*member - before.*member) / scale, integrated(3),
+                    steps_of_drop};
+  };
+  const Matrix2d gradient = later.rate * later.deformation.inverse();
+  const AffineDrop back(later.deformation, gradient - 0.5 * gradient.trace() * Matrix2d::Identity(), density_);
+  return {constant("area", &Invariants::area, before.area),
+          constant("kinetic energy", &Invariants::kinetic_energy,
+                   std::max(before.kinetic_energy, density_ * std::pow(size_, 4) * strength_ * strength_ / 8)),
+          constant("angular momentum", &Invariants::angular_momentum,
+                   before.area * density_ * deformation_.norm() * std::max(speed, size_ * strength_)),
+          constant("circulation", &Invariants::circulation, before.area * std::max(strength_, speed / size_)),
+          {"the motion can be run back", (back.at(-end).deformation - deformation_).norm() / deformation_.norm(),
+           4 * integrated(3), "twice as many steps; the way back amplifies an error in the rate by the elapsed time"}};
 }
 
 namespace {
@@ -190,15 +195,10 @@ double StretchingDrop::time_between(double from, double to) const {
   // With sigma = sinh w the integrand is sqrt(2 cosh 2w), singular at w = +-i pi/4: 30 points per panel of at most 1
   // leave 1e-30.
   const double first = std::asinh(from);
-  const double width = std::asinh(to) - first;
-  const double panels = std::max(1.0, std::ceil(std::abs(width)));
-  double integral = 0;
-  for (double k = 0; k < panels; ++k) {
-    integral += boost::math::quadrature::gauss<double, 30>::integrate(
-        [](double w) { return std::sqrt(2 * std::cosh(2 * w)); }, first + width * k / panels,
-        first + width * (k + 1) / panels);
-  }
-  return direction_ * mean_axis_ / std::sqrt(invariant_) * integral;
+  const double last = std::asinh(to);
+  const auto panels = std::max(1, static_cast<int>(std::ceil(std::abs(last - first))));
+  return direction_ * mean_axis_ / std::sqrt(invariant_) *
+         integral<30>([](double w) { return std::sqrt(2 * std::cosh(2 * w)); }, first, last, panels);
 }
 
 double StretchingDrop::elongation(double t) const {
@@ -259,17 +259,13 @@ SelfTest StretchingDrop::self_test() const {
   const DropInstant start = at(0);
   const AffineDrop general(start.deformation, Eigen::Vector2d(strain_rate(0), -strain_rate(0)).asDiagonal(), density_);
   const DropInstant end = general.at(t);
-  return {{"a b = c^2", std::abs(a * b / (mean_axis_ * mean_axis_) - 1), 8 * epsilon, "8 roundings"},
-          {"alpha^2 (a^2 + b^2) = C", std::abs(alpha * alpha * (a * a + b * b) / invariant_ - 1), 16 * epsilon,
-           "16 roundings"},
-          {"time of the axis at time t is t", std::abs(time_of(a) / t - 1), 64 * epsilon,
-           "two quadratures of 30 points a panel, axis rounded"},
-          {"the ellipse agrees with the integrated equation of motion",
-           (end.deformation - at(t).deformation).norm() / at(t).deformation.norm(),
-           3 * (1.7 * 1e-14 + 4 * epsilon * std::sqrt(30)),
-           "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on "
-           "errs less by the step, and all steps together last at most 1.7 in units of the strain; rounded in about 30 "
-           "steps; growing at most as the deformation, threefold"}};
+  return {
+      {"a b = c^2", departure(a * b, mean_axis_ * mean_axis_), 8 * epsilon, "8 roundings"},
+      {"alpha^2 (a^2 + b^2) = C", departure(alpha * alpha * (a * a + b * b), invariant_), 16 * epsilon, "16 roundings"},
+      {"time of the axis at time t is t", departure(time_of(a), t), 64 * epsilon,
+       "two quadratures of 30 points a panel, axis rounded"},
+      {"the ellipse agrees with the integrated equation of motion",
+       (end.deformation - at(t).deformation).norm() / at(t).deformation.norm(), integrated(1.7), steps_of_drop}};
 }
 
 static_assert(ReferenceSolution<StretchingDrop>);
@@ -298,15 +294,13 @@ ExactSolution affine_drop_entry() {
                   {"time_of_doubling", "s", "when the semi-axis along x is twice what it was",
                    [](const StretchingDrop& drop) { return drop.time_of(2 * drop.semi_axis(0)); }}},
       .make = from<StretchingDrop>("semi_axis", "other_axis", "strain_rate", "density"),
-      .row =
-          [](const StretchingDrop& drop, At at) {
-            const double t = at[2];
-            const DropInstant instant = drop.at(t);
-            const Eigen::Vector2d velocity = instant.velocity(at[0], at[1]);
-            return Row{drop.semi_axis(t), drop.other_axis(t), drop.strain_rate(t),
-                       velocity.x(),      velocity.y(),       instant.pressure(at[0], at[1])};
-          },
-  };
+      .row = [](const StretchingDrop& drop, At at) {
+        const double t = at[2];
+        const DropInstant instant = drop.at(t);
+        const Eigen::Vector2d velocity = instant.velocity(at[0], at[1]);
+        return Row{drop.semi_axis(t), drop.other_axis(t), drop.strain_rate(t),
+                   velocity.x(),      velocity.y(),       instant.pressure(at[0], at[1])};
+      }};
 }
 
 }  // namespace seiche::exact

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::exact {
 namespace {
@@ -237,16 +237,15 @@ Velocity ConformalSurface::velocity(double x, double y) const {
   const auto right = std::min<std::ptrdiff_t>(std::upper_bound(begin, begin + position_.size(), distance) - begin,
                                               position_.size() - 1);
   if (y > elevation_[right]) {
-    if (const double surface = elevation(distance); y > surface + rounding) {
-      throw OutsideFluid(fmt::format(
-          "{0}y{1} = {2:.17g} is above the surface: at {0}x{1} = {3:.17g} it must be in [{4:.17g}, {5:.17g}]", before_,
-          after_, y, x, -depth_, surface));
-    }
+    const double surface = elevation(distance);
+    require_that<OutsideFluid>(
+        y <= surface + rounding,
+        "{0}y{1} = {2:.17g} is above the surface: at {0}x{1} = {3:.17g} it must be in [{4:.17g}, {5:.17g}]", before_,
+        after_, y, x, -depth_, surface);
   }
-  if (y < -depth_ * (1 + rounding)) {
-    throw OutsideFluid(fmt::format("{0}y{1} = {2:.17g} is below the bottom: it must be at least {3:.17g}", before_,
-                                   after_, y, -depth_));
-  }
+  require_that<OutsideFluid>(y >= -depth_ * (1 + rounding),
+                             "{0}y{1} = {2:.17g} is below the bottom: it must be at least {3:.17g}", before_, after_, y,
+                             -depth_);
   constexpr double calm = -100;  // velocities are below exp(-100)
   if (y < calm || distance >= end_) return {};
   const auto index = [&](double bound) {

@@ -15,6 +15,7 @@
 #include <complex>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@
 #include "seiche/exact/cauchy_velocity.hpp"
 #include "seiche/exact/reference_solution.hpp"
 #include "seiche/linear/dense.hpp"
+#include "seiche/require.hpp"
 
 namespace seiche::exact {
 
@@ -223,6 +225,10 @@ class ConformalSurface {
   /// Adds a node to the contour of Cauchy's integral: there q, theta and dphi/ds, or half of it on the axis.
   void add_to_contour(std::complex<double> z, double log_speed, double inclination, double stretch);
   /// Largest inclination, from that at the nodes and between them.
+  template <class Interpolation>
+  [[nodiscard]] double steepest(const Eigen::VectorXd& inclination, const Interpolation& between) const {
+    return steepest(inclination, std::function([&](double s) { return between.at(s).displacement; }));
+  }
   [[nodiscard]] double steepest(const Eigen::VectorXd& inclination, const std::function<double(double)>& between) const;
 
   double speed_;
@@ -244,6 +250,49 @@ class ConformalSurface {
   double spacing_, last_label_;
   std::string before_, after_;
   CauchyVelocity velocity_;
+};
+
+/// A wave on a solved surface in the units of its user.
+template <class Surface>
+class ScaledWave {
+ public:
+  [[nodiscard]] double gravity() const { return gravity_; }                     ///< [m/s^2]
+  [[nodiscard]] double speed() const { return celerity_ * surface_->speed(); }  ///< phase speed c [m/s]
+  /// Speed of the water at the crest in the frame of the wave, relative to c.
+  [[nodiscard]] double crest_speed() const { return surface_->crest_speed(); }
+
+  /// Surface [m] at the distance x from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
+  [[nodiscard]] double elevation(double x) const {
+    require_finite("x", x);
+    return surface_->elevation(wavenumber_ * x) / wavenumber_;
+  }
+  [[nodiscard]] double elevation(double x, double t) const { return elevation(x - speed() * t); }
+  /// Velocity potential on the surface [m^2/s], laboratory frame, 0 at the crest; odd in x.
+  [[nodiscard]] double surface_potential(double x) const {
+    require_finite("x", x);
+    return celerity_ / wavenumber_ * surface_->potential(wavenumber_ * x);
+  }
+  /// Velocity [m/s] in the laboratory frame; throws OutsideFluid above the surface and below the bottom.
+  [[nodiscard]] Velocity velocity(double x, double y) const {
+    require_finite("x", x);
+    require_finite("y", y);
+    const Velocity scaled = surface_->velocity(wavenumber_ * x, wavenumber_ * y);
+    return {celerity_ * scaled.u, celerity_ * scaled.v};
+  }
+  [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - speed() * t, y); }
+  [[nodiscard]] double maximum_slope() const { return surface_->maximum_slope(); }  ///< of the surface [rad]
+
+ protected:
+  /// @param wavenumber  [1/m]: its inverse is the unit of length
+  ScaledWave(std::shared_ptr<const Surface> surface, double wavenumber, double gravity)
+      : surface_(std::move(surface)),
+        wavenumber_(wavenumber),
+        gravity_(gravity),
+        celerity_(std::sqrt(gravity / wavenumber)) {}
+
+  std::shared_ptr<const Surface> surface_;
+  double wavenumber_, gravity_;
+  double celerity_;  ///< sqrt(gravity/wavenumber)
 };
 
 /// Integral of a horizontal velocity u(y) over the section bottom <= y <= top under a crest, on panels that shrink

@@ -13,6 +13,7 @@
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -133,11 +134,8 @@ double RationalDispersion::wavenumber(double omega) const {
   const double nu = omega * omega * depth_ / gravity_;
   if (numerator_ == 0) {
     const double r = omega / highest_frequency();
-    if (!(r < 1)) {
-      throw std::invalid_argument(
-          fmt::format("frequency = {:.17g} is out of range: must be below {:.17g}, the limit of short waves", omega,
-                      highest_frequency()));
-    }
+    require_that(r < 1, "frequency = {:.17g} is out of range: must be below {:.17g}, the limit of short waves", omega,
+                 highest_frequency());
     return std::sqrt(nu / ((1 - r) * (1 + r))) / depth_;
   }
   // n s^2 + (1 - d nu) s - nu = 0 for s = kappa^2, in the form without cancellation for either sign of 1 - d nu.
@@ -165,10 +163,9 @@ double AiryWave::elevation(double x, double t) const {
 
 void AiryWave::require_inside(double x, double y, double t) const {
   const double top = std::max(0.0, elevation(x, t));
-  if (!(y >= -law_.depth() && y <= top)) {
-    throw OutsideFluid(fmt::format("y = {:.17g} is outside the fluid: must be in [{:g}, {:.17g}] at x = {:g}, t = {:g}",
-                                   y, -law_.depth(), top, x, t));
-  }
+  require_that<OutsideFluid>(y >= -law_.depth() && y <= top,
+                             "y = {:.17g} is outside the fluid: must be in [{:g}, {:.17g}] at x = {:g}, t = {:g}", y,
+                             -law_.depth(), top, x, t);
 }
 
 Velocity AiryWave::velocity(double x, double y, double t) const {
@@ -228,10 +225,7 @@ ExactSolution airy_entry() {
                      depth_parameter(1, infinite),
                      gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
-      .outputs = {{"eta", "m", "surface elevation"},
-                  {"u", "m/s", "horizontal velocity"},
-                  {"v", "m/s", "vertical velocity"},
-                  {"p", "m^2/s^2", "pressure over density"}},
+      .outputs = {surface_eta, velocity_u, velocity_v, pressure_p},
       .scalars = {{"omega", "1/s", "angular frequency", &AiryWave::frequency},
                   {"period", "s", "period", &AiryWave::period},
                   {"wavenumber", "1/m", "2 pi/wavelength", &AiryWave::wavenumber},
@@ -239,20 +233,18 @@ ExactSolution airy_entry() {
                    [](const AiryWave& wave) { return 2 * std::numbers::pi / wave.wavenumber(); }},
                   {"phase_speed", "m/s", "omega/k", &AiryWave::phase_speed},
                   {"group_speed", "m/s", "d omega/d k", &AiryWave::group_speed}},
-      .make =
-          [](const Values& p) {
-            const WaveScale wave =
-                p.at("wavelength") > 0 ? WaveScale(Wavelength{p.at("wavelength")}) : Period{p.at("period")};
-            return AiryWave(p.at("amplitude"), wave, {.gravity = p.at("gravity"), .depth = p.at("depth")});
+      .make = made_by(
+          [](double amplitude, double length, double period, double depth, double g) {
+            const WaveScale wave = length > 0 ? WaveScale(Wavelength{length}) : Period{period};
+            return AiryWave(amplitude, wave, {.gravity = g, .depth = depth});
           },
-      .row =
-          [](const AiryWave& wave, At at) {
-            const double eta = wave.elevation(at[0], at[2]);
-            const double y = std::isnan(at[1]) ? eta : at[1];
-            const auto [u, v] = wave.velocity(at[0], y, at[2]);
-            return Row{eta, u, v, wave.pressure(at[0], y, at[2])};
-          },
-  };
+          "amplitude", "wavelength", "period", "depth", "gravity"),
+      .row = [](const AiryWave& wave, At at) {
+        const double eta = wave.elevation(at[0], at[2]);
+        const double y = std::isnan(at[1]) ? eta : at[1];
+        const auto [u, v] = wave.velocity(at[0], y, at[2]);
+        return Row{eta, u, v, wave.pressure(at[0], y, at[2])};
+      }};
 }
 
 namespace {
@@ -274,15 +266,12 @@ struct Law {
   }
 };
 
-Law law_from(const Values& p) {
-  const double k = 2 * std::numbers::pi / p.at("wavelength");
-  const double g = p.at("gravity");
-  const double depth = p.at("depth");
-  const double law = p.at("law");
+Law law_from(int law, double length, double depth, double g, double alpha, double nwogu_a, double madsen_b) {
+  const double k = 2 * std::numbers::pi / length;
   if (law == 0) return {AiryDispersion(g, depth), k};
-  if (law == 1) return {RationalDispersion::green_naghdi(g, depth, p.at("alpha")), k};
-  if (law == 2) return {RationalDispersion::nwogu(g, depth, p.at("nwogu_a")), k};
-  return {RationalDispersion::madsen_sorensen(g, depth, p.at("madsen_b")), k};
+  if (law == 1) return {RationalDispersion::green_naghdi(g, depth, alpha), k};
+  if (law == 2) return {RationalDispersion::nwogu(g, depth, nwogu_a), k};
+  return {RationalDispersion::madsen_sorensen(g, depth, madsen_b), k};
 }
 
 }  // namespace
@@ -312,7 +301,7 @@ ExactSolution dispersion_entry() {
                    [](const Law& law) { return law.row(none_given)[0]; }},
                   {"phase_speed", "m/s", "its phase speed", [](const Law& law) { return law.row(none_given)[1]; }},
                   {"group_speed", "m/s", "its group speed", [](const Law& law) { return law.row(none_given)[2]; }}},
-      .make = law_from,
+      .make = made_by(&law_from, "law", "wavelength", "depth", "gravity", "alpha", "nwogu_a", "madsen_b"),
       .row = [](const Law& law, At at) { return law.row(at[0]); }};
 }
 

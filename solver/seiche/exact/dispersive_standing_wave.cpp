@@ -9,6 +9,7 @@
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -65,10 +66,7 @@ std::optional<double> DispersiveStandingWave::critical_depth(const Parameters& p
   for (int k = 1; k * step < deepest; ++k) {
     const double kh = k * step;
     if (!(correction(kh) * correction(kh + step) <= 0)) continue;
-    std::uintmax_t iterations = 60;
-    const auto [low, high] = boost::math::tools::toms748_solve(correction, kh, kh + step,
-                                                               boost::math::tools::eps_tolerance<double>(), iterations);
-    return 0.5 * (low + high);
+    return root(correction, kh, kh + step);
   }
   return std::nullopt;
 }
@@ -181,13 +179,12 @@ ExactSolution dispersive_standing_entry() {
                      return DispersiveStandingWave::critical_wavelength(wave.parameters()).value_or(none_given) *
                             wave.depth();
                    }}},
-      .make =
-          [](const Values& p) {
-            return DispersiveStandingWave(p.at("amplitude"), p.at("wavelength"), p.at("depth"), p.at("gravity"),
-                                          {p.at("alpha"), p.at("gamma"), p.at("weight_exponent")});
+      .make = made_by(
+          [](double amplitude, double length, double depth, double g, double alpha, double gamma, double weight) {
+            return DispersiveStandingWave(amplitude, length, depth, g, {alpha, gamma, weight});
           },
-      .row = [](const DispersiveStandingWave& wave, At at) { return Row{wave.position(at[0], at[1])}; },
-  };
+          "amplitude", "wavelength", "depth", "gravity", "alpha", "gamma", "weight_exponent"),
+      .row = [](const DispersiveStandingWave& wave, At at) { return Row{wave.position(at[0], at[1])}; }};
 }
 
 }  // namespace seiche::exact

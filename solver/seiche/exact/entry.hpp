@@ -6,15 +6,16 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "seiche/exact/catalogue.hpp"
+#include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::exact {
 
@@ -41,12 +42,22 @@ inline Parameter wavelength_parameter() {
   return {"wavelength", "m", 2 * std::numbers::pi, 1e-9, 1e9, "wavelength"};
 }
 
-/// A number that belongs to the solution as a whole.
+/// What a member gives, a member of that, and so on; NaN for a number that there may not be.
+inline double chained(const std::optional<double>& value) {
+  return value.value_or(none_given);
+}
+template <class Value, class First, class... Then>
+double chained(const Value& value, First first, Then... then) {
+  return chained(std::invoke(first, value), then...);
+}
+
+/// A number that belongs to the solution as a whole: a member or a function of it, a member of what that gives, ...
 template <class S>
 struct Scalar : Quantity {
-  template <class Value>
-  Scalar(std::string name, std::string unit, std::string meaning, Value value)
-      : Quantity{std::move(name), std::move(unit), std::move(meaning)}, of(value) {}
+  template <class... Members>
+  Scalar(std::string name, std::string unit, std::string meaning, Members... members)
+      : Quantity{std::move(name), std::move(unit), std::move(meaning)},
+        of([=](const S& solution) { return chained(solution, members...); }) {}
 
   std::function<double(const S&)> of;
 };
@@ -70,15 +81,15 @@ struct Entry {
   operator ExactSolution() const {  // NOLINT(google-explicit-constructor)
     const auto factory = [make = make, row = row, curve = curve, scalars = scalars](const Values& values) {
       const auto kept = std::make_shared<const S>(make(values));
-      Evaluator evaluator{.eval = [kept, row](At at) { return row(*kept, at); },
-                          .scalars =
-                              [kept, scalars] {
-                                Row numbers;
-                                for (const Scalar<S>& scalar : scalars) numbers.push_back(scalar.of(*kept));
-                                return numbers;
-                              },
-                          .uncertainty = [kept] { return kept->uncertainty(); },
-                          .self_test = [kept] { return kept->self_test(); }};
+      Evaluator evaluator;
+      evaluator.eval = [kept, row](At at) { return row(*kept, at); };
+      evaluator.uncertainty = [kept] { return kept->uncertainty(); };
+      evaluator.self_test = [kept] { return kept->self_test(); };
+      evaluator.scalars = [kept, scalars] {
+        Row numbers;
+        for (const Scalar<S>& scalar : scalars) numbers.push_back(scalar.of(*kept));
+        return numbers;
+      };
       if (curve) {
         evaluator.curve = [kept, curve](At at) { return curve(*kept, at); };
         evaluator.eval = [kept, curve](At at) { return curve(*kept, at).front(); };
@@ -97,26 +108,36 @@ struct Given {
   template <class T>
   requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) operator T() const {  // NOLINT(google-explicit-constructor)
     if constexpr (std::is_integral_v<T>) {
-      if (value != std::floor(value)) {
-        throw std::invalid_argument(fmt::format("{} = {:g} is out of range: must be a whole number", name, value));
-      }
+      require_that(value == std::floor(value), "{} = {:g} is out of range: must be a whole number", name, value);
     }
-    if constexpr (std::is_enum_v<T>)
-      return static_cast<T>(static_cast<int>(value));
-    else
-      return static_cast<T>(value);
+    return static_cast<T>(value);
   }
 };
 
-/// S from parameters of these names, in the order of its constructor.
+/// What a function makes of the parameters of these names, in this order; S from those of its constructor.
+template <class Function, class... Names>
+auto made_by(Function make, Names... names) {
+  return [=](const Values& values) { return make(Given{names, values.at(names)}...); };
+}
 template <class S, class... Names>
 auto from(Names... names) {
-  return [=](const Values& values) { return S(Given{names, values.at(names)}...); };
+  return made_by([](const auto&... given) { return S(given...); }, names...);
+}
+
+inline const Quantity surface_eta{"eta", "m", "surface elevation"};
+inline const Quantity velocity_u{"u", "m/s", "horizontal velocity"};
+inline const Quantity velocity_v{"v", "m/s", "vertical velocity"};
+inline const Quantity mean_velocity_u{"u", "m/s", "horizontal velocity, mean over the depth"};
+inline const Quantity pressure_p{"p", "m^2/s^2", "pressure over density"};
+inline const Quantity depth_h{"h", "m", "depth"};
+
+/// Relative departure of a value from the one expected, for self-tests.
+inline double departure(double value, double expected) {
+  return std::abs(value / expected - 1);
 }
 
 /// Rows of what many solutions yield: depth and velocity of shallow water, the same over its bed, and elevation and
 /// velocity at a height or, where none is given, on the surface.
-inline const std::vector<Quantity> depth_and_velocity{{"h", "m", "depth"}, {"u", "m/s", "velocity"}};
 
 template <class S>
 Row state_row(const S& solution, At at) {

@@ -12,6 +12,7 @@
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -33,14 +34,9 @@ GerstnerWave::GerstnerWave(double wavelength, double gravity, double top) : grav
 
 void GerstnerWave::require_below_top(Label label) const {
   require_finite("a", label.a);
-  if (!(label.b <= top_)) {
-    throw OutsideFluid(fmt::format("label b = {:.17g} is outside the fluid: must be at most {:g}, that of the surface",
-                                   label.b, top_));
-  }
-}
-
-double GerstnerWave::radius(double b) const {
-  return std::exp(wavenumber_ * b) / wavenumber_;
+  require_that<OutsideFluid>(label.b <= top_,
+                             "label b = {:.17g} is outside the fluid: must be at most {:g}, that of the surface",
+                             label.b, top_);
 }
 
 GerstnerWave::Vector GerstnerWave::position(Label label, double t) const {
@@ -76,10 +72,6 @@ double GerstnerWave::area_factor(Label label) const {
   return -std::expm1(2 * wavenumber_ * label.b);
 }
 
-double GerstnerWave::vorticity(Label label) const {
-  return 2 * frequency_ * std::exp(2 * wavenumber_ * label.b) / area_factor(label);
-}
-
 double GerstnerWave::phase_at(double x, double b, double t) const {
   // Kepler's equation p - e sin p = m with eccentricity e = e^{kb} <= 1; the root lies in [m, m + e] for 0 <= m <= pi.
   const double mean = std::remainder(wavenumber_ * x - frequency_ * t, 2 * pi);
@@ -106,11 +98,9 @@ GerstnerWave::Label GerstnerWave::label(double x, double y, double t) const {
   const auto outside = [&] {
     return !(y <= std::max({surface, elevation(x - rounding, t), elevation(x + rounding, t)}) + rounding);
   };
-  if (!(y <= surface) && outside()) {
-    throw OutsideFluid(
-        fmt::format("y = {:.17g} is outside the fluid: must be at most {:.17g}, the surface at x = {:g}, t = {:g}", y,
-                    surface, x, t));
-  }
+  require_that<OutsideFluid>(
+      y <= surface || !outside(),
+      "y = {:.17g} is outside the fluid: must be at most {:.17g}, the surface at x = {:g}, t = {:g}", y, surface, x, t);
   double b = top_;
   if (y < surface) {
     // y grows with b at fixed x: dy/db = J/(1 - e^{kb} cos p).
@@ -191,24 +181,22 @@ ExactSolution gerstner_entry() {
                      gravity_parameter(),
                      {"top", "m", -0.5, -1e6, 0, "label b of the surface; 0 is the cusped wave"}},
       .inputs = {position_x, height_y, time_t},
-      .outputs = {{"eta", "m", "surface elevation"},
-                  {"u", "m/s", "horizontal velocity"},
-                  {"v", "m/s", "vertical velocity"},
-                  {"p", "m^2/s^2", "pressure over density"},
+      .outputs = {surface_eta,
+                  velocity_u,
+                  velocity_v,
+                  pressure_p,
                   {"a", "m", "label: centre of the particle's circle, along x"},
                   {"b", "m", "label: centre of the particle's circle, along y"}},
       .scalars = {{"c", "m/s", "phase speed", &GerstnerWave::phase_speed},
                   {"omega", "1/s", "angular frequency", &GerstnerWave::frequency},
                   {"height", "m", "crest above trough", &GerstnerWave::height}},
       .make = from<GerstnerWave>("wavelength", "gravity", "top"),
-      .row =
-          [](const GerstnerWave& wave, At at) {
-            const double eta = wave.elevation(at[0], at[2]);
-            const auto label = wave.label(at[0], std::isnan(at[1]) ? eta : at[1], at[2]);
-            const auto velocity = wave.velocity(label, at[2]);
-            return Row{eta, velocity.u, velocity.v, wave.pressure(label), label.a, label.b};
-          },
-  };
+      .row = [](const GerstnerWave& wave, At at) {
+        const double eta = wave.elevation(at[0], at[2]);
+        const auto label = wave.label(at[0], std::isnan(at[1]) ? eta : at[1], at[2]);
+        const auto velocity = wave.velocity(label, at[2]);
+        return Row{eta, velocity.u, velocity.v, wave.pressure(label), label.a, label.b};
+      }};
 }
 
 }  // namespace seiche::exact

@@ -43,7 +43,9 @@ class GerstnerWave {
   [[nodiscard]] Vector acceleration(Label label, double t) const;
   /// Pressure over density [m^2/s^2], vorticity v_x - u_y [1/s] and area factor J of a particle: constant in time.
   [[nodiscard]] double pressure(Label label) const;
-  [[nodiscard]] double vorticity(Label label) const;
+  [[nodiscard]] double vorticity(Label label) const {
+    return 2 * frequency_ * std::exp(2 * wavenumber_ * label.b) / area_factor(label);
+  }
   [[nodiscard]] double area_factor(Label label) const;
 
   /// The particle that is at (x, y) at time t. Throws OutsideFluid above the surface.
@@ -67,7 +69,7 @@ class GerstnerWave {
  private:
   void require_below_top(Label label) const;
   /// Radius of the circle, e^{k b}/k.
-  [[nodiscard]] double radius(double b) const;
+  [[nodiscard]] double radius(double b) const { return std::exp(wavenumber_ * b) / wavenumber_; }
   /// Phase k a - omega t of the particle with label b that is at x.
   [[nodiscard]] double phase_at(double x, double b, double t) const;
 

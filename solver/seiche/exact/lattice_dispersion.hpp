@@ -115,8 +115,6 @@ class PlanDispersion {
   /// Relative error of the frequency against the limit, for the wavenumber at `direction` from the x axis [rad]: the
   /// anisotropy of the lattice.
   [[nodiscard]] double frequency_error(double wavenumber, double direction) const;
-  /// Its leading term, of second order in the spacings.
-  [[nodiscard]] double leading_error(double wavenumber, double direction) const;
   /// sqrt(g/(alpha H)) [1/s], above every frequency: the one-step scheme is stable for tau < 2/bound, whatever the
   /// spacing.
   [[nodiscard]] double frequency_bound() const { return std::sqrt(gravity_ / (alpha_ * depth_)); }

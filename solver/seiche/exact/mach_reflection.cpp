@@ -82,10 +82,6 @@ double SolitonFission::amplitude(int n) const {
   return std::pow(depth_ * level, 2);
 }
 
-double SolitonFission::uncertainty() const {
-  return 1e-14;  // a root and a few products, of order up to 40
-}
-
 SelfTest SolitonFission::self_test() const {
   const double root = std::sqrt(depth_);
   const double flux = reflection_ * reflection_ + transmission_ * transmission_ * root;
@@ -139,19 +135,16 @@ ExactSolution mach_reflection_entry() {
                   {"kappa", "1", "interaction parameter, Mach reflection below 1"},
                   {"stem_angle", "deg", "direction in which the stem grows, from the wall; 0 without a stem"}},
       .scalars = {},
-      .make =
-          [](const Values& p) {
-            return Scaled<MachReflection>{
-                {p.at("amplitude") / p.at("depth"), p.at("angle") * degree, Given{"theory", p.at("theory")}},
-                p.at("amplitude")};
+      .make = made_by(
+          [](double amplitude, double angle, double depth, MachReflection::Theory theory) {
+            return Scaled<MachReflection>{{amplitude / depth, angle * degree, theory}, amplitude};
           },
-      .row =
-          [](const Scaled<MachReflection>& reflection, At) {
-            const double amplitude = reflection.amplitude_of_incident;
-            return Row{amplitude * reflection.wall_ratio(), amplitude * reflection.reflected_ratio(),
-                       reflection.reflected_angle() / degree, reflection.kappa(), reflection.stem_angle() / degree};
-          },
-  };
+          "amplitude", "angle", "depth", "theory"),
+      .row = [](const Scaled<MachReflection>& reflection, At) {
+        const double amplitude = reflection.amplitude_of_incident;
+        return Row{amplitude * reflection.wall_ratio(), amplitude * reflection.reflected_ratio(),
+                   reflection.reflected_angle() / degree, reflection.kappa(), reflection.stem_angle() / degree};
+      }};
 }
 
 ExactSolution soliton_fission_entry() {
@@ -166,23 +159,21 @@ ExactSolution soliton_fission_entry() {
                      {"passage", "1", 0, 0, 1, "how it gets there", {"abrupt", "gradual"}}},
       .inputs = {{"n", "1", 1, "of the wave on the shelf, 1 for the highest"}},
       .outputs = {{"a_n", "1", "its amplitude, over that depth; error of the theory about a_n/shelf_depth, relative"}},
-      .scalars = {{"solitons", "1", "how many there are",
-                   [](const SolitonFission& fission) { return static_cast<double>(fission.solitons()); }},
+      .scalars = {{"solitons", "1", "how many there are", &SolitonFission::solitons},
                   {"a_r", "1", "amplitude of the reflected wave, over that depth",
                    [](const Scaled<SolitonFission>& fission) {
                      return fission.amplitude_of_incident * fission.reflection();
                    }},
                   {"transmission", "1", "amplitude at the beginning of the shelf, relative",
                    &SolitonFission::transmission}},
-      .make =
-          [](const Values& p) {
-            return Scaled<SolitonFission>{from<SolitonFission>("shelf_depth", "passage")(p), p.at("amplitude")};
+      .make = made_by(
+          [](double amplitude, double depth, SolitonFission::Passage passage) {
+            return Scaled<SolitonFission>{SolitonFission(depth, passage), amplitude};
           },
-      .row =
-          [](const Scaled<SolitonFission>& fission, At at) {
-            return Row{fission.amplitude_of_incident * fission.amplitude(static_cast<int>(std::lround(at[0])))};
-          },
-  };
+          "amplitude", "shelf_depth", "passage"),
+      .row = [](const Scaled<SolitonFission>& fission, At at) {
+        return Row{fission.amplitude_of_incident * fission.amplitude(static_cast<int>(std::lround(at[0])))};
+      }};
 }
 
 }  // namespace seiche::exact

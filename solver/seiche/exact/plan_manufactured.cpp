@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -165,61 +166,50 @@ PlanManufactured::Label PlanManufactured::label(double x, double y, double t) co
 /// The derivatives are those of the returned values alone, in variables in which they vary over unit distance.
 SelfTest PlanManufactured::self_test() const {
   const Parameters& p = parameters_;
-  const double closest = 1 - 2.3 * std::abs(p.amplitude) * std::numbers::pi / p.length;  // lower bound of J
+  const double k = std::numbers::pi / p.length;
+  const double closest = 1 - 2.3 * std::abs(p.amplitude) * k;  // lower bound of J
   const double strain = 1 - closest;  // of J's departure from 1 and of the velocity's gradient over the frequency
-  const double label_scale = closest * p.length / (4 * std::numbers::pi);
+  const double label_scale = closest / (4 * k);
   const double time_scale = closest / (4 * p.frequency);
   const double speed = p.frequency * p.length;
   const double acceleration = p.gravity + p.frequency * speed;
-  Worst mass;
-  Largest velocities, continuity, vertical;
-  Worst momentum;
-  Largest walls;
+  Worst walls, mass, rates, vertical, momentum;
   const auto check_walls = [&](double a, double t) {
     for (const double wall : {0.0, p.length}) {
       const Sample west = at(wall, a, t);
       const Sample south = at(a, wall, t);
-      walls.add(std::abs(west.x - wall) / p.length);
-      walls.add(std::abs(south.y - wall) / p.length);
-      walls.add(std::abs(west.u) / speed);
-      walls.add(std::abs(south.v) / speed);
-      walls.add(std::abs(west.bx) / acceleration);
-      walls.add(std::abs(south.by) / acceleration);
+      for (const double place : {west.x, south.y}) walls.add((place - wall) / p.length);
+      for (const double across : {west.u, south.v}) walls.add(across / speed);
+      for (const double force : {west.bx, south.by}) walls.add(force / acceleration);
     }
   };
   const auto check_inside = [&](double a, double b, double t) {
     const auto by_x = [&](auto value) {
-      return rate_at_zero([&](double z) { return value(at(a + label_scale * z, b, t)); }) / label_scale;
+      return rate_at_zero([&](double z) { return std::invoke(value, at(a + label_scale * z, b, t)); }) / label_scale;
     };
     const auto by_y = [&](auto value) {
-      return rate_at_zero([&](double z) { return value(at(a, b + label_scale * z, t)); }) / label_scale;
+      return rate_at_zero([&](double z) { return std::invoke(value, at(a, b + label_scale * z, t)); }) / label_scale;
     };
     const auto rate = [&](auto value) {
-      return rate_at_zero([&](double z) { return value(at(a, b, t + time_scale * z)); }) / time_scale;
+      return rate_at_zero([&](double z) { return std::invoke(value, at(a, b, t + time_scale * z)); }) / time_scale;
     };
-    const double x_x = by_x([](const Sample& s) { return s.x; });
-    const double x_y = by_y([](const Sample& s) { return s.x; });
-    const double y_x = by_x([](const Sample& s) { return s.y; });
-    const double y_y = by_y([](const Sample& s) { return s.y; });
+    const double x_x = by_x(&Sample::x);
+    const double x_y = by_y(&Sample::x);
+    const double y_x = by_x(&Sample::y);
+    const double y_y = by_y(&Sample::y);
     const double jacobian = x_x * y_y - x_y * y_x;
-    const auto along_x = [&](auto value) { return (by_x(value) * y_y - by_y(value) * y_x) / jacobian; };
-    const auto along_y = [&](auto value) { return (by_y(value) * x_x - by_x(value) * x_y) / jacobian; };
     const Sample here = at(a, b, t);
     mass.add(here.depth * jacobian / p.depth - 1);
-    velocities.add(std::abs(rate([](const Sample& s) { return s.x; }) - here.u) / speed);
-    velocities.add(std::abs(rate([](const Sample& s) { return s.y; }) - here.v) / speed);
-    velocities.add(std::abs(rate([](const Sample& s) { return s.depth; }) - here.depth_rate) /
-                   (p.frequency * here.depth));
-    const double expansion =
-        along_x([](const Sample& s) { return s.u; }) + along_y([](const Sample& s) { return s.v; });
-    continuity.add(std::abs(here.depth_rate / here.depth + expansion) / p.frequency);
-    const double rise = p.alpha * rate([](const Sample& s) { return s.depth_rate; });
-    vertical.add(std::abs(rise - (here.lambda - p.gravity * here.depth) / here.depth) /
+    rates.add((rate(&Sample::x) - here.u) / speed);
+    rates.add((rate(&Sample::y) - here.v) / speed);
+    rates.add((rate(&Sample::depth) - here.depth_rate) / (p.frequency * here.depth));
+    const double rise = p.alpha * rate(&Sample::depth_rate);
+    vertical.add((rise - (here.lambda - p.gravity * here.depth) / here.depth) /
                  (p.frequency * p.frequency * here.depth));
     // H Du = -grad(lambda H - g H^2/2) + H b
     const auto thrust = [&](const Sample& s) { return (s.lambda - 0.5 * p.gravity * s.depth) * s.depth; };
-    const double ax = rate([](const Sample& s) { return s.u; }) + along_x(thrust) / here.depth;
-    const double ay = rate([](const Sample& s) { return s.v; }) + along_y(thrust) / here.depth;
+    const double ax = rate(&Sample::u) + (by_x(thrust) * y_y - by_y(thrust) * y_x) / jacobian / here.depth;
+    const double ay = rate(&Sample::v) + (by_y(thrust) * x_x - by_x(thrust) * x_y) / jacobian / here.depth;
     // Where lambda passes through 0 the differences still carry the rounding of its neighbours.
     const double head =
         0.5 * p.gravity * here.depth + p.alpha * std::pow(p.frequency * here.depth, 2) * strain / (closest * closest);
@@ -227,20 +217,15 @@ SelfTest PlanManufactured::self_test() const {
     momentum.add(std::hypot(ax - here.bx, ay - here.by) / size);
   };
   constexpr int labels = 6;
-  constexpr int times = 5;
-  for (int l = 0; l < times; ++l) {
-    const double t = 2 * std::numbers::pi / p.frequency * (l + 0.4) / times;
-    for (int i = 0; i < labels; ++i) {
-      const double a = p.length * (0.15 + 0.7 * i / (labels - 1));  // inside, with room for the differences
-      check_walls(a, t);
-      for (int m = 0; m < labels; ++m) check_inside(a, p.length * (0.15 + 0.7 * m / (labels - 1)), t);
-    }
+  for (int n = 0; n < 5 * labels * labels; ++n) {
+    const auto inside = [&](int i) { return p.length * (0.15 + 0.7 * i / (labels - 1)); };  // room for the differences
+    const double t = 2 * std::numbers::pi / p.frequency * (n / (labels * labels) + 0.4) / 5;
+    check_walls(inside(n % labels), t);
+    check_inside(inside(n % labels), inside(n / labels % labels), t);
   }
-  const double k = std::numbers::pi / p.length;
-  const double across = p.frequency * p.frequency / k;
   // Gravity's part of the force has a factor J^-3, the inertia's up to J^-5.
   const double wall_force = (p.gravity * k * p.depth / std::pow(closest, 3) +
-                             p.alpha * across * k * k * p.depth * p.depth / std::pow(closest, 5)) /
+                             p.alpha * p.frequency * p.frequency * k * p.depth * p.depth / std::pow(closest, 5)) /
                             acceleration;
   const double wall_limit =
       10 * std::abs(std::sin(k * p.length) * p.amplitude * k) * (1 / std::numbers::pi + wall_force);
@@ -252,18 +237,14 @@ SelfTest PlanManufactured::self_test() const {
   const double lift = noise * 4 * p.alpha * strain / (closest * closest) +
                       8 * epsilon * 2 * p.gravity / (p.frequency * p.frequency * p.depth);
   const std::string reason =
-      "values up to L rounded eight times, over the scale of the finest harmonic, divided by the spacing of "
-      "eighth-order differences";
+      "values up to L rounded eight times, over the scale of the finest harmonic and the spacing of the differences";
   return {{"walls: x = 0, L and y = 0, L stay, without velocity or force across", walls.value(), wall_limit,
-           "sine of the rounded pi in up to ten terms of each: displacement, gravity's force and inertia's with their "
-           "factors J^-3 and J^-5"},
+           "sine of the rounded pi in up to ten terms of each, with their factors J^-3 and J^-5"},
           {"H (x_X y_Y - x_Y y_X) = d", mass.value(), limit, reason},
-          {"u, v, DH are the rates of x, y, H", velocities.value(), limit, "the same"},
-          {"DH + H div(u, v) = 0", continuity.value(), tilt,
-           "four roundings of values up to L in the differences of x and y, over the scale of the finest harmonic, as "
-           "a random walk through the weights; times the gradient of the velocity"},
+          {"u, v, DH are the rates of x, y, H", rates.value(), limit, reason},
           {"alpha D^2 H = (lambda - g H)/H", vertical.value(), lift,
-           "the same of DH, as large as the strain allows, over the time scale; eight roundings of g H in lambda"},
+           "four roundings of DH, as large as the strain allows, as a random walk through the weights of the "
+           "differences; eight roundings of g H in lambda"},
           {"D(u, v) + grad(lambda H - g H^2/2)/H = b", momentum.value(), noise / closest + tilt,
            "the same of lambda H - g H^2/2 over its scale, and of x and y times its gradient"}};
 }
@@ -291,28 +272,18 @@ ExactSolution plan_manufactured_entry() {
                   {"y", "m", "place"},
                   {"u", "m/s", "horizontal velocity along x"},
                   {"v", "m/s", "horizontal velocity along y"},
-                  {"h", "m", "depth"},
+                  depth_h,
                   {"h_rate", "m/s", "rate of the depth at the label"},
                   {"lambda", "m^2/s^2", "multiplier of the volume, g h at rest"},
                   {"bx", "m/s^2", "body force per unit mass along x"},
                   {"by", "m/s^2", "body force per unit mass along y"}},
-      .scalars = {{"period", "s", "period of the motion",
-                   [](const PlanManufactured& flow) { return 2 * std::numbers::pi / flow.parameters().frequency; }}},
-      .make =
-          [](const Values& p) {
-            return PlanManufactured({.gravity = p.at("gravity"),
-                                     .depth = p.at("depth"),
-                                     .length = p.at("length"),
-                                     .amplitude = p.at("amplitude"),
-                                     .frequency = p.at("frequency"),
-                                     .alpha = p.at("alpha")});
-          },
-      .row =
-          [](const PlanManufactured& flow, At at) {
-            const PlanManufactured::Sample s = flow.at(at[0], at[1], at[2]);
-            return Row{s.x, s.y, s.u, s.v, s.depth, s.depth_rate, s.lambda, s.bx, s.by};
-          },
-  };
+      .scalars = {{"period", "s", "period of the motion", &PlanManufactured::period}},
+      .make = made_by([](auto... given) { return PlanManufactured({given...}); }, "gravity", "depth", "length",
+                      "amplitude", "frequency", "alpha"),
+      .row = [](const PlanManufactured& flow, At at) {
+        const auto [x, y, u, v, depth, depth_rate, lambda, bx, by] = flow.at(at[0], at[1], at[2]);
+        return Row{x, y, u, v, depth, depth_rate, lambda, bx, by};
+      }};
 }
 
 }  // namespace seiche::exact

@@ -65,6 +65,7 @@ class PlanManufactured {
   [[nodiscard]] Label label(double x, double y, double t) const;
 
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+  [[nodiscard]] double period() const { return 2 * std::numbers::pi / parameters_.frequency; }  ///< [s]
 
   [[nodiscard]] double uncertainty() const { return 100 * epsilon; }
   [[nodiscard]] SelfTest self_test() const;

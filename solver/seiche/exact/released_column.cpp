@@ -10,6 +10,7 @@
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -61,10 +62,9 @@ double ReleasedColumn::along(double x, double y) const {
 }
 
 double ReleasedColumn::pressure(double x, double y) const {
-  if (!(x >= 0 && x <= length_ && y >= 0 && y <= height_)) {
-    throw OutsideFluid(
-        fmt::format("({:g}, {:g}) is outside the column; allowed: [0, {:g}] x [0, {:g}]", x, y, length_, height_));
-  }
+  require_that<OutsideFluid>(x >= 0 && x <= length_ && y >= 0 && y <= height_,
+                             "({:g}, {:g}) is outside the column; allowed: [0, {:g}] x [0, {:g}]", x, y, length_,
+                             height_);
   if (x == length_ || y == height_) return 0;
   return weight_ * ((length_ - x) / height_ >= y / length_ ? across(x, y) : along(x, y));
 }
@@ -104,8 +104,7 @@ ExactSolution released_column_entry() {
       .scalars = {{"p_corner", "Pa", "pressure at the foot of the wall",
                    [](const ReleasedColumn& column) { return column.pressure(0, 0); }}},
       .make = from<ReleasedColumn>("length", "height", "gravity", "density"),
-      .row = [](const ReleasedColumn& column, At at) { return Row{column.pressure(at[0], at[1])}; },
-  };
+      .row = [](const ReleasedColumn& column, At at) { return Row{column.pressure(at[0], at[1])}; }};
 }
 
 }  // namespace seiche::exact

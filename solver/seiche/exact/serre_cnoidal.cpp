@@ -13,6 +13,7 @@
 
 #include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -80,12 +81,10 @@ EllipticParameter parameter_of(double height, double wavelength, double depth) {
     return r.lowest > 0 ? 2 * r.first / r.kappa - wavelength : -wavelength;
   };
   const double longest = longer(EllipticParameter::without(least_complement));
-  if (!(longest > 0)) {
-    throw std::invalid_argument(
-        fmt::format("wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height "
-                    "and depth are solitary",
-                    wavelength, longest + wavelength));
-  }
+  require_that(longest > 0,
+               "wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height "
+               "and depth are solitary",
+               wavelength, longest + wavelength);
   std::uintmax_t evaluations = 200;
   const auto close = [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; };
   const double middle = longer(EllipticParameter::of(0.5));
@@ -111,12 +110,10 @@ SerreCnoidal::SerreCnoidal(double height, double wavelength, double depth, doubl
   require_positive("gravity", gravity);
   require_positive("height", height);
   require_within("height", height, least_height * depth, depth);
-  if (wavelength < least_wavelength * depth) {
-    throw std::invalid_argument(
-        fmt::format("wavelength = {:g} is out of range: must be at least a hundredth of the depth, {:g}; these "
-                    "equations are of long waves",
-                    wavelength, least_wavelength * depth));
-  }
+  require_that(wavelength >= least_wavelength * depth,
+               "wavelength = {:g} is out of range: must be at least a hundredth of the depth, {:g}; these "
+               "equations are of long waves",
+               wavelength, least_wavelength * depth);
   const EllipticParameter parameter = parameter_of(height, wavelength, depth);
   const Roots roots = roots_of(height, depth, parameter);
   modulus_ = std::sqrt(parameter.m);
@@ -158,11 +155,6 @@ double SerreCnoidal::excess_up_to(double x) const {
          (depth_ - lowest_) * std::remainder(x, wavelength_);
 }
 
-double SerreCnoidal::curvature(double h) const {
-  return 1.5 * ((crest_ - h) * (h - trough_) + (crest_ - h) * (h - lowest_) - (h - trough_) * (h - lowest_)) /
-         (lowest_ * trough_ * crest_);
-}
-
 SelfTest SerreCnoidal::self_test() const {
   const double flux = discharge_ * discharge_;
   const double expected = flux / crest_ + gravity_ * crest_ * crest_ / 2 + flux / 3 * curvature(crest_);
@@ -199,17 +191,14 @@ ExactSolution serre_cnoidal_entry() {
                      depth_parameter(1, 1e6),
                      gravity_parameter()},
       .inputs = {position_x, time_t},
-      .outputs = {{"eta", "m", "surface elevation above the mean level"},
-                  {"u", "m/s", "horizontal velocity, mean over the depth"}},
+      .outputs = {{"eta", "m", "surface elevation above the mean level"}, mean_velocity_u},
       .scalars = {{"c", "m/s", "phase speed", &SerreCnoidal::phase_speed},
                   {"Q", "m^2/s", "discharge per unit of width, seen from the wave", &SerreCnoidal::discharge}},
       .make = from<SerreCnoidal>("height", "wavelength", "depth", "gravity"),
-      .row =
-          [](const SerreCnoidal& wave, At at) {
-            const double x = at[0] - wave.phase_speed() * at[1];
-            return Row{wave.elevation(x), wave.depth_averaged_velocity(x)};
-          },
-  };
+      .row = [](const SerreCnoidal& wave, At at) {
+        const double x = at[0] - wave.phase_speed() * at[1];
+        return Row{wave.elevation(x), wave.depth_averaged_velocity(x)};
+      }};
 }
 
 }  // namespace seiche::exact

@@ -59,7 +59,10 @@ class SerreCnoidal {
   [[nodiscard]] double slope_squared(double h) const {
     return 3 * (crest_ - h) * (h - trough_) * (h - lowest_) / (lowest_ * trough_ * crest_);
   }
-  [[nodiscard]] double curvature(double h) const;
+  [[nodiscard]] double curvature(double h) const {
+    return 1.5 * ((crest_ - h) * (h - trough_) + (crest_ - h) * (h - lowest_) - (h - trough_) * (h - lowest_)) /
+           (lowest_ * trough_ * crest_);
+  }
 
   double wavelength_, depth_, gravity_;
   double modulus_;                  ///< k, m = k^2

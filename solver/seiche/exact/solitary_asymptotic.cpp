@@ -144,16 +144,17 @@ ExactSolution solitary_asymptotic_entry() {
                      depth_parameter(1, 1e6),
                      gravity_parameter()},
       .inputs = {position_x, time_t},
-      .outputs = {{"eta", "m", "surface elevation"}, {"u", "m/s", "horizontal velocity, mean over the depth"}},
+      .outputs = {surface_eta, mean_velocity_u},
       .scalars = {{"speed", "m/s", "phase speed", &AsymptoticSolitary::speed},
                   {"mass", "m^2", "int eta dx", &AsymptoticSolitary::area}},
-      .make = [](const Values& p) -> AsymptoticSolitary {
-        const double theory = p.at("theory");
-        if (theory == 0) return from<BoussinesqSolitary>("amplitude", "depth", "gravity")(p);
-        if (theory == 1) return from<SerreSolitary>("amplitude", "depth", "gravity")(p);
-        if (theory == 2) return from<LaitoneSolitary>("amplitude", "depth", "gravity")(p);
-        return from<GrimshawSolitary>("amplitude", "depth", "gravity")(p);
-      },
+      .make = made_by(
+          [](int theory, double amplitude, double depth, double gravity) -> AsymptoticSolitary {
+            if (theory == 0) return BoussinesqSolitary(amplitude, depth, gravity);
+            if (theory == 1) return SerreSolitary(amplitude, depth, gravity);
+            if (theory == 2) return LaitoneSolitary(amplitude, depth, gravity);
+            return GrimshawSolitary(amplitude, depth, gravity);
+          },
+          "theory", "amplitude", "depth", "gravity"),
       .row = [](const AsymptoticSolitary& wave, At at) { return travelling_row(wave, wave.speed(), at); }};
 }
 
@@ -168,12 +169,11 @@ ExactSolution serre_solitary_entry() {
                      gravity_parameter(),
                      {"alpha", "1", 1.0 / 3, 1e-6, 10, "factor of the vertical kinetic energy, 1/3 for Serre"}},
       .inputs = {position_x, time_t},
-      .outputs = {{"eta", "m", "surface elevation"}, {"u", "m/s", "horizontal velocity, mean over the depth"}},
+      .outputs = {surface_eta, mean_velocity_u},
       .scalars = {{"speed", "m/s", "phase speed", &SerreSolitary::speed},
                   {"mass", "m^2", "int eta dx", &SerreSolitary::area}},
       .make = from<SerreSolitary>("amplitude", "depth", "gravity", "alpha"),
-      .row = [](const SerreSolitary& wave, At at) { return travelling_row(wave, wave.speed(), at); },
-  };
+      .row = [](const SerreSolitary& wave, At at) { return travelling_row(wave, wave.speed(), at); }};
 }
 
 }  // namespace seiche::exact

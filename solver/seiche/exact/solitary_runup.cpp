@@ -10,10 +10,11 @@
 
 #include <fmt/format.h>
 #include <gsl/gsl_sf_bessel.h>
-#include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -24,15 +25,6 @@ namespace {
 constexpr double invisible = 40;
 /// The zeros of J0 - i J1 nearest the real axis are +-2.98 - 1.28 i: a beach rings down as e^{-0.64 t/X0}.
 constexpr double ringing_rate = 0.6398;
-
-/// Root of a function with a change of sign between from and to, to round-off.
-template <class Function>
-double root(Function function, double from, double to) {
-  std::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve(function, from, to, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 }  // namespace
 
@@ -143,10 +135,9 @@ double SolitaryRunup::linear_elevation(double t) const {
 
 SolitaryRunup::Shoreline SolitaryRunup::shoreline(double t) const {
   require_finite("t", t);
-  if (t >= breaking_time_) {
-    throw std::invalid_argument(fmt::format(
-        "t = {:.17g} is out of range: must be before the wave breaks at the shoreline, {:.6g}", t, breaking_time_));
-  }
+  require_that(t < breaking_time_,
+               "t = {:.17g} is out of range: must be before the wave breaks at the shoreline, {:.6g}", t,
+               breaking_time_);
   // The first tau with tau - X0^2 R'(tau) = t: before breaking the left side increases.
   const double time = t / time_unit_;
   const auto ahead = [&](double tau) { return tau - toe_ * toe_ * jet(tau).slope - time; };
@@ -236,9 +227,9 @@ ExactSolution solitary_runup_entry() {
                      gravity_parameter()},
       .inputs = {{"t", "s", 0, "time, 0 when the crest is at the toe of the beach"}},
       .outputs = {{"eta", "m", "elevation at the initial shoreline, linear theory"}},
-      .scalars = {{"runup", "m", "highest shoreline, of linear and nonlinear theory alike",
-                   [](const SolitaryRunup& wave) { return wave.highest().elevation; }},
-                  {"runup_time", "s", "when", [](const SolitaryRunup& wave) { return wave.highest().time; }},
+      .scalars = {{"runup", "m", "highest shoreline, of linear and nonlinear theory alike", &SolitaryRunup::highest,
+                   &SolitaryRunup::Extreme::elevation},
+                  {"runup_time", "s", "when", &SolitaryRunup::highest, &SolitaryRunup::Extreme::time},
                   {"rundown", "m", "lowest shoreline, negative; NaN on a beach too short for one",
                    [](const SolitaryRunup& wave) { return wave.lowest() ? wave.lowest()->elevation : none_given; }},
                   {"rundown_time", "s", "when",
@@ -246,15 +237,14 @@ ExactSolution solitary_runup_entry() {
                   {"law", "m", "run-up law 2.831 sqrt(cot) a^(5/4), the leading term of runup", &SolitaryRunup::law},
                   {"breaking_amplitude", "m", "amplitude from which the wave breaks during run-up",
                    &SolitaryRunup::breaking_amplitude}},
-      .make =
-          [](const Values& p) {
+      .make = made_by(
+          [](double g, double depth, double amplitude, double cotangent) {
             // Beaches so gentle that waves of this height break far out, and that the quadrature takes minutes.
-            require_within("cot_slope sqrt(amplitude/depth)",
-                           p.at("cot_slope") * std::sqrt(p.at("amplitude") / p.at("depth")), 0, 30);
-            return SolitaryRunup(p.at("gravity"), p.at("depth"), p.at("amplitude"), p.at("cot_slope"));
+            require_within("cot_slope sqrt(amplitude/depth)", cotangent * std::sqrt(amplitude / depth), 0, 30);
+            return SolitaryRunup(g, depth, amplitude, cotangent);
           },
-      .row = [](const SolitaryRunup& wave, At at) { return Row{wave.linear_elevation(at[0])}; },
-  };
+          "gravity", "depth", "amplitude", "cot_slope"),
+      .row = [](const SolitaryRunup& wave, At at) { return Row{wave.linear_elevation(at[0])}; }};
 }
 
 ExactSolution hall_watts_entry() {
@@ -274,12 +264,12 @@ ExactSolution hall_watts_entry() {
       .inputs = {},
       .outputs = {{"runup", "m", "run-up; standard uncertainty of the correlation 5 per cent"}},
       .scalars = {},
-      .make =
-          [](const Values& p) {
-            return Beach{{p.at("depth"), 1 / p.at("cot_slope")}, p.at("amplitude")};
+      .make = made_by(
+          [](double depth, double cot, double amplitude) {
+            return Beach{{depth, 1 / cot}, amplitude};
           },
-      .row = [](const Beach& beach, At) { return Row{beach.runup(beach.amplitude)}; },
-  };
+          "depth", "cot_slope", "amplitude"),
+      .row = [](const Beach& beach, At) { return Row{beach.runup(beach.amplitude)}; }};
 }
 
 }  // namespace seiche::exact

@@ -1,12 +1,11 @@
 #include "seiche/exact/solitary_wave.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
-#include <fmt/format.h>
 #include <gsl/gsl_sf_expint.h>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -249,12 +248,10 @@ SolitarySolution solve_solitary_wave(WaveCrest crest, Resolution resolution) {
   };
   while (!reached()) {
     const double speed = std::max(step * crest_speed_of(wave), crest.speed.value_or(0));
-    if (speed < least_speed || !(wave.correction < 1e-4)) {
-      throw std::invalid_argument(
-          fmt::format("amplitude/depth = {:.17g} is above the limiting solitary wave: the last wave that converged has "
-                      "{:.8g}, with the speed {:.3g} c at its crest",
-                      target, wave.values[0], crest_speed_of(wave)));
-    }
+    require_that(speed >= least_speed && wave.correction < 1e-4,
+                 "amplitude/depth = {:.17g} is above the limiting solitary wave: the last wave that converged has "
+                 "{:.8g}, with the speed {:.3g} c at its crest",
+                 target, wave.values[0], crest_speed_of(wave));
     grid = make_grid(wave.speed_squared, speed, coarse_spacing, 1, coarse_tail);
     const double height = 0.5 * wave.speed_squared * (1 - speed * speed);
     wave = solve_on<SolitaryEquations>(grid, {{}, speed}, elevation_on(grid, wave, height), wave.speed_squared);
@@ -270,12 +267,10 @@ SolitarySolution solve_solitary_wave(WaveCrest crest, Resolution resolution) {
   grid = make_grid(wave.speed_squared, crest.speed.value_or(speed), fine_spacing / resolution.refinement,
                    resolution.clustering, fine_tail);
   wave = solve_on<SolitaryEquations>(grid, crest, elevation_on(grid, wave, height), wave.speed_squared);
-  if (!(wave.correction < 1e-9)) {
-    throw std::invalid_argument(
-        fmt::format("amplitude/depth = {:.17g}: Newton's method stopped at a correction of {:.1e}; lower the amplitude "
-                    "or raise the resolution",
-                    target, wave.correction));
-  }
+  require_that(wave.correction < 1e-9,
+               "amplitude/depth = {:.17g}: Newton's method stopped at a correction of {:.1e}; lower the amplitude or "
+               "raise the resolution",
+               target, wave.correction);
   return wave;
 }
 
@@ -345,11 +340,6 @@ std::complex<double> SolitarySurface::pole(std::complex<double> z) const {
   return root * root;
 }
 
-std::complex<double> SolitarySurface::pole_slope(std::complex<double> z) const {
-  // of the square of sinh without its factor 2, which cancels
-  return Complex(0, 1) * std::sinh((z + Complex(0, 1)) * (pi / kernel_period_));
-}
-
 SolitarySurface::Point SolitarySurface::point(double label) const {
   const SurfaceSample sample = interpolation_.at(label);
   const double displacement = end_displacement_ * std::tanh(0.5 * label) + sample.displacement;
@@ -363,57 +353,37 @@ double SolitarySurface::potential(double x) const {
 }
 
 double SolitarySurface::half_width() const {
-  const Index count = position_.size();
-  Index right = 1;
-  while (right < count - 1 && elevation_[right] > 0.5 * crest()) ++right;
-  double low = static_cast<double>(right - 1) * solution_.spacing;
-  double high = static_cast<double>(right) * solution_.spacing;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
-    (point(middle).elevation > 0.5 * crest() ? low : high) = middle;
-  }
-  return point(0.5 * (low + high)).x;
+  const double last = static_cast<double>(position_.size() - 1) * solution_.spacing;
+  return point(root([&](double label) { return point(label).elevation - 0.5 * crest(); }, 0, last)).x;
 }
 
 double SolitarySurface::maximum_slope() const {
   const VectorXd none = VectorXd::Zero(position_.size());
-  const SincInterpolation inclination(solution_.spacing, none, solution_.inclination, none);
-  return steepest(solution_.inclination, [&](double s) { return inclination.at(s).displacement; });
+  return steepest(solution_.inclination, SincInterpolation(solution_.spacing, none, solution_.inclination, none));
 }
 
-SolitaryWave::SolitaryWave(WaveCrest crest, double depth, double gravity, Resolution resolution)
-    : depth_(depth), gravity_(gravity), celerity_(std::sqrt(gravity * depth)) {
+namespace {
+
+std::shared_ptr<const SolitarySurface> solved(WaveCrest crest, double depth, double gravity, Resolution resolution) {
   require_positive("depth", depth);
   require_positive("gravity", gravity);
   require_resolution(resolution);
   if (crest.amplitude) require_finite("amplitude", depth * *crest.amplitude);
   if (crest.amplitude) require_within("amplitude/depth", *crest.amplitude, 0.001, 0.8331);
   if (crest.speed) require_within("crest_speed", *crest.speed, 3e-4, 0.999);
-  surface_ = std::make_shared<const SolitarySurface>(crest, resolution);
+  return std::make_shared<const SolitarySurface>(crest, resolution);
 }
+
+}  // namespace
+
+SolitaryWave::SolitaryWave(WaveCrest crest, double depth, double gravity, Resolution resolution)
+    : ScaledWave(solved(crest, depth, gravity, resolution), 1 / depth, gravity), depth_(depth) {}
 
 SolitaryWave::SolitaryWave(double amplitude, double depth, double gravity, Resolution resolution)
     : SolitaryWave(WaveCrest{amplitude / depth, {}}, depth, gravity, resolution) {}
 
 SolitaryWave SolitaryWave::from_crest_speed(double crest_speed, double depth, double gravity, Resolution resolution) {
   return {WaveCrest{{}, crest_speed}, depth, gravity, resolution};
-}
-
-double SolitaryWave::elevation(double x) const {
-  require_finite("x", x);
-  return depth_ * surface_->elevation(x / depth_);
-}
-
-double SolitaryWave::surface_potential(double x) const {
-  require_finite("x", x);
-  return celerity_ * depth_ * surface_->potential(x / depth_);
-}
-
-Velocity SolitaryWave::velocity(double x, double y) const {
-  require_finite("x", x);
-  require_finite("y", y);
-  const Velocity scaled = surface_->velocity(x / depth_, y / depth_);
-  return {celerity_ * scaled.u, celerity_ * scaled.v};
 }
 
 double SolitaryWave::uncertainty() const {
@@ -432,15 +402,13 @@ SelfTest SolitaryWave::self_test() const {
   const double sum_limit = 5 * uncertainty();
   const std::string sum_reason = "sums of about 500 terms of values good to the stated uncertainty";
   const double twice_kinetic = 2 * integrals.kinetic_energy;
-  const double thrice_potential = 3 * integrals.potential_energy;
-  const double flux = section_flux(*surface_, -1);
   // I - C = O(a^(3/2)) is a difference of terms O(a^(1/2)).
   return {{"2 T = F (I - C)", std::abs(twice_kinetic - f * (impulse - integrals.circulation)) / twice_kinetic,
            sum_limit * std::max(1.0, impulse / twice_kinetic), sum_reason},
-          {"3 V = (F^2 - 1) M", std::abs(thrice_potential - (f - 1) * (f + 1) * integrals.mass) / thrice_potential,
+          {"3 V = (F^2 - 1) M", departure((f - 1) * (f + 1) * integrals.mass, 3 * integrals.potential_energy),
            sum_limit, sum_reason},
-          {"volume flux through the crest section = c a", std::abs(flux / (f * surface_->crest()) - 1),
-           5 * uncertainty(), "280 Gauss points of velocities good to the stated uncertainty"}};
+          {"volume flux through the crest section = c a", departure(section_flux(*surface_, -1), f * surface_->crest()),
+           sum_limit, "280 Gauss points of velocities good to the stated uncertainty"}};
 }
 
 ExactSolution solitary_entry() {
@@ -459,9 +427,7 @@ ExactSolution solitary_entry() {
                      depth_parameter(1, 1e6),
                      gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
-      .outputs = {{"eta", "m", "surface elevation"},
-                  {"u", "m/s", "horizontal velocity"},
-                  {"v", "m/s", "vertical velocity"}},
+      .outputs = {surface_eta, velocity_u, velocity_v},
       .scalars = {{"speed", "m/s", "phase speed c", &SolitaryWave::speed},
                   {"F", "1", "c/sqrt(gravity depth)", &SolitaryWave::froude},
                   {"mass", "m^2", "int eta dx", &SolitaryWave::mass},

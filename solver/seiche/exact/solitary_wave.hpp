@@ -56,7 +56,11 @@ class SolitarySurface : public ConformalSurface {
   explicit SolitarySurface(Solution solution);
   [[nodiscard]] Point point(double label) const override;
   [[nodiscard]] std::complex<double> pole(std::complex<double> z) const override;
-  [[nodiscard]] std::complex<double> pole_slope(std::complex<double> z) const override;
+  /// Of the square of sinh without its factor 2, which cancels.
+  [[nodiscard]] std::complex<double> pole_slope(std::complex<double> z) const override {
+    return std::complex<double>(0, 1) *
+           std::sinh((z + std::complex<double>(0, 1)) * (std::numbers::pi / kernel_period_));
+  }
 
   Solution solution_;
   double crest_speed_, decay_rate_;
@@ -66,7 +70,7 @@ class SolitarySurface : public ConformalSurface {
   Integrals integrals_;
 };
 
-class SolitaryWave {
+class SolitaryWave : public ScaledWave<SolitarySurface> {
  public:
   /// @param amplitude  crest above the undisturbed level [m], amplitude/depth in [0.001, 0.8331]
   /// Throws std::invalid_argument.
@@ -78,20 +82,7 @@ class SolitaryWave {
 
   [[nodiscard]] double amplitude() const { return depth_ * surface_->crest(); }  ///< [m]
   [[nodiscard]] double depth() const { return depth_; }                          ///< undisturbed [m]
-  [[nodiscard]] double gravity() const { return gravity_; }                      ///< [m/s^2]
-  [[nodiscard]] double speed() const { return celerity_ * froude(); }            ///< phase speed c [m/s]
   [[nodiscard]] double froude() const { return surface_->speed(); }              ///< F = c/sqrt(gravity depth)
-  /// Speed of the water at the crest in the frame of the wave, relative to c.
-  [[nodiscard]] double crest_speed() const { return surface_->crest_speed(); }
-
-  /// Surface [m] at the distance x from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
-  [[nodiscard]] double elevation(double x) const;
-  [[nodiscard]] double elevation(double x, double t) const { return elevation(x - speed() * t); }
-  /// Velocity potential on the surface [m^2/s], laboratory frame, 0 at the crest; odd in x.
-  [[nodiscard]] double surface_potential(double x) const;
-  /// Velocity [m/s] in the laboratory frame; throws OutsideFluid above the surface and below the bottom.
-  [[nodiscard]] Velocity velocity(double x, double y) const;
-  [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - speed() * t, y); }
 
   /// M = int eta dx [m^2].
   [[nodiscard]] double mass() const { return depth_ * depth_ * surface_->integrals().mass; }
@@ -107,7 +98,6 @@ class SolitaryWave {
   [[nodiscard]] double impulse() const { return speed() * mass(); }                      ///< I = c M [m^3/s]
   [[nodiscard]] double crest_velocity() const { return speed() * (1 - crest_speed()); }  ///< u at the crest [m/s]
   [[nodiscard]] double half_width() const { return depth_ * surface_->half_width(); }    ///< where eta = a/2 [m]
-  [[nodiscard]] double maximum_slope() const { return surface_->maximum_slope(); }       ///< of the surface [rad]
   /// Rate of decay of the tail, eta ~ exp(-decay_rate |x|) [1/m].
   [[nodiscard]] double decay_rate() const { return surface_->decay_rate() / depth_; }
 
@@ -117,9 +107,7 @@ class SolitaryWave {
  private:
   SolitaryWave(WaveCrest crest, double depth, double gravity, Resolution resolution);
 
-  std::shared_ptr<const SolitarySurface> surface_;
-  double depth_, gravity_;
-  double celerity_;  ///< sqrt(gravity depth)
+  double depth_;
 };
 
 }  // namespace seiche::exact

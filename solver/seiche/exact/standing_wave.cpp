@@ -7,12 +7,13 @@
 
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::exact {
 
@@ -55,10 +56,7 @@ double StandingWave::second_harmonic(double kh) {
 double StandingWave::critical_depth() {
   // 32 w^7 omega_2 as a polynomial of z = w^4 = tanh^2 k h
   const auto polynomial = [](double z) { return 9 - z * (12 + z * (3 + 2 * z)); };
-  std::uintmax_t iterations = 60;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(polynomial, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(), iterations);
-  return std::atanh(std::sqrt(0.5 * (low + high)));
+  return std::atanh(std::sqrt(root(polynomial, 0, 1)));
 }
 
 StandingWave::StandingWave(double amplitude, double wavelength, double depth, double gravity) : gravity_(gravity) {
@@ -86,10 +84,9 @@ double StandingWave::elevation(double x, double t) const {
 StandingWave::Place StandingWave::inside(double x, double y, double t) const {
   const double top = std::max(0.0, elevation(x, t));
   const double bottom = -kh_ / wavenumber_;
-  if (!(y >= bottom && y <= top)) {
-    throw OutsideFluid(fmt::format("y = {:.17g} is outside the fluid: must be in [{:g}, {:.17g}] at x = {:g}, t = {:g}",
-                                   y, bottom, top, x, t));
-  }
+  require_that<OutsideFluid>(y >= bottom && y <= top,
+                             "y = {:.17g} is outside the fluid: must be in [{:g}, {:.17g}] at x = {:g}, t = {:g}", y,
+                             bottom, top, x, t);
   return {wavenumber_ * x, wavenumber_ * y, frequency() * t};
 }
 
@@ -155,10 +152,7 @@ ExactSolution standing_entry() {
                      depth_parameter(1, infinite),
                      gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
-      .outputs = {{"eta", "m", "surface elevation"},
-                  {"phi", "m^2/s", "velocity potential"},
-                  {"u", "m/s", "horizontal velocity"},
-                  {"v", "m/s", "vertical velocity"}},
+      .outputs = {surface_eta, {"phi", "m^2/s", "velocity potential"}, velocity_u, velocity_v},
       .scalars = {{"omega", "1/s", "angular frequency, to third order", &StandingWave::frequency},
                   {"omega2", "1", "its correction: omega/sqrt(g k) = w + (k amplitude)^2 omega2/2",
                    [](const StandingWave& wave) { return StandingWave::frequency_correction(wave.relative_depth()); }},
@@ -168,14 +162,12 @@ ExactSolution standing_entry() {
                   {"critical_depth", "m", "depth for this wavelength at which omega2 is zero",
                    [](const StandingWave& wave) { return StandingWave::critical_depth() / wave.wavenumber(); }}},
       .make = from<StandingWave>("amplitude", "wavelength", "depth", "gravity"),
-      .row =
-          [](const StandingWave& wave, At at) {
-            const double eta = wave.elevation(at[0], at[2]);
-            const double y = std::isnan(at[1]) ? eta : at[1];
-            const auto [u, v] = wave.velocity(at[0], y, at[2]);
-            return Row{eta, wave.potential(at[0], y, at[2]), u, v};
-          },
-  };
+      .row = [](const StandingWave& wave, At at) {
+        const double eta = wave.elevation(at[0], at[2]);
+        const double y = std::isnan(at[1]) ? eta : at[1];
+        const auto [u, v] = wave.velocity(at[0], y, at[2]);
+        return Row{eta, wave.potential(at[0], y, at[2]), u, v};
+      }};
 }
 
 }  // namespace seiche::exact

@@ -1,9 +1,6 @@
 #include "seiche/exact/stokes_wave.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
@@ -246,12 +243,12 @@ StokesSolution approach(WaveCrest crest, double depth, Resolution resolution) {
     const bool beyond =
         crest.amplitude && wave.values[0] < std::log(0.1) && *crest.amplitude > amplitude_of(wave) + left;
     if (converged) last = wave;
-    if (speed < least_speed || !converged || beyond) {
-      throw std::invalid_argument(fmt::format(
-          "k amplitude = {:.17g} is above the limiting Stokes wave for k times conformal depth = {:g}: the last wave "
-          "that converged has {:.8g}, with the speed {:.3g} c at its crest",
-          wanted * (crest.amplitude ? linear_speed_squared : 1), depth, amplitude_of(last), std::exp(last.values[0])));
-    }
+    require_that(speed >= least_speed && converged && !beyond,
+                 "k amplitude = {:.17g} is above the limiting Stokes wave for k times conformal depth = {:g}: the last "
+                 "wave that "
+                 "converged has {:.8g}, with the speed {:.3g} c at its crest",
+                 wanted * (crest.amplitude ? linear_speed_squared : 1), depth, amplitude_of(last),
+                 std::exp(last.values[0]));
     grid = make_grid(wave.speed_squared, speed, depth, coarse);
     wave = solve_on<StokesEquations>(grid, {{}, speed}, tau_on(grid, wave, std::log(speed)), wave.speed_squared);
   }
@@ -268,12 +265,10 @@ StokesSolution solve_stokes_wave(WaveCrest crest, double conformal_depth, Resolu
   const StokesSolution grid = make_grid(close.speed_squared, std::exp(close.values[0]), conformal_depth, resolution);
   StokesSolution wave =
       solve_on<StokesEquations>(grid, crest, tau_on(grid, close, close.values[0]), close.speed_squared);
-  if (!(wave.correction < 1e-8)) {
-    throw std::invalid_argument(
-        fmt::format("k amplitude = {:.17g}, k depth = {:g}: Newton's method stopped at a correction of {:.1e}; lower "
-                    "the amplitude or raise the resolution",
-                    crest.amplitude.value_or(amplitude_of(wave)), conformal_depth, wave.correction));
-  }
+  require_that(wave.correction < 1e-8,
+               "k amplitude = {:.17g}, k depth = {:g}: Newton's method stopped at a correction of {:.1e}; lower the "
+               "amplitude or raise the resolution",
+               crest.amplitude.value_or(amplitude_of(wave)), conformal_depth, wave.correction);
   return wave;
 }
 
@@ -351,10 +346,6 @@ std::complex<double> StokesSurface::pole(std::complex<double> z) const {
   return root * root;
 }
 
-std::complex<double> StokesSurface::pole_slope(std::complex<double> z) const {
-  return bottom_matters() ? Complex(0, 1) * std::sin(z + Complex(0, depth_)) : 1;
-}
-
 StokesSurface::Point StokesSurface::point(double label) const {
   const SurfaceSample sample = interpolation_.at(label);
   return {label, label + sample.displacement, sample.displacement, sample.elevation, sample.stretch};
@@ -368,8 +359,7 @@ double StokesSurface::potential(double x) const {
 
 double StokesSurface::maximum_slope() const {
   const VectorXd none = VectorXd::Zero(position_.size());
-  const TrigonometricInterpolation inclination(none, solution_.inclination, none);
-  return steepest(solution_.inclination, [&](double s) { return inclination.at(s).displacement; });
+  return steepest(solution_.inclination, TrigonometricInterpolation(none, solution_.inclination, none));
 }
 
 namespace {
@@ -383,12 +373,10 @@ double checked_wavenumber(double wavelength, double depth, const char* depth_nam
   if (!(depth > 0)) require_positive(depth_name, depth);
   const double wavenumber = 2 * pi / wavelength;
   constexpr double shallowest = 0.2;
-  if (wavenumber * depth < shallowest) {
-    throw std::invalid_argument(
-        fmt::format("k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer "
-                    "waves are solitary waves: use SolitaryWave",
-                    depth_name, wavenumber * depth, shallowest));
-  }
+  require_that(wavenumber * depth >= shallowest,
+               "k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer waves "
+               "are solitary waves: use SolitaryWave",
+               depth_name, wavenumber * depth, shallowest);
   return wavenumber;
 }
 
@@ -399,12 +387,6 @@ double checked_amplitude(double amplitude, double wavenumber) {
 }
 
 }  // namespace
-
-StokesWave::StokesWave(StokesSurface surface, double wavenumber, double gravity)
-    : surface_(std::make_shared<const StokesSurface>(std::move(surface))),
-      wavenumber_(wavenumber),
-      gravity_(gravity),
-      celerity_(std::sqrt(gravity / wavenumber)) {}
 
 StokesWave::StokesWave(double amplitude, double wavelength, double mean_depth, double gravity, Resolution resolution)
     : StokesWave(
@@ -426,23 +408,6 @@ StokesWave StokesWave::from_crest_speed(double crest_speed, double wavelength, d
   const double k = checked_wavenumber(wavelength, conformal_depth, "conformal_depth", gravity, resolution);
   require_within("crest_speed", crest_speed, 0.0015, 0.9999);
   return {StokesSurface(solve_stokes_wave({{}, crest_speed}, k * conformal_depth, resolution)), k, gravity};
-}
-
-double StokesWave::elevation(double x) const {
-  require_finite("x", x);
-  return surface_->elevation(wavenumber_ * x) / wavenumber_;
-}
-
-double StokesWave::surface_potential(double x) const {
-  require_finite("x", x);
-  return celerity_ / wavenumber_ * surface_->potential(wavenumber_ * x);
-}
-
-Velocity StokesWave::velocity(double x, double y) const {
-  require_finite("x", x);
-  require_finite("y", y);
-  const Velocity scaled = surface_->velocity(wavenumber_ * x, wavenumber_ * y);
-  return {celerity_ * scaled.u, celerity_ * scaled.v};
 }
 
 double StokesWave::uncertainty() const {
@@ -493,9 +458,7 @@ ExactSolution stokes_entry() {
                       "discharge under the wave over its speed; where positive it takes the place of depth"},
                      gravity_parameter()},
       .inputs = {position_x, height_y, time_t},
-      .outputs = {{"eta", "m", "surface elevation above the mean level"},
-                  {"u", "m/s", "horizontal velocity"},
-                  {"v", "m/s", "vertical velocity"}},
+      .outputs = {{"eta", "m", "surface elevation above the mean level"}, velocity_u, velocity_v},
       .scalars = {{"c", "m/s", "phase speed, mean velocity below the troughs zero", &StokesWave::phase_speed},
                   {"mean_depth", "m", "mean depth", &StokesWave::mean_depth},
                   {"conformal_depth", "m", "conformal depth", &StokesWave::conformal_depth},
@@ -508,13 +471,12 @@ ExactSolution stokes_entry() {
                   {"potential", "m^3/s^2", "mean potential energy, density 1", &StokesWave::potential_energy},
                   {"crest_velocity", "m/s", "horizontal velocity at the crest", &StokesWave::crest_velocity},
                   {"maximum_slope", "rad", "largest inclination of the surface", &StokesWave::maximum_slope}},
-      .make =
-          [](const Values& p) {
-            const double conformal = p.at("conformal_depth");
-            return conformal > 0 ? StokesWave::from_conformal_depth(p.at("amplitude"), p.at("wavelength"), conformal,
-                                                                    p.at("gravity"))
-                                 : StokesWave(p.at("amplitude"), p.at("wavelength"), p.at("depth"), p.at("gravity"));
+      .make = made_by(
+          [](double amplitude, double wavelength, double depth, double conformal, double gravity) {
+            return conformal > 0 ? StokesWave::from_conformal_depth(amplitude, wavelength, conformal, gravity)
+                                 : StokesWave(amplitude, wavelength, depth, gravity);
           },
+          "amplitude", "wavelength", "depth", "conformal_depth", "gravity"),
       .row = wave_row<StokesWave>};
 }
 

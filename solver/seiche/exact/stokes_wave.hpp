@@ -38,6 +38,7 @@ class StokesSurface : public ConformalSurface {
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
   [[nodiscard]] double bernoulli() const { return bernoulli_; }
+  [[nodiscard]] double crest_speed() const { return std::exp(solution_.values[0]); }
   [[nodiscard]] double trough() const { return elevation_[elevation_.size() - 1]; }
   [[nodiscard]] double potential(double x) const;
   [[nodiscard]] double maximum_slope() const;
@@ -52,7 +53,9 @@ class StokesSurface : public ConformalSurface {
  private:
   [[nodiscard]] Point point(double label) const override;
   [[nodiscard]] std::complex<double> pole(std::complex<double> z) const override;
-  [[nodiscard]] std::complex<double> pole_slope(std::complex<double> z) const override;
+  [[nodiscard]] std::complex<double> pole_slope(std::complex<double> z) const override {
+    return bottom_matters() ? std::complex<double>(0, 1) * std::sin(z + std::complex<double>(0, depth_)) : 1;
+  }
   [[nodiscard]] double reduced(double x) const override { return std::remainder(x, 2 * std::numbers::pi); }
   [[nodiscard]] bool bottom_matters() const { return depth_ < 19; }  // exp(-2 k h) is below round-off
 
@@ -62,7 +65,7 @@ class StokesSurface : public ConformalSurface {
   Integrals integrals_;
 };
 
-class StokesWave {
+class StokesWave : public ScaledWave<StokesSurface> {
  public:
   static constexpr double deep = std::numeric_limits<double>::infinity();
 
@@ -78,28 +81,16 @@ class StokesWave {
   static StokesWave from_crest_speed(double crest_speed, double wavelength, double conformal_depth, double gravity,
                                      Resolution resolution = {});
 
-  [[nodiscard]] double amplitude() const {
-    return 0.5 * (crest_elevation() - trough_elevation());
-  }                                                                                       ///< half height [m]
+  /// Half height [m].
+  [[nodiscard]] double amplitude() const { return 0.5 * (crest_elevation() - trough_elevation()); }
   [[nodiscard]] double wavelength() const { return 2 * std::numbers::pi / wavenumber_; }  ///< [m]
   [[nodiscard]] double wavenumber() const { return wavenumber_; }                         ///< [1/m]
-  [[nodiscard]] double gravity() const { return gravity_; }                               ///< [m/s^2]
   /// Mean and conformal depth [m], infinite in deep water.
   [[nodiscard]] double mean_depth() const { return surface_->depth() / wavenumber_; }
   [[nodiscard]] double conformal_depth() const { return surface_->solution().depth / wavenumber_; }
-  [[nodiscard]] double phase_speed() const { return celerity_ * surface_->speed(); }  ///< c [m/s]
-  /// Of the water at the crest, seen from the wave, relative to c.
-  [[nodiscard]] double crest_speed() const { return std::exp(surface_->solution().values[0]); }
+  [[nodiscard]] double phase_speed() const { return speed(); }  ///< c [m/s]
   /// B = q^2/2 + g y on the surface, q in the frame of the wave, y from the mean level [m^2/s^2].
   [[nodiscard]] double bernoulli_constant() const { return celerity_ * celerity_ * surface_->bernoulli(); }
-
-  [[nodiscard]] double elevation(double x) const;
-  [[nodiscard]] double elevation(double x, double t) const { return elevation(x - phase_speed() * t); }
-  /// Velocity potential on the surface [m^2/s], laboratory frame, 0 at the crest; odd and periodic in x.
-  [[nodiscard]] double surface_potential(double x) const;
-  /// Velocity [m/s] in the laboratory frame; throws OutsideFluid above the surface and below the bottom.
-  [[nodiscard]] Velocity velocity(double x, double y) const;
-  [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - phase_speed() * t, y); }
 
   [[nodiscard]] double crest_elevation() const { return surface_->crest() / wavenumber_; }    ///< [m]
   [[nodiscard]] double trough_elevation() const { return surface_->trough() / wavenumber_; }  ///< [m], negative
@@ -114,17 +105,13 @@ class StokesWave {
   [[nodiscard]] double potential_energy() const {
     return gravity_ / (wavenumber_ * wavenumber_) * surface_->integrals().potential_energy;
   }
-  [[nodiscard]] double maximum_slope() const { return surface_->maximum_slope(); }  ///< of the surface [rad]
 
   [[nodiscard]] double uncertainty() const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  StokesWave(StokesSurface surface, double wavenumber, double gravity);
-
-  std::shared_ptr<const StokesSurface> surface_;
-  double wavenumber_, gravity_;
-  double celerity_;  ///< sqrt(gravity/k)
+  StokesWave(StokesSurface surface, double wavenumber, double gravity)
+      : ScaledWave(std::make_shared<const StokesSurface>(std::move(surface)), wavenumber, gravity) {}
 };
 
 }  // namespace seiche::exact

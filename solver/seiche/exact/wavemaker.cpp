@@ -14,6 +14,7 @@
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -122,14 +123,10 @@ double Wavemaker::sum_of_modes(Weight weight, double decay, long first_omitted) 
   return sum + (first_omitted % 2 == 0 ? rest : -rest);
 }
 
-double Wavemaker::progressive(double x, double t) const {
-  return 0.5 * stroke_ * height_per_stroke_ * std::cos(wavenumber_ * x / depth_ - frequency_ * t);
-}
-
 double Wavemaker::elevation(double x, double t) const {
   require_finite("x", x);
   require_finite("t", t);
-  if (x < 0) throw OutsideFluid(fmt::format("x = {:.17g} is behind the paddle: must be >= 0", x));
+  require_that<OutsideFluid>(x >= 0, "x = {:.17g} is behind the paddle: must be >= 0", x);
   const double distance = x / depth_;
   const double near =
       sum_of_modes([distance](double k) { return std::exp(-k * distance); }, distance, modes_before_tail(nu_));
@@ -299,13 +296,13 @@ double WavemakerTransient::scaled_elevation(double x, double t, double split) co
 double WavemakerTransient::elevation(double x, double t) const {
   require_finite("x", x);
   require_not_negative("t", t);
-  if (x < 0) throw OutsideFluid(fmt::format("x = {:.17g} is behind the paddle: must be >= 0", x));
+  require_that<OutsideFluid>(x >= 0, "x = {:.17g} is behind the paddle: must be >= 0", x);
   return steady_.stroke() * scaled_elevation(x / steady_.depth(), t / time_unit_, split_for(omega_ * omega_));
 }
 
 double WavemakerTransient::initial_rate_of_piston(double x) const {
   require_positive("x", x);
-  if (steady_.paddle() != Paddle::piston) throw std::invalid_argument("paddle = flap: must be piston");
+  require_that(steady_.paddle() == Paddle::piston, "paddle = flap: must be piston");
   return -steady_.stroke() * steady_.frequency() / pi * std::log(std::tanh(0.25 * pi * x / steady_.depth()));
 }
 
@@ -367,20 +364,16 @@ ExactSolution wavemaker_entry() {
                   {"evanescent_2", "1/m", "k_2 of the near field",
                    [](const Wavemaker& maker) { return maker.evanescent_wavenumber(2); }},
                   {"coefficient_2", "1", "C_2", [](const Wavemaker& maker) { return maker.coefficient(2); }}},
-      .make =
-          [](const Values& p) {
-            const WaveScale wave =
-                p.at("period") > 0 ? WaveScale(Period{p.at("period")}) : Wavelength{p.at("wavelength")};
-            const Water water{.gravity = p.at("gravity"), .depth = p.at("depth")};
-            const Wavemaker unit(Given{"kind", p.at("kind")}, water, wave);
-            const double stroke = p.at("stroke") > 0 ? p.at("stroke") : unit.stroke_for(p.at("height"));
-            return Wavemaker(unit.paddle(), water, wave, stroke);
+      .make = made_by(
+          [](Paddle kind, double depth, double g, double period, double length, double stroke, double height) {
+            const WaveScale wave = period > 0 ? WaveScale(Period{period}) : Wavelength{length};
+            const double stroke_of_height = Wavemaker(kind, {g, depth}, wave).stroke_for(height);
+            return Wavemaker(kind, {g, depth}, wave, stroke > 0 ? stroke : stroke_of_height);
           },
-      .row =
-          [](const Wavemaker& maker, At at) {
-            return Row{maker.elevation(at[0], at[1]), maker.progressive(at[0], at[1])};
-          },
-  };
+          "kind", "depth", "gravity", "period", "wavelength", "stroke", "height"),
+      .row = [](const Wavemaker& maker, At at) {
+        return Row{maker.elevation(at[0], at[1]), maker.progressive(at[0], at[1])};
+      }};
 }
 
 ExactSolution wavemaker_start_entry() {
@@ -397,24 +390,21 @@ ExactSolution wavemaker_start_entry() {
                      {"period", "s", 2, 1e-9, 1e6, "period"},
                      {"stroke", "m", 1, 1e-12, 1e6, "stroke at the still-water level"}},
       .inputs = {{"x", "m", 1, "distance from the paddle"}, time_t},
-      .outputs = {{"eta", "m", "surface elevation"}, {"settled", "m", "what it tends to"}},
-      .scalars = {{"wave_height", "m", "height of the settled progressive wave",
-                   [](const WavemakerTransient& start) { return start.steady().wave_height(); }},
-                  {"wavenumber", "1/m", "of the settled progressive wave",
-                   [](const WavemakerTransient& start) { return start.steady().wavenumber(); }}},
-      .make =
-          [](const Values& p) {
+      .outputs = {surface_eta, {"settled", "m", "what it tends to"}},
+      .scalars = {{"wave_height", "m", "height of the settled progressive wave", &WavemakerTransient::steady,
+                   &Wavemaker::wave_height},
+                  {"wavenumber", "1/m", "of the settled progressive wave", &WavemakerTransient::steady,
+                   &Wavemaker::wavenumber}},
+      .make = made_by(
+          [](Paddle kind, double depth, double g, double period, double stroke) {
             // Waves of 600 depths: the panels of the quadrature over a period grow with the period.
-            require_within("period sqrt(gravity/depth)", p.at("period") * std::sqrt(p.at("gravity") / p.at("depth")), 0,
-                           600);
-            return WavemakerTransient(Given{"kind", p.at("kind")}, {.gravity = p.at("gravity"), .depth = p.at("depth")},
-                                      Period{p.at("period")}, p.at("stroke"));
+            require_within("period sqrt(gravity/depth)", period * std::sqrt(g / depth), 0, 600);
+            return WavemakerTransient(kind, {g, depth}, Period{period}, stroke);
           },
-      .row =
-          [](const WavemakerTransient& start, At at) {
-            return Row{start.elevation(at[0], at[1]), start.steady().elevation(at[0], at[1])};
-          },
-  };
+          "kind", "depth", "gravity", "period", "stroke"),
+      .row = [](const WavemakerTransient& start, At at) {
+        return Row{start.elevation(at[0], at[1]), start.steady().elevation(at[0], at[1])};
+      }};
 }
 
 }  // namespace seiche::exact

@@ -69,7 +69,9 @@ class Wavemaker {
   /// Surface elevation [m] of the steady motion at x >= 0, near field included. Throws OutsideFluid behind the paddle.
   [[nodiscard]] double elevation(double x, double t) const;
   /// The progressive wave alone.
-  [[nodiscard]] double progressive(double x, double t) const;
+  [[nodiscard]] double progressive(double x, double t) const {
+    return 0.5 * stroke_ * height_per_stroke_ * std::cos(wavenumber_ * x / depth_ - frequency_ * t);
+  }
   /// Position of the paddle at the still-water level [m].
   [[nodiscard]] double paddle_position(double t) const;
 

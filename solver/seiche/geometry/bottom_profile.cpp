@@ -6,9 +6,10 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/math/quadrature/gauss.hpp>
 
+#include "seiche/geometry/gauss_mean.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche {
 
@@ -39,20 +40,18 @@ void LevelBottom::sample(std::span<const double>, std::span<double> elevation, s
 
 PiecewiseLinearBottom::PiecewiseLinearBottom(std::vector<double> x, std::vector<double> elevation)
     : x_(std::move(x)), b_(std::move(elevation)) {
-  if (x_.size() < 2 || x_.size() != b_.size()) {
-    throw std::invalid_argument(
-        fmt::format("bottom: {} places and {} elevations; needed: at least 2 of each, as many of one as of the other",
-                    x_.size(), b_.size()));
-  }
+  require_that(x_.size() >= 2 && x_.size() == b_.size(),
+               "bottom: {} places and {} elevations; needed: at least 2 of each, as many of one as of the other",
+               x_.size(), b_.size());
   for (std::size_t k = 0; k < x_.size(); ++k) {
     require_finite(fmt::format("bottom x[{}]", k), x_[k]);
     require_finite(fmt::format("bottom elevation[{}]", k), b_[k]);
-    if (k > 0 && !(x_[k] > x_[k - 1])) {
-      throw std::invalid_argument(
-          fmt::format("bottom x[{}] = {:.17g}; allowed: above x[{}] = {:.17g}", k, x_[k], k - 1, x_[k - 1]));
-    }
   }
-  for (std::size_t k = 0; k + 1 < x_.size(); ++k) slope_.push_back((b_[k + 1] - b_[k]) / (x_[k + 1] - x_[k]));
+  for (std::size_t k = 1; k < x_.size(); ++k) {
+    require_that(x_[k] > x_[k - 1], "bottom x[{}] = {:.17g}; allowed: above x[{}] = {:.17g}", k, x_[k], k - 1,
+                 x_[k - 1]);
+    slope_.push_back((b_[k] - b_[k - 1]) / (x_[k] - x_[k - 1]));
+  }
 }
 
 std::size_t PiecewiseLinearBottom::piece(double x) const {
@@ -149,9 +148,8 @@ double CosineBottom::mean_square(double from, double to) const {
 SmoothBottom::SmoothBottom(std::function<double(double)> elevation, std::function<double(double)> slope, double begin,
                            double end)
     : elevation_(std::move(elevation)), slope_(std::move(slope)), begin_(begin), end_(end) {
-  if (!elevation_ || !slope_) throw std::invalid_argument("bottom: elevation and slope must both be given");
-  if (!(begin < end))
-    throw std::invalid_argument(fmt::format("bottom: begin = {}; allowed: below end = {}", begin, end));
+  require_that(elevation_ && slope_, "bottom: elevation and slope must both be given");
+  require_that(begin < end, "bottom: begin = {}; allowed: below end = {}", begin, end);
 }
 
 void SmoothBottom::sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const {
@@ -161,18 +159,6 @@ void SmoothBottom::sample(std::span<const double> x, std::span<double> elevation
     slope[i] = slope_(x[i]);
   }
 }
-
-namespace {
-
-template <class Function>
-double gauss_mean(const Function& f, double from, double to) {
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
-  return 0.5 * boost::math::quadrature::gauss<double, 10>::integrate([&](double s) { return f(middle + half * s); },
-                                                                     -1.0, 1.0);
-}
-
-}  // namespace
 
 std::optional<double> SmoothBottom::uniform_slope(double from, double to) const {
   require_inside(from);
@@ -198,7 +184,7 @@ double SmoothBottom::mean_square(double from, double to) const {
 }
 
 void Bed::validate(double start, double end) const {
-  if (!elevation || !primitive) throw std::invalid_argument("bed: elevation and primitive must both be given");
+  require_that(elevation && primitive, "bed: elevation and primitive must both be given");
   constexpr int samples = 257;
   // Step of a central difference that balances truncation and round-off: eps^(1/3) of the length.
   const double step = 6e-6 * (end - start);
@@ -213,10 +199,9 @@ void Bed::validate(double start, double end) const {
     const double x = sample(k);
     const double z = elevation(x);
     const double slope = (primitive(x + step) - primitive(x - step)) / (2 * step);
-    if (!std::isfinite(z) || !(std::abs(slope - z) <= 1e-6 * (highest - lowest))) {
-      throw std::invalid_argument(fmt::format(
-          "bed: derivative of the primitive at x = {:g} is {:.9g}, must equal the elevation {:.9g}", x, slope, z));
-    }
+    require_that(std::isfinite(z) && std::abs(slope - z) <= 1e-6 * (highest - lowest),
+                 "bed: derivative of the primitive at x = {:g} is {:.9g}, must equal the elevation {:.9g}", x, slope,
+                 z);
   }
 }
 

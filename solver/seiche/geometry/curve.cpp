@@ -5,25 +5,12 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/math/quadrature/gauss.hpp>
 
+#include "seiche/geometry/gauss_mean.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche {
-
-namespace {
-
-/// Mean of f over [from, to], in either order: exact to round-off for what a polynomial of degree 19 is in effect
-/// there.
-template <class Function>
-double mean(const Function& f, double from, double to) {
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
-  return 0.5 *
-         boost::math::quadrature::gauss<double, 10>::integrate([&](double s) { return f(middle + half * s); }, -1, 1);
-}
-
-}  // namespace
 
 OutsideCurve::OutsideCurve(double arc_length, double begin, double end, Point end_point)
     : std::runtime_error(
@@ -37,22 +24,10 @@ Line::Line(Point origin, Point direction) : origin_(origin) {
   tangent_ = {direction.x / length, direction.y / length};
 }
 
-Point Line::position(double s) const {
-  return {origin_.x + s * tangent_.x, origin_.y + s * tangent_.y};
-}
-
-double Line::moment(double s) const {
-  return s * mean_moment_rate(0, s);
-}
-
 double Line::mean_moment_rate(double s0, double s1) const {
   const double y0 = origin_.y + s0 * tangent_.y;
   const double y1 = origin_.y + s1 * tangent_.y;
   return tangent_.x * (y0 * y0 + y0 * y1 + y1 * y1) / 6;
-}
-
-double Line::arc_length_at(Point near) const {
-  return (near.x - origin_.x) * tangent_.x + (near.y - origin_.y) * tangent_.y;
 }
 
 GraphCurve::GraphCurve(Function elevation, Function slope, Function second_derivative, double begin, double end,
@@ -62,9 +37,8 @@ GraphCurve::GraphCurve(Function elevation, Function slope, Function second_deriv
       second_derivative_(std::move(second_derivative)),
       begin_(begin),
       end_(end) {
-  if (!elevation_ || !slope_ || !second_derivative_) {
-    throw std::invalid_argument("elevation, slope and second_derivative of a curve must be functions");
-  }
+  require_that(elevation_ && slope_ && second_derivative_,
+               "elevation, slope and second_derivative of a curve must be functions");
   require_finite("begin of the curve", begin);
   require_finite("end of the curve", end);
   require_positive("end - begin of the curve", end - begin);
@@ -82,11 +56,11 @@ GraphCurve::GraphCurve(Function elevation, Function slope, Function second_deriv
 }
 
 double GraphCurve::mean_stretch(double from, double to) const {
-  return mean([&](double x) { return std::hypot(1.0, slope_(x)); }, from, to);
+  return gauss_mean([&](double x) { return std::hypot(1.0, slope_(x)); }, from, to);
 }
 
 double GraphCurve::mean_moment(double from, double to) const {
-  return mean([&](double x) { return 0.5 * elevation_(x) * elevation_(x); }, from, to);
+  return gauss_mean([&](double x) { return 0.5 * elevation_(x) * elevation_(x); }, from, to);
 }
 
 std::size_t GraphCurve::panel(double x) const {
@@ -134,7 +108,7 @@ Point GraphCurve::mean_tangent(double s0, double s1) const {
   const double from = place(s0);
   const double to = place(s1);
   const double stretch = mean_stretch(from, to);
-  return {1 / stretch, mean(slope_, from, to) / stretch};
+  return {1 / stretch, gauss_mean(slope_, from, to) / stretch};
 }
 
 double GraphCurve::moment(double s) const {
@@ -166,22 +140,13 @@ Point unit(Point direction) {
 double turn(Point before, Point after) {
   const Point from = unit(before);
   const Point to = unit(after);
-  const double angle = std::atan2(from.x * to.y - from.y * to.x, dot(from, to));
+  const double angle = std::atan2(cross(from, to), dot(from, to));
   constexpr double least = 1e-6;
   constexpr double most = 1.57;
-  if (!(std::abs(angle) >= least && std::abs(angle) <= most)) {
-    throw std::invalid_argument(
-        fmt::format("a line turns by {:g} rad; allowed: {:g} to {:g}, to either side", angle, least, most));
-  }
+  require_that(std::abs(angle) >= least && std::abs(angle) <= most,
+               "a line turns by {:g} rad; allowed: {:g} to {:g}, to either side", angle, least, most);
   return angle;
 }
-
-struct Vector {
-  double x = 0;
-  double y = 0;
-  friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
-  friend Vector operator*(double a, Vector b) { return {a * b.x, a * b.y}; }
-};
 
 double sinc(double angle) {
   return angle == 0 ? 1 : std::sin(angle) / angle;
@@ -193,15 +158,13 @@ BentLine::BentLine(Point corner, Point before, Point after, double rounding)
     : radius_((require_positive("rounding", rounding), rounding / std::tan(0.5 * std::abs(turn(before, after))))),
       half_(0.5 * radius_ * std::abs(turn(before, after))),
       bend_(std::copysign(1 / radius_, turn(before, after))),
-      before_({corner.x - (rounding - half_) * unit(before).x, corner.y - (rounding - half_) * unit(before).y}, before),
-      after_({corner.x + (rounding - half_) * unit(after).x, corner.y + (rounding - half_) * unit(after).y}, after) {}
+      before_(corner - (rounding - half_) * unit(before), before),
+      after_(corner + (rounding - half_) * unit(after), after) {}
 
 Point BentLine::position(double s) const {
   if (s <= -half_) return before_.position(s);
   if (s >= half_) return after_.position(s);
-  const Point foot = before_.position(-half_);
-  const Point chord = mean_tangent(-half_, s);
-  return {foot.x + (s + half_) * chord.x, foot.y + (s + half_) * chord.y};
+  return before_.position(-half_) + (s + half_) * mean_tangent(-half_, s);
 }
 
 Point BentLine::tangent(double s) const {
@@ -236,37 +199,21 @@ Value BentLine::mean(double s0, double s1, const Before& before, const Arc& arc,
 }
 
 Point BentLine::mean_tangent(double s0, double s1) const {
-  const auto line = [](Point t) { return [=](double, double) { return Vector{t.x, t.y}; }; };
-  const auto arc = [&](double from, double to) {
-    const Point t = tangent(0.5 * (from + to));
-    return sinc(0.5 * bend_ * (to - from)) * Vector{t.x, t.y};
-  };
-  const auto chord = mean<Vector>(s0, s1, line(before_.tangent(0)), arc, line(after_.tangent(0)));
-  return {chord.x, chord.y};
-}
-
-double BentLine::mean_moment_on_arc(double s0, double s1) const {
-  const double middle = 0.5 * (s0 + s1);
-  const double half = 0.5 * (s1 - s0);
-  return 0.5 * boost::math::quadrature::gauss<double, 10>::integrate(
-                   [&](double part) {
-                     const double s = middle + half * part;
-                     const double y = position(s).y;
-                     return 0.5 * y * y * tangent(s).x;
-                   },
-                   -1, 1);
+  const auto line = [](Point t) { return [=](double, double) { return t; }; };
+  const auto arc = [&](double from, double to) { return sinc(0.5 * bend_ * (to - from)) * tangent(0.5 * (from + to)); };
+  return mean<Point>(s0, s1, line(before_.tangent(0)), arc, line(after_.tangent(0)));
 }
 
 double BentLine::mean_moment_rate(double s0, double s1) const {
   const auto on = [](const Line& line) {
     return [&](double from, double to) { return line.mean_moment_rate(from, to); };
   };
-  const auto arc = [&](double from, double to) { return mean_moment_on_arc(from, to); };
+  const auto rate = [&](double s) {
+    const double y = position(s).y;
+    return 0.5 * y * y * tangent(s).x;
+  };
+  const auto arc = [&](double from, double to) { return gauss_mean(rate, from, to); };
   return mean<double>(s0, s1, on(before_), arc, on(after_));
-}
-
-double BentLine::moment(double s) const {
-  return s * mean_moment_rate(0, s);
 }
 
 double BentLine::arc_length_at(Point near) const {
@@ -274,9 +221,8 @@ double BentLine::arc_length_at(Point near) const {
   if (s0 <= -half_) return s0;
   const double s1 = after_.arc_length_at(near);
   if (s1 >= half_) return s1;
-  const Point foot = before_.position(-half_);
   const Point t = before_.tangent(0);
-  const Point from_centre{near.x - foot.x + t.y / bend_, near.y - foot.y - t.x / bend_};
+  const Point from_centre = near - before_.position(-half_) + Point{t.y / bend_, -t.x / bend_};
   // Angle at the centre from where the arc begins; outwards there is (t.y, -t.x), to the right.
   const double along = dot(t, from_centre);
   const double outwards = std::copysign(1.0, bend_) * (t.y * from_centre.x - t.x * from_centre.y);

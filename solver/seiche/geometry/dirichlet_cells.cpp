@@ -9,17 +9,13 @@ namespace seiche {
 
 namespace {
 
-Point operator-(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
 /// A triangle by the sides that face its vertices, counter-clockwise, and the cotangents of its angles.
 struct Shape {
   std::array<Point, 3> side;
   std::array<double, 3> cotangent{};
   double twice_area;
 
-  Shape(Point a, Point b, Point c)
-      : side{c - b, a - c, b - a}, twice_area(cross(side[2], Point{-side[1].x, -side[1].y})) {
+  Shape(Point a, Point b, Point c) : side{c - b, a - c, b - a}, twice_area(cross(side[2], -1.0 * side[1])) {
     for (int k = 0; k < 3; ++k) {
       cotangent[static_cast<std::size_t>(k)] = -dot(side[next(k)], side[previous(k)]) / twice_area;
     }
@@ -33,7 +29,7 @@ struct Shape {
   /// Circumcentre as seen from the first vertex.
   [[nodiscard]] Point circumcentre() const {
     const Point b = side[2];
-    const Point c{-side[1].x, -side[1].y};
+    const Point c = -1.0 * side[1];
     const double b2 = dot(b, b) / (2 * twice_area);
     const double c2 = dot(c, c) / (2 * twice_area);
     return {c.y * b2 - b.y * c2, b.x * c2 - c.x * b2};
@@ -96,17 +92,14 @@ void DirichletCells::connect(const Triangulation& mesh, int nodes) {
 void DirichletCells::measure(const Triangulation& mesh, Places nodes) {
   area_.assign(nodes.x.size(), 0.0);
   gradient_.assign(member_.size(), Point{});
-  const auto add = [&](int entry, double x, double y) {
-    gradient_[index(entry)].x += x;
-    gradient_[index(entry)].y += y;
-  };
+  const auto add = [&](int entry, Point part) { gradient_[index(entry)] = gradient_[index(entry)] + part; };
   for (int t = 0; t < mesh.size(); ++t) {
     const Triangle& one = mesh[t];
     const auto& entry = entry_[index(t)];
     const Shape s = shape(one, nodes);
     for (int k = 0; k < 3; ++k) area_[index(one.vertex[index(k)])] += s.share(k);
     // Seen from the first vertex, so that nothing cancels far from the origin.
-    const std::array<Point, 3> r{Point{0, 0}, s.side[2], Point{-s.side[1].x, -s.side[1].y}};
+    const std::array<Point, 3> r{Point{0, 0}, s.side[2], -1.0 * s.side[1]};
     const Point centre = s.circumcentre();
     for (int k = 0; k < 3; ++k) {
       const std::size_t i = next(k);
@@ -114,23 +107,19 @@ void DirichletCells::measure(const Triangulation& mesh, Places nodes) {
       // The edge between the cells i and j goes from the middle of the nodes to the centre, w = its length over the
       // nodes' distance, and its own middle is m: dA_i/dr_j = w (r_j - m).
       const double w = s.cotangent[index(k)] / 2;
-      const double mx = 0.25 * (r[i].x + r[j].x) + 0.5 * centre.x;
-      const double my = 0.25 * (r[i].y + r[j].y) + 0.5 * centre.y;
-      const double jx = w * (r[j].x - mx);
-      const double jy = w * (r[j].y - my);
-      const double ix = w * (r[i].x - mx);
-      const double iy = w * (r[i].y - my);
-      add(entry[3 * i + j], jx, jy);
-      add(entry[4 * j], -jx, -jy);
-      add(entry[3 * j + i], ix, iy);
-      add(entry[4 * i], -ix, -iy);
+      const Point middle = 0.25 * (r[i] + r[j]) + 0.5 * centre;
+      const Point by_j = w * (r[j] - middle);
+      const Point by_i = w * (r[i] - middle);
+      add(entry[3 * i + j], by_j);
+      add(entry[4 * j], -1.0 * by_j);
+      add(entry[3 * j + i], by_i);
+      add(entry[4 * i], -1.0 * by_i);
       if (one.across[index(k)] == Triangulation::outside) {
-        const double nx = s.side[index(k)].y / 8;
-        const double ny = -s.side[index(k)].x / 8;
-        add(entry[4 * i], 3 * nx, 3 * ny);
-        add(entry[3 * i + j], nx, ny);
-        add(entry[3 * j + i], nx, ny);
-        add(entry[4 * j], 3 * nx, 3 * ny);
+        const Point normal{s.side[index(k)].y / 8, -s.side[index(k)].x / 8};
+        add(entry[4 * i], 3.0 * normal);
+        add(entry[3 * i + j], normal);
+        add(entry[3 * j + i], normal);
+        add(entry[4 * j], 3.0 * normal);
       }
     }
   }
@@ -156,12 +145,11 @@ std::vector<Point> dirichlet_centroids(const Triangulation& mesh, Places nodes) 
       const int i = one.vertex[next(k)];
       const int j = one.vertex[previous(k)];
       const double piece = dot(s.side[index(k)], s.side[index(k)]) * s.cotangent[index(k)] / 8;
-      const Point middle{0.5 * (nodes[i].x + nodes[j].x), 0.5 * (nodes[i].y + nodes[j].y)};
+      const Point middle = 0.5 * (nodes[i] + nodes[j]);
       for (const int node : {i, j}) {
-        const Point r = nodes[node];
         area[index(node)] += piece;
-        moment[index(node)].x += piece * (r.x + middle.x + first.x + centre.x) / 3;
-        moment[index(node)].y += piece * (r.y + middle.y + first.y + centre.y) / 3;
+        const Point corners = nodes[node] + middle + first + centre;
+        moment[index(node)] = moment[index(node)] + Point{piece * corners.x / 3, piece * corners.y / 3};
       }
     }
   }

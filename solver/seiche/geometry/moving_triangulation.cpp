@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche {
 
 namespace {
@@ -27,10 +29,8 @@ MovingTriangulation::MovingTriangulation(Triangulation mesh, Places nodes)
       next_y_(y_.size()) {}
 
 void MovingTriangulation::move_to(Places nodes) {
-  if (nodes.x.size() != x_.size() || nodes.y.size() != x_.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} and {} coordinates; the mesh has {} nodes", nodes.x.size(), nodes.y.size(), x_.size()));
-  }
+  require_that(nodes.x.size() == x_.size() && nodes.y.size() == x_.size(),
+               "{} and {} coordinates; the mesh has {} nodes", nodes.x.size(), nodes.y.size(), x_.size());
   if (std::equal(x_.begin(), x_.end(), nodes.x.begin()) && std::equal(y_.begin(), y_.end(), nodes.y.begin())) return;
   double left = 1;  // of the way, from where the nodes are
   while (left > 0) {

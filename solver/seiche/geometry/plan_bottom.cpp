@@ -4,30 +4,15 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 #include <gsl/gsl_linalg.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche {
-
-namespace {
-
-double power(double x, int n) {
-  double product = 1;
-  for (int k = 0; k < n; ++k) product *= x;
-  return product;
-}
-
-/// d(x^n)/dx.
-double power_rate(double x, int n) {
-  return n == 0 ? 0.0 : n * power(x, n - 1);
-}
-
-}  // namespace
 
 OutsidePlanBottom::OutsidePlanBottom(double x, double y, const char* coordinate, double lowest, double highest)
     : std::runtime_error(fmt::format("({:g}, {:g}) is outside the bottom; allowed: {} within [{:g}, {:g}]", x, y,
@@ -45,40 +30,6 @@ double PlanBottom::increment(double x, double y, double dx, double dy) const {
       const Integral at = integral(x + s * dx, y + s * dy);
       sum += 0.5 * weight * (at.elevation * dx + at.along_y * dy);
     }
-  }
-  return sum;
-}
-
-PolynomialBottom::PolynomialBottom(std::vector<Term> terms) : terms_(std::move(terms)) {
-  if (terms_.empty()) throw std::invalid_argument("a polynomial bottom without terms; allowed: at least one");
-  for (const Term& term : terms_) {
-    require_finite("coefficient", term.coefficient);
-    require_within("x_power", term.x_power, 0, 12);
-    require_within("y_power", term.y_power, 0, 12);
-  }
-}
-
-PlanBottom::Slope PolynomialBottom::slope(double x, double y) const {
-  Slope sum;
-  for (const Term& term : terms_) {
-    const double along_x = power(x, term.x_power);
-    const double along_y = power(y, term.y_power);
-    sum.elevation += term.coefficient * along_x * along_y;
-    sum.along_x += term.coefficient * power_rate(x, term.x_power) * along_y;
-    sum.along_y += term.coefficient * along_x * power_rate(y, term.y_power);
-  }
-  return sum;
-}
-
-PlanBottom::Integral PolynomialBottom::integral(double x, double y) const {
-  Integral sum;
-  for (const Term& term : terms_) {
-    const double along_x = power(x, term.x_power);
-    const double integrated = along_x * x / (term.x_power + 1);
-    const double along_y = power(y, term.y_power);
-    sum.elevation += term.coefficient * along_x * along_y;
-    sum.value += term.coefficient * integrated * along_y;
-    sum.along_y += term.coefficient * integrated * power_rate(y, term.y_power);
   }
   return sum;
 }
@@ -157,10 +108,8 @@ void require_lines(const char* name, std::span<const double> lines) {
   require_at_least(fmt::format("lines of {}", name), static_cast<long>(lines.size()), 4);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     require_finite(fmt::format("{}[{}]", name, i), lines[i]);
-    if (i > 0 && !(lines[i] > lines[i - 1])) {
-      throw std::invalid_argument(
-          fmt::format("{}[{}] = {:g}; allowed: above the last one, {:g}", name, i, lines[i], lines[i - 1]));
-    }
+    const double before = i > 0 ? lines[i - 1] : -std::numeric_limits<double>::infinity();
+    require_that(lines[i] > before, "{}[{}] = {:g}; allowed: above the last one, {:g}", name, i, lines[i], before);
   }
 }
 
@@ -170,10 +119,8 @@ SplineBottom::SplineBottom(std::vector<double> x, std::vector<double> y, std::ve
     : x_(std::move(x)), y_(std::move(y)) {
   require_lines("x", x_);
   require_lines("y", y_);
-  if (elevation.size() != x_.size() * y_.size()) {
-    throw std::invalid_argument(
-        fmt::format("elevation has {} values; allowed: {} x {}", elevation.size(), x_.size(), y_.size()));
-  }
+  require_that(elevation.size() == x_.size() * y_.size(), "elevation has {} values; allowed: {} x {}", elevation.size(),
+               x_.size(), y_.size());
   for (std::size_t k = 0; k < elevation.size(); ++k) {
     require_finite(fmt::format("elevation[{}]", k), elevation[k]);
     nodes_.push_back({.f = elevation[k]});
@@ -205,7 +152,7 @@ SplineBottom SplineBottom::sampled(const Sampling& sampling,
   const auto lines = [&](const char* name, double from, double to) {
     require_finite(name, from);
     require_finite(name, to);
-    if (!(to > from)) throw std::invalid_argument(fmt::format("{} ends at {:g}; allowed: above {:g}", name, to, from));
+    require_that(to > from, "{} ends at {:g}; allowed: above {:g}", name, to, from);
     const double count = std::ceil((to - from) / sampling.spacing * (1 - 1e-12));
     require_within(fmt::format("intervals along {}", name), count, 3, 5000);
     std::vector<double> places;

@@ -50,23 +50,6 @@ class PlanBottom {
   [[nodiscard]] virtual double increment(double x, double y, double dx, double dy) const;
 };
 
-/// b = sum c_kl x^k y^l.
-class PolynomialBottom final : public PlanBottom {
- public:
-  struct Term {
-    double coefficient = 0;
-    int x_power = 0;
-    int y_power = 0;
-  };
-  /// Throws std::invalid_argument for no terms, coefficients that are not finite, powers outside 0..12.
-  explicit PolynomialBottom(std::vector<Term> terms);
-  [[nodiscard]] Slope slope(double x, double y) const override;
-  [[nodiscard]] Integral integral(double x, double y) const override;
-
- private:
-  std::vector<Term> terms_;
-};
-
 // Bottom through given elevations on a rectangular grid, such as a bathymetry raster: the bicubic spline.
 //
 //     b(x, y) = sum over the four nodes of a cell of  f h h + f_x g h + f_y h g + f_xy g g,   h, g Hermite's cubics

@@ -10,6 +10,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/predicates.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche {
@@ -51,10 +52,8 @@ Triangulation::Triangulation(std::span<const std::array<int, 3>> triangles) {
     const Side& other = sides[i + 1];
     if (one.lower != other.lower || one.upper != other.upper) continue;
     const bool third = i + 2 < sides.size() && sides[i + 2].lower == one.lower && sides[i + 2].upper == one.upper;
-    if (one.ascends == other.ascends || third) {
-      throw std::invalid_argument(
-          fmt::format("edge {}-{} has triangles that overlap; allowed: one on either side", one.lower, one.upper));
-    }
+    require_that(one.ascends != other.ascends && !third,
+                 "edge {}-{} has triangles that overlap; allowed: one on either side", one.lower, one.upper);
     at(one.triangle).across[static_cast<std::size_t>(one.opposite)] = other.triangle;
     at(other.triangle).across[static_cast<std::size_t>(other.opposite)] = one.triangle;
   }
@@ -170,13 +169,9 @@ std::string at(Places nodes, int k) {
 }
 
 void require_nodes(Places nodes, std::span<const int> outline) {
-  if (nodes.x.size() != nodes.y.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} x and {} y of nodes; allowed: as many", nodes.x.size(), nodes.y.size()));
-  }
-  if (outline.size() < 3) {
-    throw std::invalid_argument(fmt::format("the outline has {} nodes; allowed: at least 3", outline.size()));
-  }
+  require_that(nodes.x.size() == nodes.y.size(), "{} x and {} y of nodes; allowed: as many", nodes.x.size(),
+               nodes.y.size());
+  require_that(outline.size() >= 3, "the outline has {} nodes; allowed: at least 3", outline.size());
   for (int k = 0; k < nodes.size(); ++k) {
     if (!std::isfinite(nodes[k].x) || !std::isfinite(nodes[k].y)) {
       throw std::invalid_argument(at(nodes, k) + "; allowed: finite coordinates");
@@ -184,9 +179,7 @@ void require_nodes(Places nodes, std::span<const int> outline) {
   }
   std::vector<bool> named(nodes.x.size());
   for (const int k : outline) {
-    if (k < 0 || k >= nodes.size()) {
-      throw std::invalid_argument(fmt::format("the outline names node {}; allowed: 0 to {}", k, nodes.size() - 1));
-    }
+    require_that(k >= 0 && k < nodes.size(), "the outline names node {}; allowed: 0 to {}", k, nodes.size() - 1);
     if (named[static_cast<std::size_t>(k)]) {
       throw std::invalid_argument("the outline names " + at(nodes, k) + " twice; allowed: once");
     }
@@ -344,10 +337,7 @@ Triangulation triangulate_polygon(Places nodes, std::span<const int> outline) {
   require_nodes(nodes, outline);
   const double area = enclosed_area(nodes, outline);
   require_simple(nodes, outline);
-  if (!(area > 0)) {
-    throw std::invalid_argument(
-        fmt::format("the outline encloses an area of {:g}; allowed: positive, that is counter-clockwise", area));
-  }
+  require_that(area > 0, "the outline encloses an area of {:g}; allowed: positive, that is counter-clockwise", area);
   Triangulation mesh(cut_ears(nodes, outline));
   mesh.make_delaunay(nodes);
   std::vector<bool> placed(nodes.x.size());

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "seiche/require_that.hpp"
+
 #ifdef SEICHE_COVERAGE
 extern "C" void __gcov_dump();  // GCC's own, declared by <gcov.h> of the compiler's plugins alone
 #endif
@@ -34,7 +36,7 @@ std::string in_words(std::filesystem::file_type type) {
 void make_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure) throw std::runtime_error(fmt::format("cannot make folder {}: {}", folder.string(), failure.message()));
+  require_that<std::runtime_error>(!failure, "cannot make folder {}: {}", folder.string(), failure.message());
 }
 
 AtomicFile::AtomicFile(std::filesystem::path target)
@@ -44,10 +46,9 @@ AtomicFile::AtomicFile(std::filesystem::path target)
   // The file takes the place of what has the name: of an older file, not of a device or of what a link leads to.
   std::error_code unreachable;
   const std::filesystem::file_type there = std::filesystem::symlink_status(target_, unreachable).type();
-  if (there != std::filesystem::file_type::regular && there != std::filesystem::file_type::not_found) {
-    throw std::runtime_error(
-        fmt::format("cannot write {}: it is {}, must be a file or not there", target_.string(), in_words(there)));
-  }
+  require_that<std::runtime_error>(
+      there == std::filesystem::file_type::regular || there == std::filesystem::file_type::not_found,
+      "cannot write {}: it is {}, must be a file or not there", target_.string(), in_words(there));
 }
 
 AtomicFile::~AtomicFile() {
@@ -66,10 +67,8 @@ void AtomicFile::write(std::string_view text) const {
   std::ofstream out(partial_, std::ios::binary);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.close();
-  if (!out) {
-    throw std::runtime_error(
-        fmt::format("cannot write {}: {}", target_.string(), std::generic_category().message(errno)));
-  }
+  require_that<std::runtime_error>(out.good(), "cannot write {}: {}", target_.string(),
+                                   std::generic_category().message(errno));
 }
 
 void write_file(const std::filesystem::path& target, std::string_view text) {
@@ -80,12 +79,11 @@ void write_file(const std::filesystem::path& target, std::string_view text) {
 
 std::string read_file(const std::filesystem::path& path) {
   std::error_code unreachable;
-  if (!std::filesystem::is_regular_file(path, unreachable)) {
-    throw std::runtime_error(fmt::format("cannot read {}: it is not a file", path.string()));
-  }
+  require_that<std::runtime_error>(std::filesystem::is_regular_file(path, unreachable),
+                                   "cannot read {}: it is not a file", path.string());
   std::ifstream in(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
+  require_that<std::runtime_error>(!in.fail(), "cannot read {}", path.string());
   return text;
 }
 

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::io {
 namespace {
 
@@ -102,9 +104,7 @@ void Hdf5File::group(const std::string& path) {
 void Hdf5File::array(const std::string& path, std::span<const double> values, std::span<const std::size_t> shape,
                      std::string_view name, std::string_view unit, std::string_view meaning) {
   const std::size_t count = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
-  if (count != values.size()) {
-    throw std::invalid_argument(fmt::format("array {}: {} values for a shape of {}", path, values.size(), count));
-  }
+  require_that(count == values.size(), "array {}: {} values for a shape of {}", path, values.size(), count);
   handle_->array(path, H5::PredType::IEEE_F64LE, H5::PredType::NATIVE_DOUBLE, shape, values.data());
   describe(path, name, unit, meaning);
 }

@@ -14,6 +14,7 @@
 
 #include "seiche/io/isolated.hpp"
 #include "seiche/printable.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::io {
 namespace {
@@ -37,7 +38,7 @@ class Bytes {
     using Item = typename Sequence::value_type;
     std::size_t count = 0;
     copy(&count, sizeof count);
-    if (count > (content_.size() - position_) / sizeof(Item)) throw std::invalid_argument("incomplete answer");
+    require_that(count <= (content_.size() - position_) / sizeof(Item), "incomplete answer");
     Sequence sequence(count, Item{});
     copy(sequence.data(), count * sizeof(Item));
     return sequence;
@@ -47,7 +48,7 @@ class Bytes {
 
  private:
   void copy(void* target, std::size_t size) {
-    if (size > content_.size() - position_) throw std::invalid_argument("incomplete answer");
+    require_that(size <= content_.size() - position_, "incomplete answer");
     if (size == 0) return;  // an empty sequence may have no address
     std::memcpy(target, content_.data() + position_, size);
     position_ += size;
@@ -66,24 +67,19 @@ std::string one_line(const std::string& text) {
   return printable(text.substr(0, 200));
 }
 
-herr_t note_dataset(hid_t /*root*/, const char* name, const H5O_info_t* info, void* names) {
+/// Called by HDF5 for each object or link: notes the names of those of a kind.
+template <class Info, auto kind>
+herr_t note(hid_t /*root*/, const char* name, const Info* info, void* names) {
   auto& known = *static_cast<std::vector<std::string>*>(names);
-  if (info->type == H5O_TYPE_DATASET) known.emplace_back(name);
-  return known.size() < most_datasets ? 0 : 1;
-}
-
-herr_t note_link(hid_t /*root*/, const char* name, const H5L_info_t* info, void* names) {
-  auto& known = *static_cast<std::vector<std::string>*>(names);
-  if (info->type == H5L_TYPE_EXTERNAL) known.emplace_back(name);
+  if (info->type == kind) known.emplace_back(name);
   return known.size() < most_datasets ? 0 : 1;
 }
 
 /// @throws std::invalid_argument when the file cannot be walked through
 std::vector<std::string> dataset_names(const H5::H5File& file) {
   std::vector<std::string> names;
-  if (H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) < 0) {
-    throw std::invalid_argument("damaged: its datasets cannot be listed");
-  }
+  require_that(H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note<H5O_info_t, H5O_TYPE_DATASET>, &names) >= 0,
+               "damaged: its datasets cannot be listed");
   return names;
 }
 
@@ -91,9 +87,8 @@ std::string unit_of(const H5::DataSet& set) {
   for (const char* name : {"unit", "units"}) {
     if (!set.attrExists(name)) continue;
     const H5::Attribute attribute = set.openAttribute(name);
-    if (attribute.getTypeClass() != H5T_STRING || attribute.getSpace().getSimpleExtentNpoints() != 1) {
-      throw std::invalid_argument(fmt::format("its attribute {} is not a text", name));
-    }
+    require_that(attribute.getTypeClass() == H5T_STRING && attribute.getSpace().getSimpleExtentNpoints() == 1,
+                 "its attribute {} is not a text", name);
     std::string text;
     attribute.read(attribute.getStrType(), text);
     const std::size_t begin = text.find_first_not_of(" \t");
@@ -107,16 +102,15 @@ std::string unit_of(const H5::DataSet& set) {
 void require_own_storage(const H5::DataSet& set) {
   const H5::DSetCreatPropList properties = set.getCreatePlist();
   const H5D_layout_t layout = properties.getLayout();
-  if (layout == H5D_VIRTUAL || (layout == H5D_CONTIGUOUS && properties.getExternalCount() > 0)) {
-    throw std::invalid_argument("its numbers lie in another file, must be in this one");
-  }
+  require_that(layout != H5D_VIRTUAL && (layout != H5D_CONTIGUOUS || properties.getExternalCount() == 0),
+               "its numbers lie in another file, must be in this one");
 }
 
 /// @param most_elements  left of those that the file may have
 /// @throws std::invalid_argument with the reason why the dataset is no column
 std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   const H5T_class_t kind = set.getTypeClass();
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::invalid_argument("its elements are not numbers");
+  require_that(kind == H5T_FLOAT || kind == H5T_INTEGER, "its elements are not numbers");
   const H5::DataSpace space = set.getSpace();
   std::array<hsize_t, H5S_MAX_RANK> extents{};
   const int dimensions = space.isSimple() ? space.getSimpleExtentDims(extents.data()) : 0;
@@ -126,15 +120,12 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   }
   require_own_storage(set);
   const auto count = static_cast<hsize_t>(space.getSimpleExtentNpoints());
-  if (count > most_elements) {
-    throw std::invalid_argument(fmt::format("{} elements with those before it, must be at most {}",
-                                            count + longest_file - most_elements, longest_file));
-  }
+  require_that(count <= most_elements, "{} elements with those before it, must be at most {}",
+               count + longest_file - most_elements, longest_file);
   std::vector<double> values(count);
   if (count > 0) set.read(values.data(), H5::PredType::NATIVE_DOUBLE);
-  const auto odd = std::find_if(values.begin(), values.end(), [](double v) { return std::isinf(v); });
-  if (odd != values.end()) {
-    throw std::invalid_argument(fmt::format("element {}: '{}' is not a finite number", odd - values.begin(), *odd));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    require_that(!std::isinf(values[k]), "element {}: '{}' is not a finite number", k, values[k]);
   }
   return values;
 }
@@ -143,6 +134,11 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
 std::string datasets(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
   H5::Exception::dontPrint();
   Bytes bytes;
+  const auto put_dataset = [&](const std::string& name, const std::string& reason, const std::string& unit,
+                               const std::vector<double>& values) {
+    for (const std::string& text : {name, reason, unit}) put(bytes, one_line(text));
+    bytes.put(values.data(), values.size());
+  };
   try {
     const H5::H5File file(path.string(), H5F_ACC_RDONLY);
     const std::vector<std::string> names = dataset_names(file);
@@ -166,20 +162,11 @@ std::string datasets(const std::filesystem::path& path, const std::vector<std::s
           reason = "damaged: cannot be read";
         }
       }
-      put(bytes, one_line(name));
-      put(bytes, one_line(reason));
-      put(bytes, one_line(unit));
-      bytes.put(values.data(), values.size());
+      put_dataset(name, reason, unit, values);
     }
     std::vector<std::string> links;  // which H5Ovisit does not follow
-    H5Lvisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_link, &links);
-    for (const std::string& name : links) {
-      put(bytes, one_line(name));
-      put(bytes, "a link to another file, must be in this one");
-      put(bytes, "");
-      constexpr double none = 0;
-      bytes.put(&none, 0);
-    }
+    H5Lvisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note<H5L_info_t, H5L_TYPE_EXTERNAL>, &links);
+    for (const std::string& name : links) put_dataset(name, "a link to another file, must be in this one", "", {});
   } catch (const H5::Exception&) {
     throw std::invalid_argument("damaged: the HDF5 library cannot open it");
   }

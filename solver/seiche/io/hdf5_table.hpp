@@ -11,10 +11,10 @@ namespace seiche::io {
 /// Whether a file begins with the signature of HDF5, or has it after a user block of 512, 1024, 2048, ... bytes.
 bool is_hdf5(const std::filesystem::path& file);
 
-/// Reads datasets of numbers that have one dimension, beside others of length one; a single number counts as such. A dataset is named by its
-/// path without the leading slash: "h", "run/h". Its unit is the text attribute `unit` or `units`. Whatever else is
-/// there by name, or holds an infinite number, or more numbers than one file may, is listed as unusable with
-/// the reason; so is what lies in another file (external storage, external links, virtual datasets).
+/// Reads datasets of numbers that have one dimension, beside others of length one; a single number counts as such. A
+/// dataset is named by its path without the leading slash: "h", "run/h". Its unit is the text attribute `unit` or
+/// `units`. Whatever else is there by name, or holds an infinite number, or more numbers than one file may, is listed
+/// as unusable with the reason; so is what lies in another file (external storage, external links, virtual datasets).
 ///
 /// The HDF5 library can crash on damaged files, or never end, so that it reads in a child process.
 ///

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "seiche/io/atomic_file.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::io {
 namespace {
@@ -68,7 +69,7 @@ std::string receive(int pipe) {
 
 std::string isolated(const std::function<std::string()>& action, unsigned seconds) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe for a child process");
+  require_that<std::runtime_error>(pipe2(ends.data(), O_CLOEXEC) == 0, "cannot make a pipe for a child process");
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
@@ -78,7 +79,7 @@ std::string isolated(const std::function<std::string()>& action, unsigned second
   close(ends[1]);
   const std::string answer = child > 0 ? receive(ends[0]) : "";
   close(ends[0]);
-  if (child < 0) throw std::runtime_error(fmt::format("cannot start a child process: {}", std::strerror(fork_error)));
+  require_that<std::runtime_error>(child >= 0, "cannot start a child process: {}", std::strerror(fork_error));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -88,7 +89,7 @@ std::string isolated(const std::function<std::string()>& action, unsigned second
     throw std::runtime_error(too_long ? fmt::format("the child process did not end within {} s", seconds)
                                       : fmt::format("the child process crashed by signal {}", signal));
   }
-  if (status != 0 || answer.empty()) throw std::runtime_error("the child process crashed without an answer");
+  require_that<std::runtime_error>(status == 0 && !answer.empty(), "the child process crashed without an answer");
   if (answer.front() == threw) throw std::invalid_argument(answer.substr(1));
   return answer.substr(1);
 }

@@ -29,14 +29,6 @@ std::size_t Table::index(const std::string& name) const {
                                           more ? ", ..." : ""));
 }
 
-const std::vector<double>& Table::column(const std::string& name) const {
-  return columns[index(name)];
-}
-
-const std::string& Table::unit(const std::string& name) const {
-  return units[index(name)];
-}
-
 std::string Table::place(std::size_t row) const {
   return row < lines.size() ? fmt::format("line {}", lines[row]) : fmt::format("element {}", row);
 }

@@ -20,8 +20,8 @@ struct Table {
 
   [[nodiscard]] bool has(const std::string& name) const;
   /// @throws std::invalid_argument naming file, column, and those that are there
-  [[nodiscard]] const std::vector<double>& column(const std::string& name) const;
-  [[nodiscard]] const std::string& unit(const std::string& name) const;
+  [[nodiscard]] const std::vector<double>& column(const std::string& name) const { return columns[index(name)]; }
+  [[nodiscard]] const std::string& unit(const std::string& name) const { return units[index(name)]; }
   /// Length of the first column.
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
   /// "line 12" of a text file, "element 3" (counted from 0) of a dataset.

@@ -1,5 +1,6 @@
 #include "seiche/io/text_table.hpp"
 #include "seiche/printable.hpp"
+#include "seiche/require_that.hpp"
 
 #include <algorithm>
 #include <array>
@@ -261,9 +262,7 @@ Text text_of(std::istream& in, const std::string& name, std::size_t most) {
 
 Text text_of(const std::filesystem::path& path, std::size_t most) {
   std::ifstream in(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !in) {
-    throw std::invalid_argument(fmt::format("{}: cannot be read as a file", path.string()));
-  }
+  require_that(std::filesystem::is_regular_file(path) && in.good(), "{}: cannot be read as a file", path.string());
   return text_of(in, path.string(), most);
 }
 
@@ -355,7 +354,7 @@ void Rows::add(std::size_t line, const std::vector<double>& row) {
 }
 
 Table Rows::table() const {
-  if (table_.rows() == 0) throw std::invalid_argument(fmt::format("{}: no rows of numbers", table_.source));
+  require_that(table_.rows() > 0, "{}: no rows of numbers", table_.source);
   return table_;
 }
 

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact::overturning {
 
@@ -213,22 +215,16 @@ double Evolution::ending_place() const {
   // Where a surface breaks, the fluid is accelerated most.
   const auto surface = view(now().state);
   const auto rate = view(now().rate);
-  std::size_t place = 0;
-  double fastest = 0;
+  Largest fastest;
   for (std::size_t j = 0; j < surface.size(); ++j) {
-    const double speed = std::hypot(rate.displacement[j], rate.y[j]);
-    if (speed > fastest) {
-      fastest = speed;
-      place = j;
-    }
+    fastest.add(std::hypot(rate.displacement[j], rate.y[j]), label(j, surface.size()) + surface.displacement[j]);
   }
-  return label(place, surface.size()) + surface.displacement[place];
+  return fastest.where();
 }
 
 Moment Evolution::at(double time) const {
-  if (!(time >= moments_.front().time && time <= now().time)) {
-    throw std::out_of_range(fmt::format("time {} outside [0, {}]", time, now().time));
-  }
+  require_that<std::out_of_range>(time >= moments_.front().time && time <= now().time, "time {} outside [0, {}]", time,
+                                  now().time);
   const auto next = std::ranges::upper_bound(moments_, time, {}, &Moment::time);
   const std::span<const Moment> past(moments_.begin(), next);
   if (past.back().time == time) return past.back();

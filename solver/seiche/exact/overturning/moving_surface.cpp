@@ -21,13 +21,10 @@ namespace {
 using Complex = std::complex<double>;
 
 SurfaceCurve curve(const Moment& moment) {
-  return SurfaceCurve(view(moment.state));
-}
-
-PeriodicCurve periodic_curve(const MovingSurface::Profile& profile, double wavelength) {
-  std::vector<Complex> points(profile.x.size());
-  for (std::size_t j = 0; j < points.size(); ++j) points[j] = {profile.x[j], profile.y[j]};
-  return PeriodicCurve(points, wavelength);
+  const auto surface = view(moment.state);
+  std::vector<Complex> displacements(surface.size());
+  for (std::size_t j = 0; j < surface.size(); ++j) displacements[j] = {surface.displacement[j], surface.y[j]};
+  return SurfaceCurve(displacements);
 }
 
 }  // namespace
@@ -78,50 +75,33 @@ double MovingSurface::scaled_time(double t) const {
   return scaled;
 }
 
-MovingSurface::Profile MovingSurface::profile(double t) const {
-  const Moment moment = evolution_->at(scaled_time(t));
-  const auto surface = view(moment.state);
-  const auto rate = view(moment.rate);
-  const std::size_t n = surface.size();
-  Profile result{t,
-                 std::vector<double>(n),
-                 std::vector<double>(n),
-                 std::vector<double>(n),
-                 std::vector<double>(n),
-                 std::vector<double>(n)};
-  for (std::size_t j = 0; j < n; ++j) {
-    result.x[j] = length_ * (label(j, n) + surface.displacement[j]);
-    result.y[j] = length_ * surface.y[j];
-    result.potential[j] = length_ * velocity_ * surface.potential[j];
-    result.u[j] = velocity_ * rate.displacement[j];
-    result.v[j] = velocity_ * rate.y[j];
-  }
-  return result;
-}
-
 MovingSurface::Profile MovingSurface::profile(double t, std::size_t points) const {
   const Moment moment = evolution_->at(scaled_time(t));
   const auto surface = view(moment.state);
   const auto rate = view(moment.rate);
-  const SurfaceCurve shape(surface);
-  std::vector<Complex> velocity(surface.size());
-  std::vector<Complex> potential(surface.size());
-  for (std::size_t j = 0; j < surface.size(); ++j) {
-    velocity[j] = {rate.displacement[j], rate.y[j]};
-    potential[j] = surface.potential[j];
-  }
-  const TrigonometricInterpolant velocity_at(velocity);
-  const TrigonometricInterpolant potential_at(potential);
+  const std::size_t n = surface.size();
   Profile result;
   result.time = t;
-  for (const double s : shape.labels_at_equal_arc_length(points)) {
-    const Complex z = shape.point(s);
-    const Complex uv = velocity_at(s);
+  const auto add = [&](Complex z, Complex velocity, double potential) {
     result.x.push_back(length_ * z.real());
     result.y.push_back(length_ * z.imag());
-    result.potential.push_back(length_ * velocity_ * potential_at(s).real());
-    result.u.push_back(velocity_ * uv.real());
-    result.v.push_back(velocity_ * uv.imag());
+    result.potential.push_back(length_ * velocity_ * potential);
+    result.u.push_back(velocity_ * velocity.real());
+    result.v.push_back(velocity_ * velocity.imag());
+  };
+  std::vector<Complex> velocity(n);
+  std::vector<Complex> potential(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    velocity[j] = {rate.displacement[j], rate.y[j]};
+    potential[j] = surface.potential[j];
+    if (points == 0) add({label(j, n) + surface.displacement[j], surface.y[j]}, velocity[j], surface.potential[j]);
+  }
+  if (points == 0) return result;
+  const SurfaceCurve shape = curve(moment);
+  const TrigonometricInterpolant velocity_at(velocity);
+  const TrigonometricInterpolant potential_at(potential);
+  for (const double s : shape.labels_at_equal_arc_length(points)) {
+    add(shape.point(s), velocity_at(s), potential_at(s).real());
   }
   return result;
 }
@@ -160,7 +140,7 @@ MovingSurface::Integrals MovingSurface::integrals(double t) const {
           area * velocity_ * sums.impulse};
 }
 
-SelfTest MovingSurface::balances(double amplitude, double tolerance) const {
+SelfTest MovingSurface::balances(double amplitude, double tolerance, const std::optional<Identity>& first) const {
   const double a = amplitude / length_;
   const auto& moments = evolution_->moments();
   const Invariants& start = moments.front().invariants;
@@ -176,23 +156,27 @@ SelfTest MovingSurface::balances(double amplitude, double tolerance) const {
     impulse.add(now.impulse - start.impulse - by_pressure(moment.state).thrust);
     largest_impulse.add(now.impulse);
   }
-  const std::string steps_say = fmt::format(
+  const double limit = static_cast<double>(resolved) * std::pow(tolerance / a, 1.2);
+  const std::string reason = fmt::format(
       "{} steps whose errors of fourth order are kept at {:g}/k and add up, over the amplitude; the solution of fifth "
       "order that is carried on errs less by a step, the fifth root of that",
       resolved, tolerance);
-  const double limit = static_cast<double>(resolved) * std::pow(tolerance / a, 1.2);
-  const std::string square = steps_say + "; twice as much of a square";
+  const std::string square = reason + "; twice as much of a square";
   const bool forced = evolution_->forced();
-  return {{"volume is conserved", volume.value() / (2 * std::numbers::pi * a), limit, steps_say},
-          {forced ? "energy changes by the work of the pressure" : "energy is conserved",
-           energy.value() / largest_energy.value(), 2 * limit, square},
-          {forced ? "horizontal impulse changes by the thrust of the pressure" : "horizontal impulse is conserved",
-           impulse.value() / largest_impulse.value(), 2 * limit, square}};
+  SelfTest identities;
+  if (first) identities.push_back(*first);
+  identities.push_back({"volume is conserved", volume.value() / (2 * std::numbers::pi * a), limit, reason});
+  identities.push_back({forced ? "energy changes by the work of the pressure" : "energy is conserved",
+                        energy.value() / largest_energy.value(), 2 * limit, square});
+  identities.push_back(
+      {forced ? "horizontal impulse changes by the thrust of the pressure" : "horizontal impulse is conserved",
+       impulse.value() / largest_impulse.value(), 2 * limit, square});
+  return identities;
 }
 
 double MovingSurface::distance_from(const MovingSurface& other, double t) const {
-  const double wavelength = 2 * std::numbers::pi * length_;
-  return hausdorff_distance(periodic_curve(profile(t), wavelength), periodic_curve(other.profile(t), wavelength));
+  const SurfaceCurve there = curve(other.evolution_->at(other.scaled_time(t)));
+  return length_ * curve(evolution_->at(scaled_time(t))).distance(there);
 }
 
 }  // namespace seiche::exact::overturning

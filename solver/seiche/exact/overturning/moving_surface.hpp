@@ -27,11 +27,10 @@ class MovingSurface {
     double time = 0;
     std::vector<double> x, y, potential, u, v;
   };
-  /// At the markers. Throws std::invalid_argument for a time before 0 or after last_time, Divergence for one after the
-  /// motion ended.
-  [[nodiscard]] Profile profile(double t) const;
-  /// At points of equal arc length of the trigonometric interpolant, the first and last one wavelength apart.
-  [[nodiscard]] Profile profile(double t, std::size_t points) const;
+  /// At the markers or, where `points` is not 0, at so many points of equal arc length of the trigonometric
+  /// interpolant, the first and last one wavelength apart. Throws std::invalid_argument for a time before 0 or after
+  /// last_time, Divergence for one after the motion ended.
+  [[nodiscard]] Profile profile(double t, std::size_t points = 0) const;
 
   /// Highest and lowest elevation [m].
   struct Extremes {
@@ -88,8 +87,8 @@ class MovingSurface {
   /// Identities of any motion up to well_resolved_until(): volume is conserved, energy and horizontal impulse change by
   /// what a pressure on the surface does, if there is one.
   ///
-  /// @param amplitude  of the surface [m];  @param tolerance  of a step, in units of 1/k
-  [[nodiscard]] SelfTest balances(double amplitude, double tolerance) const;
+  /// @param amplitude  of the surface [m];  @param tolerance  of a step, in units of 1/k;  @param first  of the start
+  [[nodiscard]] SelfTest balances(double amplitude, double tolerance, const std::optional<Identity>& first) const;
   /// A time between 0 and the end, scaled. Throws as profile does.
   [[nodiscard]] double scaled_time(double t) const;
 

@@ -78,7 +78,6 @@ class WedgeFlow {
   /// @param z    nodes of the surface from the far end to the shore, which lies on the slope
   /// @param phi  potential there, 0 at the far end
   void solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi);
-  [[nodiscard]] const Eigen::VectorXd& stream_function() const { return psi_; }
   [[nodiscard]] const Eigen::VectorXcd& velocity() const { return velocity_; }  ///< u - iv
   /// T = 1/2 int |grad phi|^2, for density 1.
   [[nodiscard]] double kinetic_energy(const Eigen::VectorXd& phi) const {

@@ -7,6 +7,7 @@
 
 #include "seiche/linear/fourier.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact::overturning {
 
@@ -52,11 +53,39 @@ std::vector<Complex> TrigonometricInterpolant::refined(std::size_t refinement) c
   return values;
 }
 
-std::vector<double> labels_at_equal_arc_length(std::span<const Complex> tangent, std::size_t points) {
+namespace {
+
+constexpr std::size_t nodes_per_marker = 16;
+
+/// Largest value of periodic samples, by the parabola through the largest three.
+template <class Value>
+double maximum(std::size_t n, const Value& value) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (value(i) > value(largest)) largest = i;
+  }
+  const double middle = value(largest);
+  const double before = value((largest + n - 1) % n) - middle;
+  const double after = value((largest + 1) % n) - middle;
+  const double curvature = before + after;
+  return curvature < 0 ? middle - (after - before) * (after - before) / (8 * curvature) : middle;
+}
+
+}  // namespace
+
+SurfaceCurve::SurfaceCurve(std::span<const Complex> displacements)
+    : periodic_((require_at_least("points", static_cast<long>(displacements.size()), 8), displacements)),
+      tangent_(periodic_.derivative()),
+      nodes_(periodic_.refined(nodes_per_marker)),
+      tangents_(tangent_.refined(nodes_per_marker)) {
+  for (Complex& z_s : tangents_) z_s += 1;
+}
+
+std::vector<double> SurfaceCurve::labels_at_equal_arc_length(std::size_t points) const {
   require_at_least("points", static_cast<long>(points), 2);
-  const std::size_t n = tangent.size();
+  const std::size_t n = tangents_.size();
   std::vector<Complex> speed(n);
-  std::ranges::transform(tangent, speed.begin(), [](Complex z_s) { return std::abs(z_s); });
+  std::ranges::transform(tangents_, speed.begin(), [](Complex z_s) { return std::abs(z_s); });
   // Integral of the trigonometric interpolant of |z_s|, 0 at s = 0.
   linear::Fourier fourier(n);
   std::vector<Complex> arc(n);
@@ -88,41 +117,6 @@ std::vector<double> labels_at_equal_arc_length(std::span<const Complex> tangent,
   return labels;
 }
 
-namespace {
-
-using Complex = std::complex<double>;
-
-constexpr std::size_t nodes_per_marker = 16;
-
-TrigonometricInterpolant interpolant(SurfaceView<const double> surface) {
-  std::vector<Complex> periodic(surface.size());
-  for (std::size_t j = 0; j < surface.size(); ++j) periodic[j] = {surface.displacement[j], surface.y[j]};
-  return TrigonometricInterpolant(periodic);
-}
-
-/// Largest value of periodic samples, by the parabola through the largest three.
-template <class Value>
-double maximum(std::size_t n, const Value& value) {
-  std::size_t largest = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    if (value(i) > value(largest)) largest = i;
-  }
-  const double middle = value(largest);
-  const double before = value((largest + n - 1) % n) - middle;
-  const double after = value((largest + 1) % n) - middle;
-  const double curvature = before + after;
-  return curvature < 0 ? middle - (after - before) * (after - before) / (8 * curvature) : middle;
-}
-
-}  // namespace
-
-SurfaceCurve::SurfaceCurve(SurfaceView<const double> surface)
-    : periodic_(interpolant(surface)),
-      nodes_(periodic_.refined(nodes_per_marker)),
-      tangents_(periodic_.derivative().refined(nodes_per_marker)) {
-  for (Complex& z_s : tangents_) z_s += 1;
-}
-
 Complex SurfaceCurve::node(std::size_t i) const {
   const std::size_t n = nodes_.size();
   return nodes_[i % n] + label(i, n);
@@ -133,7 +127,7 @@ double SurfaceCurve::least_advance() const {
 }
 
 double SurfaceCurve::largest_curvature() const {
-  const auto second = periodic_.derivative().derivative().refined(nodes_per_marker);
+  const auto second = tangent_.derivative().refined(nodes_per_marker);
   return maximum(tangents_.size(), [&](std::size_t i) {
     return std::abs((std::conj(tangents_[i]) * second[i]).imag()) / std::pow(std::abs(tangents_[i]), 3);
   });
@@ -183,83 +177,34 @@ double SurfaceCurve::gap(std::size_t nose, std::size_t throat) const {
   return std::sqrt(least);
 }
 
-namespace {
-
-using Complex = std::complex<double>;
-
-/// Distance from the origin to the cubic with ends a, b and end slopes s, t, by Newton's iteration for the foot point.
-double distance_to_cubic(Complex a, Complex b, Complex s, Complex t) {
-  const Complex c2 = 3.0 * (b - a) - 2.0 * s - t;
-  const Complex c3 = 2.0 * (a - b) + s + t;
-  double u = std::clamp(-(std::conj(b - a) * a).real() / std::norm(b - a), 0.0, 1.0);
-  for (int i = 0; i < 5; ++i) {
-    const Complex z = a + u * (s + u * (c2 + u * c3));
-    const Complex z1 = s + u * (2.0 * c2 + 3.0 * u * c3);
-    const Complex z2 = 2.0 * c2 + 6.0 * u * c3;
-    const double slope = (std::conj(z1) * z).real();
-    const double curvature = std::norm(z1) + (std::conj(z2) * z).real();
-    u = std::clamp(u - slope / (curvature > 0 ? curvature : std::norm(z1)), 0.0, 1.0);
-  }
-  return std::abs(a + u * (s + u * (c2 + u * c3)));
-}
-
-}  // namespace
-
-PeriodicCurve::PeriodicCurve(std::span<const Complex> points, double period, std::size_t refinement) : period_(period) {
-  require_at_least("points", static_cast<long>(points.size()), 8);
-  require_at_least("refinement", static_cast<long>(refinement), 1);
-  require_positive("period", period);
-  const std::size_t n = points.size();
-  std::vector<Complex> periodic(n);
-  for (std::size_t j = 0; j < n; ++j)
-    periodic[j] = points[j] - period * static_cast<double>(j) / static_cast<double>(n);
-  const TrigonometricInterpolant curve(periodic);
-  nodes_ = curve.refined(refinement);
-  tangents_ = curve.derivative().refined(refinement);
-  const auto m = static_cast<double>(nodes_.size());
-  for (std::size_t j = 0; j < nodes_.size(); ++j) {
-    nodes_[j] += period * static_cast<double>(j) / m;
-    tangents_[j] = tangents_[j] * (2 * std::numbers::pi / m) + period / m;
-  }
-}
-
-double PeriodicCurve::distance(Complex point) const {
-  const Complex p = point - period_ * std::round((point.real() - nodes_[nodes_.size() / 2].real()) / period_);
+double SurfaceCurve::distance(Complex place) const {
+  const auto apart = [&](Complex z) {
+    const Complex d = z - place;
+    return Complex(d.real() - 2 * std::numbers::pi * std::round(d.real() / (2 * std::numbers::pi)), d.imag());
+  };
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t j = 0; j < nodes_.size(); ++j) {
-    double dx = std::abs(nodes_[j].real() - p.real());
-    dx = std::min(dx, std::abs(period_ - dx));
-    const double dy = nodes_[j].imag() - p.imag();
-    const double d2 = dx * dx + dy * dy;
-    if (d2 < least) {
-      least = d2;
-      nearest = j;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (const double d = std::norm(apart(node(i))); d < least) {
+      least = d;
+      nearest = i;
     }
   }
-  const auto relative = [&](long j) {
-    const auto m = static_cast<long>(nodes_.size());
-    const long wrapped = (j + m) % m;
-    const long turns = (j - wrapped) / m;
-    const Complex z = nodes_[static_cast<std::size_t>(wrapped)] - p + period_ * static_cast<double>(turns);
-    return std::pair{z, tangents_[static_cast<std::size_t>(wrapped)]};
-  };
-  const auto [centre, slope] = relative(static_cast<long>(nearest));
-  const double shift = period_ * std::round(centre.real() / period_);
-  double result = std::abs(centre - shift);
-  for (const long side : {-1L, 1L}) {
-    const auto [end, end_slope] = relative(static_cast<long>(nearest) + side);
-    const auto sign = static_cast<double>(side);
-    result = std::min(result, distance_to_cubic(centre - shift, end - shift, sign * slope, sign * end_slope));
+  // Gauss and Newton's iteration for the foot point: curves as close as these need no second derivative.
+  double s = label(nearest, nodes_.size());
+  for (int i = 0; i < 4; ++i) {
+    const Complex z_s = 1.0 + tangent_(s);
+    s -= (std::conj(z_s) * apart(point(s))).real() / std::norm(z_s);
   }
-  return result;
+  return std::sqrt(std::min(least, std::norm(apart(point(s)))));
 }
 
-double hausdorff_distance(const PeriodicCurve& a, const PeriodicCurve& b, std::size_t stride) {
-  double largest = 0;
-  for (std::size_t j = 0; j < a.nodes().size(); j += stride) largest = std::max(largest, b.distance(a.nodes()[j]));
-  for (std::size_t j = 0; j < b.nodes().size(); j += stride) largest = std::max(largest, a.distance(b.nodes()[j]));
-  return largest;
+double SurfaceCurve::distance(const SurfaceCurve& other) const {
+  constexpr std::size_t stride = 4;
+  Largest largest;
+  for (std::size_t i = 0; i < nodes_.size(); i += stride) largest.add(other.distance(node(i)));
+  for (std::size_t i = 0; i < other.nodes_.size(); i += stride) largest.add(distance(other.node(i)));
+  return largest.value();
 }
 
 }  // namespace seiche::exact::overturning

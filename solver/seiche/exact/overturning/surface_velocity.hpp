@@ -42,6 +42,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -70,8 +71,7 @@ inline std::size_t marker_count(const State& state) {
 }
 
 inline State still_water(std::size_t markers) {
-  State still(3 * markers + pressure_sums);
-  return still;
+  return State(3 * markers + pressure_sums);
 }
 
 template <class Number>
@@ -83,24 +83,17 @@ struct SurfaceView {
   [[nodiscard]] std::size_t size() const { return y.size(); }
 };
 
-inline SurfaceView<const double> view(const State& state) {
+/// Of a State: of its numbers, or of those of one that is const.
+template <class S>
+auto view(S& state) {
   const std::span all(state);
   const std::size_t n = marker_count(state);
-  return {all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
+  return SurfaceView<std::remove_reference_t<decltype(all[0])>>{all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
 }
 
-inline SurfaceView<double> view(State& state) {
-  const std::span all(state);
-  const std::size_t n = marker_count(state);
-  return {all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
-}
-
-inline PressureSums<const double> by_pressure(const State& state) {
-  return {state[state.size() - 2], state[state.size() - 1]};
-}
-
-inline PressureSums<double> by_pressure(State& state) {
-  return {state[state.size() - 2], state[state.size() - 1]};
+template <class S>
+auto by_pressure(S& state) {
+  return PressureSums<std::remove_reference_t<decltype(state[0])>>{state[state.size() - 2], state[state.size() - 1]};
 }
 
 /// Label of marker j out of n.

@@ -90,8 +90,4 @@ double WallColumn::force(double x, double level) const {
   return boost::math::quadrature::gauss<double, 30>::integrate(at, -depth_, level);
 }
 
-double WallColumn::opposite_force() const {
-  return force(std::numbers::pi, opposite_level_);
-}
-
 }  // namespace seiche::exact::overturning

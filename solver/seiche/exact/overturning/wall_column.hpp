@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "seiche/exact/cauchy_velocity.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
@@ -38,7 +39,7 @@ class WallColumn {
   /// int p dy over the wall.
   [[nodiscard]] double force() const { return force(0, level_); }
   /// The same over the wall at x = 0.
-  [[nodiscard]] double opposite_force() const;
+  [[nodiscard]] double opposite_force() const { return force(std::numbers::pi, opposite_level_); }
   /// int int u dx dy over the water between the two walls.
   [[nodiscard]] double impulse() const { return impulse_; }
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/exact/entry.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -25,13 +24,12 @@ SelfTest jump_identities(const std::string& name, double gravity, sw::State left
   // The fluxes are differences of velocities: their rounding is that of depth times the largest velocity.
   const double velocity = std::max({std::abs(left.velocity), std::abs(right.velocity), std::abs(speed), largest});
   const double depth = std::max(left.depth, right.depth);
-  const double mass_scale = depth * velocity;
-  const double momentum_scale = depth * velocity * velocity + sw::thrust(gravity, depth);
-  const double limit = 32 * epsilon;
-  const std::string reason = "about ten roundings on each side, and those of depth, velocity and speed themselves";
-  return {{"mass is conserved across " + name, std::abs(mass(left) - mass(right)) / mass_scale, limit, reason},
-          {"momentum is conserved across " + name, std::abs(momentum(left) - momentum(right)) / momentum_scale, limit,
-           reason}};
+  const auto conserved = [&](const std::string& what, auto flux, double scale) {
+    return Identity{what + " is conserved across " + name, std::abs(flux(left) - flux(right)) / scale, 32 * epsilon,
+                    "about ten roundings on each side, and those of depth, velocity and speed themselves"};
+  };
+  return {conserved("mass", mass, depth * velocity),
+          conserved("momentum", momentum, depth * velocity * velocity + sw::thrust(gravity, depth))};
 }
 
 Riemann::Riemann(double gravity, State left, State right, double jump)
@@ -44,8 +42,7 @@ Riemann::Riemann(double gravity, State left, State right, double jump)
   require_finite("jump", jump);
   const bool wet_left = left.depth > 0;
   const bool wet_right = right.depth > 0;
-  if (!wet_left && !wet_right)
-    throw std::invalid_argument("left_depth and right_depth are both 0: one must be positive");
+  require_that(wet_left || wet_right, "left_depth and right_depth are both 0: one must be positive");
   if (!wet_left) left_.velocity = 0;
   if (!wet_right) right_.velocity = 0;
   // A celerity of less than a rounding of the largest speed is lost beside it, and three depths are multiplied.
@@ -53,12 +50,11 @@ Riemann::Riemann(double gravity, State left, State right, double jump)
   const double largest = std::max({left_.depth, right_.depth, square / gravity});
   const double least = std::max(1e-100, std::pow(epsilon, 2) * largest);
   for (const auto& [name, depth] : {std::pair("left_depth", left_.depth), std::pair("right_depth", right_.depth)}) {
-    if (depth > 0 && depth < least) {
-      throw std::invalid_argument(
-          fmt::format("{} = {:.17g} is out of range: must be 0 (dry) or at least {:.2g} here, for its waves not to be "
-                      "lost in the rounding of the larger ones",
-                      name, depth, least));
-    }
+    require_that(
+        depth == 0 || depth >= least,
+        "{} = {:.17g} is out of range: must be 0 (dry) or at least {:.2g} here, for its waves not to be lost in "
+        "the rounding of the larger ones",
+        name, depth, least);
   }
 
   if (wet_left && wet_right) star_ = sw::star_state(gravity, left_, right_);
@@ -116,19 +112,18 @@ std::vector<double> Riemann::breakpoints(double t) const {
 
 SelfTest Riemann::self_test() const {
   SelfTest tests;
+  // The velocity between the waves is the mean of those beside them and of two changes.
+  const double largest = std::max(std::abs(left_.velocity), std::abs(right_.velocity));
   const auto add = [&](const Wave& wave, const State& outer, double side, const std::string& name) {
     if (wave.kind == Kind::jump) {
-      // The velocity between the waves is the mean of those beside them and of two changes.
-      const double largest = std::max(std::abs(left_.velocity), std::abs(right_.velocity));
-      const auto both = side < 0 ? jump_identities(name, gravity_, outer, star_, wave.slowest, largest)
-                                 : jump_identities(name, gravity_, star_, outer, wave.slowest, largest);
-      tests.insert(tests.end(), both.begin(), both.end());
+      std::ranges::move(jump_identities(name, gravity_, outer, star_, wave.slowest, largest),
+                        std::back_inserter(tests));
     } else if (wave.kind == Kind::fan) {
       const auto invariant = [&](const State& s) { return s.velocity - side * 2 * sw::celerity(gravity_, s.depth); };
       const double edge = side < 0 ? wave.fastest : wave.slowest;
       // On a dry bed the edge has no depth, and the velocity there is 0 by definition: the middle of the fan has both.
       const State inner = sample(star_.depth > 0 ? edge : 0.5 * (wave.slowest + wave.fastest));
-      tests.push_back({"u " + std::string(side < 0 ? "+" : "-") + " 2c is constant through " + name,
+      tests.push_back({fmt::format("u {} 2c is constant through {}", side < 0 ? "+" : "-", name),
                        std::abs(invariant(inner) - invariant(outer)) /
                            (std::abs(outer.velocity) + 2 * sw::celerity(gravity_, outer.depth)),
                        32 * epsilon, "about ten roundings in each invariant"});
@@ -144,10 +139,8 @@ namespace {
 double below(double downstream, double upstream) {
   require_positive("upstream", upstream);
   require_positive("downstream", downstream);
-  if (!(downstream < upstream)) {
-    throw std::invalid_argument(
-        fmt::format("downstream = {:.17g} is out of range: must be below upstream = {:g}", downstream, upstream));
-  }
+  require_that(downstream < upstream, "downstream = {:.17g} is out of range: must be below upstream = {:g}", downstream,
+               upstream);
   return downstream;
 }
 
@@ -178,11 +171,10 @@ Bore::Bore(double gravity, double ahead, double behind, double ahead_velocity, d
   require_finite("start", start);
   require_positive("depth ahead of the jump", ahead);
   require_positive("depth behind the jump", behind);
-  if (!(behind > ahead)) {
-    throw std::invalid_argument(fmt::format(
-        "depth behind the jump = {:.17g} is out of range: must exceed the depth ahead = {:g} (a jump loses energy)",
-        behind, ahead));
-  }
+  require_that(behind > ahead,
+               "depth behind the jump = {:.17g} is out of range: must exceed the depth ahead = {:g} (a jump loses "
+               "energy)",
+               behind, ahead);
   flux_ = sw::jump_mass_flux(gravity, ahead, behind);
   behind_ = {behind, ahead_velocity + sw::velocity_change(gravity, behind, ahead)};
 }
@@ -198,10 +190,7 @@ Bore Bore::from_velocity(double gravity, double behind, double behind_velocity, 
   do {
     low *= 0.5;
   } while (excess(low) < 0 && low > 1e-300);
-  std::uintmax_t iterations = 200;
-  const auto [a, b] =
-      boost::math::tools::toms748_solve(excess, low, behind, boost::math::tools::eps_tolerance<double>(53), iterations);
-  return {gravity, std::abs(excess(a)) < std::abs(excess(b)) ? a : b, behind, 0, start};
+  return {gravity, root_at_end(excess, low, behind), behind, 0, start};
 }
 
 sw::State Bore::at(double x, double t) const {
@@ -210,56 +199,15 @@ sw::State Bore::at(double x, double t) const {
   return x < position(t) ? behind_ : ahead_;
 }
 
-StationaryJump::StationaryJump(double gravity, double shallow, double deep, double position, Flow flow)
-    : bore_(gravity, shallow, deep), position_(position), flow_(flow) {
+StationaryJump::StationaryJump(double gravity, double shallow, double deep, double position)
+    : bore_(gravity, shallow, deep), position_(position) {
   require_finite("position", position);
-  const double discharge = flow == Flow::rightwards ? mass_flux() : -mass_flux();
-  upstream_ = {shallow, discharge / shallow};
-  downstream_ = {deep, discharge / deep};
 }
 
 sw::State StationaryJump::at(double x, double t) const {
   require_finite("x", x);
   require_not_negative("t", t);
-  return (x < position_) == (flow_ == Flow::rightwards) ? upstream_ : downstream_;
-}
-
-BoreReflection::BoreReflection(const Bore& incident, double wall) : incident_(incident), wall_(wall) {
-  require_finite("wall", wall);
-  if (incident.ahead().velocity != 0) {
-    throw std::invalid_argument(fmt::format("velocity ahead of the bore = {:.17g} is out of range: must be 0 at a wall",
-                                            incident.ahead().velocity));
-  }
-  if (!(wall > incident.position(0))) {
-    throw std::invalid_argument(fmt::format("wall = {:.17g} is out of range: must lie beyond the bore's start = {:g}",
-                                            wall, incident.position(0)));
-  }
-  const sw::State behind = incident.behind();
-  time_ = (wall - incident.position(0)) / incident.speed();
-  const Riemann mirrored(incident.gravity(), behind, {behind.depth, -behind.velocity});
-  depth_ = mirrored.star().depth;
-  speed_ = mirrored.left_wave().fastest;
-}
-
-double BoreReflection::position(double t) const {
-  require_not_negative("t", t);
-  return t < time_ ? incident_.position(t) : wall_ + speed_ * (t - time_);
-}
-
-sw::State BoreReflection::at(double x, double t) const {
-  require_finite("x", x);
-  if (x > wall_) throw std::invalid_argument(fmt::format("x = {:.17g} is out of range: the wall is at {:g}", x, wall_));
-  if (x < position(t)) return incident_.behind();
-  return t < time_ ? incident_.ahead() : sw::State{depth_, 0};
-}
-
-SelfTest BoreReflection::self_test() const {
-  SelfTest tests = jump_identities("the incident bore", incident_.gravity(), incident_.behind(), incident_.ahead(),
-                                   incident_.speed());
-  const SelfTest reflected =
-      jump_identities("the reflected bore", incident_.gravity(), incident_.behind(), {depth_, 0}, speed_);
-  tests.insert(tests.end(), reflected.begin(), reflected.end());
-  return tests;
+  return x < position_ ? upstream() : downstream();
 }
 
 CollidingBores::CollidingBores(double gravity, double left, double middle, double right, double left_start,
@@ -268,10 +216,8 @@ CollidingBores::CollidingBores(double gravity, double left, double middle, doubl
       right_(gravity, middle, right, 0, -right_start),
       time_((right_start - left_start) / (left_.speed() + right_.speed())),
       after_(gravity, left_.behind(), {right, -right_.behind_velocity()}, left_.position(time_)) {
-  if (!(right_start > left_start)) {
-    throw std::invalid_argument(
-        fmt::format("right_start = {:.17g} is out of range: must exceed left_start = {:g}", right_start, left_start));
-  }
+  require_that(right_start > left_start, "right_start = {:.17g} is out of range: must exceed left_start = {:g}",
+               right_start, left_start);
 }
 
 sw::State CollidingBores::at(double x, double t) const {
@@ -285,6 +231,44 @@ sw::State CollidingBores::at(double x, double t) const {
 std::vector<double> CollidingBores::breakpoints(double t) const {
   if (t >= time_) return after_.breakpoints(t - time_);
   return {left_.position(t), -right_.position(t)};
+}
+
+namespace {
+
+double checked_wall(const Bore& incident, double wall) {
+  require_finite("wall", wall);
+  require_that(incident.ahead().velocity == 0,
+               "velocity ahead of the bore = {:.17g} is out of range: must be 0 at a wall", incident.ahead().velocity);
+  require_that(wall > incident.position(0), "wall = {:.17g} is out of range: must lie beyond the bore's start = {:g}",
+               wall, incident.position(0));
+  return wall;
+}
+
+}  // namespace
+
+BoreReflection::BoreReflection(const Bore& incident, double wall)
+    : wall_(checked_wall(incident, wall)),
+      with_image_(incident.gravity(), incident.behind().depth, incident.ahead().depth, incident.behind().depth,
+                  incident.position(0), 2 * wall - incident.position(0)) {}
+
+double BoreReflection::position(double t) const {
+  require_not_negative("t", t);
+  return t < reflection_time() ? incident().position(t) : wall_ + reflected_speed() * (t - reflection_time());
+}
+
+sw::State BoreReflection::at(double x, double t) const {
+  require_finite("x", x);
+  require_that(x <= wall_, "x = {:.17g} is out of range: the wall is at {:g}", x, wall_);
+  return with_image_.at(x, t);
+}
+
+SelfTest BoreReflection::self_test() const {
+  SelfTest tests = jump_identities("the incident bore", incident().gravity(), incident().behind(), incident().ahead(),
+                                   incident().speed());
+  std::ranges::move(jump_identities("the reflected bore", incident().gravity(), incident().behind(),
+                                    {reflected_depth(), 0}, reflected_speed()),
+                    std::back_inserter(tests));
+  return tests;
 }
 
 ExactSolution riemann_entry() {
@@ -303,28 +287,24 @@ ExactSolution riemann_entry() {
                      gravity_parameter(),
                      {"jump", "m", 0, -1e9, 1e9, "position of the discontinuity at t = 0"}},
       .inputs = {position_x, time_t},
-      .outputs = {{"h", "m", "depth"}, {"u", "m/s", "velocity, 0 where dry"}},
-      .scalars = {{"star_depth", "m", "depth between the waves, 0 if dry",
-                   [](const Riemann& solution) { return solution.star().depth; }},
-                  {"star_velocity", "m/s", "velocity between the waves, 0 if dry",
-                   [](const Riemann& solution) { return solution.star().velocity; }},
-                  {"left_wave_slowest", "m/s", "left end of the left wave",
-                   [](const Riemann& solution) { return solution.left_wave().slowest; }},
-                  {"left_wave_fastest", "m/s", "right end of the left wave, equal for a jump",
-                   [](const Riemann& solution) { return solution.left_wave().fastest; }},
-                  {"right_wave_slowest", "m/s", "left end of the right wave",
-                   [](const Riemann& solution) { return solution.right_wave().slowest; }},
-                  {"right_wave_fastest", "m/s", "right end of the right wave, equal for a jump",
-                   [](const Riemann& solution) { return solution.right_wave().fastest; }},
-                  {"discharge_at_jump", "m^2/s", "h u where the states met, t > 0",
-                   [](const Riemann& solution) { return solution.sample(0).depth * solution.sample(0).velocity; }}},
-      .make =
-          [](const Values& p) {
-            return Riemann(p.at("gravity"), {p.at("left_depth"), p.at("left_velocity")},
-                           {p.at("right_depth"), p.at("right_velocity")}, p.at("jump"));
+      .outputs = {depth_h, {"u", "m/s", "velocity, 0 where dry"}},
+      .scalars =
+          {{"star_depth", "m", "depth between the waves, 0 if dry", &Riemann::star, &sw::State::depth},
+           {"star_velocity", "m/s", "velocity between the waves, 0 if dry", &Riemann::star, &sw::State::velocity},
+           {"left_wave_slowest", "m/s", "left end of the left wave", &Riemann::left_wave, &Riemann::Wave::slowest},
+           {"left_wave_fastest", "m/s", "right end of the left wave, equal for a jump", &Riemann::left_wave,
+            &Riemann::Wave::fastest},
+           {"right_wave_slowest", "m/s", "left end of the right wave", &Riemann::right_wave, &Riemann::Wave::slowest},
+           {"right_wave_fastest", "m/s", "right end of the right wave, equal for a jump", &Riemann::right_wave,
+            &Riemann::Wave::fastest},
+           {"discharge_at_jump", "m^2/s", "h u where the states met, t > 0",
+            [](const Riemann& solution) { return solution.sample(0).depth * solution.sample(0).velocity; }}},
+      .make = made_by(
+          [](double g, double left, double u_left, double right, double u_right, double jump) {
+            return Riemann(g, {left, u_left}, {right, u_right}, jump);
           },
-      .row = state_row<Riemann>,
-  };
+          "gravity", "left_depth", "left_velocity", "right_depth", "right_velocity", "jump"),
+      .row = state_row<Riemann>};
 }
 
 ExactSolution bore_reflection_entry() {
@@ -341,21 +321,15 @@ ExactSolution bore_reflection_entry() {
                      {"start", "m", 5, -1e9, 1e9, "position of the bore at t = 0"},
                      {"wall", "m", 10, -1e9, 1e9, "position of the wall, beyond start"}},
       .inputs = {position_x, time_t},
-      .outputs = depth_and_velocity,
-      .scalars = {{"ahead_depth", "m", "depth of the still water",
-                   [](const BoreReflection& solution) { return solution.incident().ahead().depth; }},
-                  {"incident_speed", "m/s", "velocity of the incident bore",
-                   [](const BoreReflection& solution) { return solution.incident().speed(); }},
+      .outputs = {depth_h, {"u", "m/s", "velocity"}},
+      .scalars = {{"ahead_depth", "m", "depth of the still water", &BoreReflection::incident, &Bore::ahead,
+                   &sw::State::depth},
+                  {"incident_speed", "m/s", "velocity of the incident bore", &BoreReflection::incident, &Bore::speed},
                   {"reflection_time", "s", "when the bore meets the wall", &BoreReflection::reflection_time},
                   {"reflected_depth", "m", "depth at the wall afterwards", &BoreReflection::reflected_depth},
                   {"reflected_speed", "m/s", "velocity of the reflected jump", &BoreReflection::reflected_speed}},
-      .make =
-          [](const Values& p) {
-            return BoreReflection::from_velocity(p.at("gravity"), p.at("behind_depth"), p.at("behind_velocity"),
-                                                 p.at("start"), p.at("wall"));
-          },
-      .row = state_row<BoreReflection>,
-  };
+      .make = made_by(&BoreReflection::from_velocity, "gravity", "behind_depth", "behind_velocity", "start", "wall"),
+      .row = state_row<BoreReflection>};
 }
 
 }  // namespace seiche::exact

@@ -92,9 +92,7 @@ class Ritter : public Riemann {
   [[nodiscard]] double front(double t) const { return jump() + left_wave().fastest * t; }
   /// Position of the wave that runs back into the water at rest, dam - c1 t [m].
   [[nodiscard]] double tail(double t) const { return jump() + left_wave().slowest * t; }
-  /// Depth 4 h1/9 [m], velocity 2 c1/3 [m/s] and discharge (8/27) h1 c1 [m^2/s] at the dam, constant for t > 0.
-  [[nodiscard]] double depth_at_dam() const { return 4 * left().depth / 9; }
-  [[nodiscard]] double velocity_at_dam() const { return 2 * shallow_water::celerity(gravity(), left().depth) / 3; }
+  /// Discharge (8/27) h1 c1 [m^2/s] at the dam, where the depth is 4 h1/9 and the velocity 2 c1/3, constant for t > 0.
   [[nodiscard]] double discharge_at_dam() const {
     return 8.0 / 27.0 * left().depth * shallow_water::celerity(gravity(), left().depth);
   }
@@ -159,31 +157,60 @@ class Bore {
   shallow_water::State behind_;
 };
 
-/// Hydraulic jump at rest: supercritical flow of depth `shallow` upstream, subcritical of depth `deep` downstream.
+/// Hydraulic jump at rest in water that flows to the right: supercritical of depth `shallow` upstream, subcritical of
+/// depth `deep` downstream.
 class StationaryJump {
  public:
-  enum class Flow { rightwards, leftwards };
-
   /// @param shallow, deep  depths h0, h1 [m], 0 < shallow < deep;  @param position  of the jump [m].
   /// Throws std::invalid_argument.
-  StationaryJump(double gravity, double shallow, double deep, double position = 0, Flow flow = Flow::rightwards);
+  StationaryJump(double gravity, double shallow, double deep, double position = 0);
 
   [[nodiscard]] shallow_water::State at(double x, double t = 0) const;
   [[nodiscard]] std::vector<double> breakpoints(double /*t*/ = 0) const { return {position_}; }
 
-  /// u0 = a = sqrt(g h1 (h1 + h0)/(2 h0)) upstream, u1 = a h0/h1 downstream; signed by the direction of the flow.
-  [[nodiscard]] shallow_water::State upstream() const { return upstream_; }
-  [[nodiscard]] shallow_water::State downstream() const { return downstream_; }
-  /// Magnitude of the discharge [m^2/s], and energy lost as by the bore that it is seen from the water upstream.
+  /// u0 = a = sqrt(g h1 (h1 + h0)/(2 h0)) upstream, u1 = a h0/h1 downstream.
+  [[nodiscard]] shallow_water::State upstream() const { return flow(bore_.ahead().depth); }
+  [[nodiscard]] shallow_water::State downstream() const { return flow(bore_.behind().depth); }
+  /// Discharge [m^2/s], and energy lost as by the bore that it is seen from the water upstream.
   [[nodiscard]] double mass_flux() const { return bore_.mass_flux(); }
   [[nodiscard]] double energy_loss_rate() const { return bore_.energy_loss_rate(); }
 
  private:
+  [[nodiscard]] shallow_water::State flow(double depth) const { return {depth, mass_flux() / depth}; }
+
   Bore bore_;
   double position_;
-  Flow flow_;
-  shallow_water::State upstream_;
-  shallow_water::State downstream_;
+};
+
+/// Two bores run towards each other through still water, meet, and pass: before the meeting two jumps, after it the
+/// Riemann problem of the two states behind them.
+class CollidingBores {
+ public:
+  /// @param left, right            depths behind the two bores [m], both above `middle`
+  /// @param middle                 depth of the still water between [m]
+  /// @param left_start, right_start  positions at t = 0 [m], left_start < right_start
+  /// Throws std::invalid_argument.
+  CollidingBores(double gravity, double left, double middle, double right, double left_start, double right_start);
+
+  [[nodiscard]] shallow_water::State at(double x, double t) const;
+  [[nodiscard]] std::vector<double> breakpoints(double t) const;
+
+  [[nodiscard]] double collision_time() const { return time_; }
+  [[nodiscard]] double collision_place() const { return after_.jump(); }
+  /// The bore from the left, and the Riemann problem after the collision, its time counted from there.
+  [[nodiscard]] const Bore& left_bore() const { return left_; }
+  [[nodiscard]] const Riemann& after() const { return after_; }
+  /// State between the two jumps after the collision.
+  [[nodiscard]] shallow_water::State star() const { return after_.star(); }
+  /// States behind the left (u > 0) and right (u < 0) bore.
+  [[nodiscard]] shallow_water::State left() const { return after_.left(); }
+  [[nodiscard]] shallow_water::State right() const { return after_.right(); }
+
+ private:
+  Bore left_;
+  Bore right_;  // mirrored: runs to the right in -x
+  double time_;
+  Riemann after_;
 };
 
 /// A bore meets a vertical wall and runs back: water at rest, deeper than behind the incident bore, between it and the
@@ -191,7 +218,7 @@ class StationaryJump {
 ///
 ///     u1 = (h2 - h1) sqrt(g (h2 + h1)/(2 h1 h2)),   a- = -u1 h1/(h2 - h1)
 ///
-/// which is the Riemann problem of (h1, u1) against its mirror image.
+/// which is the collision with its mirror image.
 class BoreReflection {
  public:
   /// @param incident  bore that runs to the right;  @param wall  position [m], to the right of the bore at t = 0.
@@ -212,14 +239,14 @@ class BoreReflection {
   [[nodiscard]] shallow_water::State at(double x, double t) const;
   [[nodiscard]] std::vector<double> breakpoints(double t) const { return {position(t)}; }
 
-  [[nodiscard]] const Bore& incident() const { return incident_; }
+  [[nodiscard]] const Bore& incident() const { return with_image_.left_bore(); }
   [[nodiscard]] double wall() const { return wall_; }
   /// When the bore meets the wall [s].
-  [[nodiscard]] double reflection_time() const { return time_; }
+  [[nodiscard]] double reflection_time() const { return with_image_.collision_time(); }
   /// Depth between wall and reflected jump h2 [m].
-  [[nodiscard]] double reflected_depth() const { return depth_; }
+  [[nodiscard]] double reflected_depth() const { return with_image_.star().depth; }
   /// Velocity of the reflected jump a- < 0 [m/s].
-  [[nodiscard]] double reflected_speed() const { return speed_; }
+  [[nodiscard]] double reflected_speed() const { return with_image_.after().left_wave().fastest; }
   /// Position of the incident, then of the reflected jump [m].
   [[nodiscard]] double position(double t) const;
 
@@ -227,36 +254,8 @@ class BoreReflection {
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  Bore incident_;
-  double wall_, time_, depth_, speed_;
-};
-
-/// Two bores run towards each other through still water, meet, and pass: before the meeting two jumps, after it the
-/// Riemann problem of the two states behind them.
-class CollidingBores {
- public:
-  /// @param left, right            depths behind the two bores [m], both above `middle`
-  /// @param middle                 depth of the still water between [m]
-  /// @param left_start, right_start  positions at t = 0 [m], left_start < right_start
-  /// Throws std::invalid_argument.
-  CollidingBores(double gravity, double left, double middle, double right, double left_start, double right_start);
-
-  [[nodiscard]] shallow_water::State at(double x, double t) const;
-  [[nodiscard]] std::vector<double> breakpoints(double t) const;
-
-  [[nodiscard]] double collision_time() const { return time_; }
-  [[nodiscard]] double collision_place() const { return after_.jump(); }
-  /// State between the two jumps after the collision.
-  [[nodiscard]] shallow_water::State star() const { return after_.star(); }
-  /// States behind the left (u > 0) and right (u < 0) bore.
-  [[nodiscard]] shallow_water::State left() const { return after_.left(); }
-  [[nodiscard]] shallow_water::State right() const { return after_.right(); }
-
- private:
-  Bore left_;
-  Bore right_;  // mirrored: runs to the right in -x
-  double time_;
-  Riemann after_;
+  double wall_;
+  CollidingBores with_image_;
 };
 
 /// Mass and momentum across a hydraulic jump of velocity `speed` [m/s], seen by an observer who moves with it.

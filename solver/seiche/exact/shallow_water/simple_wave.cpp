@@ -17,6 +17,7 @@
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -34,13 +35,11 @@ SimpleWave::SimpleWave(double gravity, double still_depth, Profile profile)
     : gravity_(gravity), profile_(std::move(profile)) {
   require_positive("gravity", gravity);
   require_positive("still_depth", still_depth);
-  if (!profile_.depth || !profile_.slope) throw std::invalid_argument("profile: depth and slope must both be given");
+  require_that(profile_.depth && profile_.slope, "profile: depth and slope must both be given");
   require_finite("profile start", profile_.start);
   require_finite("profile end", profile_.end);
-  if (!(profile_.end > profile_.start)) {
-    throw std::invalid_argument(fmt::format("profile end = {:.17g} is out of range: must exceed its start = {:g}",
-                                            profile_.end, profile_.start));
-  }
+  require_that(profile_.end > profile_.start, "profile end = {:.17g} is out of range: must exceed its start = {:g}",
+               profile_.end, profile_.start);
   still_celerity_ = sw::celerity(gravity, still_depth);
   for (const double end : {profile_.start, profile_.end}) {
     // The profile must join the still water, or characteristics would cross at t = 0.
@@ -87,12 +86,10 @@ SimpleWave SimpleWave::hump(double gravity, double still_depth, double amplitude
   require_positive("length", length);
   require_positive("still_depth", still_depth);
   require_positive("still_depth + amplitude", still_depth + amplitude);
-  if (std::abs(centre) > farthest * length) {
-    throw std::invalid_argument(
-        fmt::format("centre = {:.17g} is out of range: must be in [{:g}, {:g}], a million lengths of the hump; farther "
-                    "away its places have too few digits",
-                    centre, -farthest * length, farthest * length));
-  }
+  require_that(std::abs(centre) <= farthest * length,
+               "centre = {:.17g} is out of range: must be in [{:g}, {:g}], a million lengths of the hump; farther "
+               "away its places have too few digits",
+               centre, -farthest * length, farthest * length);
   const double wavenumber = std::numbers::pi / length;
   return {gravity, still_depth,
           Profile{[=](double x) {
@@ -110,10 +107,7 @@ SimpleWave SimpleWave::hump(double gravity, double still_depth, double amplitude
 sw::State SimpleWave::at(double x, double t) const {
   require_finite("x", x);
   require_not_negative("t", t);
-  if (!(t < breaking_time_)) {
-    throw std::invalid_argument(
-        fmt::format("t = {:.17g} is out of range: the wave breaks at t = {:.9g}", t, breaking_time_));
-  }
+  require_that(t < breaking_time_, "t = {:.17g} is out of range: the wave breaks at t = {:.9g}", t, breaking_time_);
   const double drift = still_celerity_ * t;
   if (x - drift <= profile_.start || x - drift >= profile_.end) {
     return {still_celerity_ * still_celerity_ / gravity_, 0};
@@ -175,17 +169,12 @@ ExactSolution simple_wave_entry() {
                      {"length", "m", 6, 1e-9, 1e9, "length of the hump"},
                      gravity_parameter()},
       .inputs = {position_x, time_t},
-      .outputs = depth_and_velocity,
+      .outputs = {depth_h, {"u", "m/s", "velocity"}},
       .scalars = {{"breaking_time", "s", "when the wave becomes vertical; no solution from then on",
                    &SimpleWave::breaking_time},
                   {"breaking_place", "m", "where it does", &SimpleWave::breaking_place}},
-      .make =
-          [](const Values& p) {
-            return SimpleWave::hump(p.at("gravity"), p.at("still_depth"), p.at("amplitude"), p.at("centre"),
-                                    p.at("length"));
-          },
-      .row = state_row<SimpleWave>,
-  };
+      .make = made_by(&SimpleWave::hump, "gravity", "still_depth", "amplitude", "centre", "length"),
+      .row = state_row<SimpleWave>};
 }
 
 }  // namespace seiche::exact

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -11,12 +10,13 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
+#include "seiche/exact/roots.hpp"
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -37,12 +37,10 @@ SteadyBump::SteadyBump(double gravity, double discharge, Bump bump)
   require_positive("bump half_width", bump.half_width);
   require_positive("length", bump.length);
   require_within("bump crest", bump.crest, bump.half_width, bump.length - bump.half_width);
-  if (!(bump.half_width >= smallest_share * bump.crest)) {
-    throw std::invalid_argument(
-        fmt::format("bump half_width = {:g} is out of range: must be at least {:g} of the crest's position {:g}, or "
-                    "the rounding of positions shows",
-                    bump.half_width, smallest_share, bump.crest));
-  }
+  require_that(bump.half_width >= smallest_share * bump.crest,
+               "bump half_width = {:g} is out of range: must be at least {:g} of the crest's position {:g}, or "
+               "the rounding of positions shows",
+               bump.half_width, smallest_share, bump.crest);
 }
 
 SteadyBump SteadyBump::transcritical(double gravity, double discharge, Bump bump) {
@@ -52,12 +50,10 @@ SteadyBump SteadyBump::transcritical(double gravity, double discharge, Bump bump
 SteadyBump::SteadyBump(double gravity, double discharge, double outflow_depth, Bump bump)
     : SteadyBump(gravity, discharge, bump) {
   require_positive("outflow_depth", outflow_depth);
-  if (!(outflow_depth > critical_)) {
-    throw std::invalid_argument(
-        fmt::format("outflow_depth = {:.17g} is out of range: must exceed the critical depth {:g}; no steady state "
-                    "with this outflow",
-                    outflow_depth, critical_));
-  }
+  require_that(outflow_depth > critical_,
+               "outflow_depth = {:.17g} is out of range: must exceed the critical depth {:g}; no steady state "
+               "with this outflow",
+               outflow_depth, critical_);
   // E - 1.5 h_c at the outflow, where z = 0, from the factored form (h - h_c)^2 (h + h_c/2)/h^2: exact near h_c.
   const double outflow_excess = (outflow_depth - critical_) * (outflow_depth - critical_) *
                                 (outflow_depth + 0.5 * critical_) / (outflow_depth * outflow_depth);
@@ -105,16 +101,11 @@ void SteadyBump::place_jump(double outflow_depth) {
   // The downstream flow reaches up to where it would be critical; the jump lies between there and the bump's foot.
   const double highest = bump_.crest + bump_.half_width * std::sqrt(-downstream_excess_ / bump_.height);
   const double foot = bump_.crest + bump_.half_width;
-  if (!(imbalance(foot) <= 0)) {
-    throw std::invalid_argument(
-        fmt::format("outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
-                    "with a jump on it",
-                    outflow_depth));
-  }
-  std::uintmax_t iterations = 200;
-  const auto [a, b] = boost::math::tools::toms748_solve(imbalance, highest, foot,
-                                                        boost::math::tools::eps_tolerance<double>(53), iterations);
-  jump_ = std::abs(imbalance(a)) < std::abs(imbalance(b)) ? a : b;
+  require_that(imbalance(foot) <= 0,
+               "outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
+               "with a jump on it",
+               outflow_depth);
+  jump_ = root_at_end(imbalance, highest, foot);
 }
 
 sw::State SteadyBump::at(double x, double /*t*/) const {
@@ -197,7 +188,7 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
   require_positive("discharge", discharge);
   require_not_negative("manning", manning);
   require_positive("length", length);
-  if (!depth_ || !slope_) throw std::invalid_argument("profile: depth and slope must both be given");
+  require_that(depth_ && slope_, "profile: depth and slope must both be given");
 
   auto table = std::make_shared<Table>();
   table->elevation.assign(panels + 1, 0.0);
@@ -218,10 +209,8 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
     defect += std::abs(reference - rise[k]);
     range += std::abs(rise[k]) + std::abs(depth_(b) - depth_(a));  // near critical the depth's slope cancels
   }
-  if (!(defect <= 1e-12 * range)) {
-    throw std::invalid_argument(
-        fmt::format("profile: bed integrated only to {:g}, must be to 1e-12; make the depth smoother", defect));
-  }
+  require_that(defect <= 1e-12 * range,
+               "profile: bed integrated only to {:g}, must be to 1e-12; make the depth smoother", defect);
   // z from its value 0 at the downstream end, Z from its value 0 at the upstream end.
   for (std::size_t k = panels; k-- > 0;) table->elevation[k] = table->elevation[k + 1] - rise[k];
   for (std::size_t k = 0; k < panels; ++k) {
@@ -324,22 +313,22 @@ ExactSolution steady_bump_entry() {
                      {"half_width", "m", 2, 1e-9, 1e9, "half-width of the bump"},
                      {"length", "m", 25, 1e-9, 1e9, "length of the channel [0, length]"}},
       .inputs = {position_x},
-      .outputs = {{"h", "m", "depth"}, {"u", "m/s", "velocity"}, {"z", "m", "bed elevation"}},
+      .outputs = {depth_h, {"u", "m/s", "velocity"}, {"z", "m", "bed elevation"}},
       .scalars = {{"critical_depth", "m", "(q^2/g)^(1/3)", &SteadyBump::critical_depth},
                   {"jump", "m", "place of the hydraulic jump, NaN without one", &SteadyBump::jump},
                   {"depth_before_jump", "m", "depth just upstream of it, NaN without one",
                    &SteadyBump::depth_before_jump},
                   {"depth_after_jump", "m", "depth just downstream of it, NaN without one",
                    &SteadyBump::depth_after_jump}},
-      .make =
-          [](const Values& p) {
-            const SteadyBump::Bump bump{p.at("height"), p.at("crest"), p.at("half_width"), p.at("length")};
-            const double outflow = p.at("outflow_depth");
-            return outflow > 0 ? SteadyBump(p.at("gravity"), p.at("discharge"), outflow, bump)
-                               : SteadyBump::transcritical(p.at("gravity"), p.at("discharge"), bump);
+      .make = made_by(
+          [](double g, double discharge, double outflow, double height, double crest, double half_width,
+             double length) {
+            const SteadyBump::Bump bump{height, crest, half_width, length};
+            return outflow > 0 ? SteadyBump(g, discharge, outflow, bump)
+                               : SteadyBump::transcritical(g, discharge, bump);
           },
-      .row = steady_row<SteadyBump>,
-  };
+          "gravity", "discharge", "outflow_depth", "height", "crest", "half_width", "length"),
+      .row = steady_row<SteadyBump>};
 }
 
 ExactSolution macdonald_entry() {
@@ -356,18 +345,13 @@ ExactSolution macdonald_entry() {
                      {"crest", "1", 0.5, -0.9, 10, "relative rise of the depth in the middle"},
                      gravity_parameter()},
       .inputs = {position_x},
-      .outputs = {{"h", "m", "depth"}, {"u", "m/s", "velocity"}, {"z", "m", "bed elevation, 0 at the outflow"}},
+      .outputs = {depth_h, {"u", "m/s", "velocity"}, {"z", "m", "bed elevation, 0 at the outflow"}},
       .scalars = {{"fall", "m", "fall of the bed over the channel",
                    [](const MacDonald& solution) {
                      return solution.elevation(0) - solution.elevation(solution.length());
                    }}},
-      .make =
-          [](const Values& p) {
-            return MacDonald::smooth_rise(p.at("gravity"), p.at("discharge"), p.at("manning"), p.at("length"),
-                                          p.at("crest"));
-          },
-      .row = steady_row<MacDonald>,
-  };
+      .make = made_by(&MacDonald::smooth_rise, "gravity", "discharge", "manning", "length", "crest"),
+      .row = steady_row<MacDonald>};
 }
 
 }  // namespace seiche::exact

@@ -126,7 +126,9 @@ class ThackerRadialBowl : public ThackerBowl {
   [[nodiscard]] BowlState at(double x, double y, double t) const;
   /// Level of the free surface [m]; continued by its formula below the dry bed.
   [[nodiscard]] double surface(double x, double y, double t) const;
-  [[nodiscard]] double shoreline(double t) const;
+  [[nodiscard]] double shoreline(double t) const {
+    return radius_ * std::sqrt(stretch(t) / std::sqrt((1 - amplitude_) * (1 + amplitude_)));
+  }
   /// Where the water that was at `start` at t = 0 is at time t.
   [[nodiscard]] PlanePoint carried(PlanePoint start, double t) const;
   /// Kinetic and potential energy over density [m^5/s^2], relative to the rim's level; constant.
@@ -139,7 +141,7 @@ class ThackerRadialBowl : public ThackerBowl {
  private:
   [[nodiscard]] double stretch(double t) const;  // D
   /// sqrt(1 - A^2)/D: depth in the middle over h0.
-  [[nodiscard]] double middle(double t) const;
+  [[nodiscard]] double middle(double t) const { return std::sqrt((1 - amplitude_) * (1 + amplitude_)) / stretch(t); }
 
   double amplitude_;  // A
 };

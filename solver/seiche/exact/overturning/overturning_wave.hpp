@@ -28,8 +28,6 @@
 /// Cauchy's integral (overturning/surface_velocity.hpp). Volume is conserved; energy and horizontal impulse change by
 /// the pressure's work and thrust, which are integrated with the motion, and measured.
 ///
-/// From rest, linear theory gives the surface in closed form: see linear_response.
-///
 /// When not to use it: after touch-down; near touch-down for more digits than uncertainty(t) says; up to a jet with
 /// fewer than 192 markers, whose balances then err by more than the steps explain.
 ///
@@ -56,8 +54,8 @@ class OverturningWave : public overturning::MovingSurface {
     double depth = std::numeric_limits<double>::infinity();  ///< [m]; infinite for deep water
     double gravity = 1;                                      ///< [m/s^2]
     std::size_t markers = 512;                               ///< even, at least 64
+    double last_time = 0;                                    ///< [s]; 0: one period of the linear wave
     double tolerance = 2e-11;                                ///< of a time step, in units of 1/k
-    std::optional<double> last_time{};                       ///< [s]; one period of the linear wave if not given
   };
 
   /// Computes the motion until last_time or until it ends by itself.
@@ -84,8 +82,8 @@ class PressureForcedWave : public overturning::MovingSurface {
     double gravity = 1;                        ///< [m/s^2]
     double pressure = 0.1;                     ///< p0 over the density [m^2/s^2]; k p0/g in [-1, 1]
     std::size_t markers = 256;                 ///< even, at least 64
+    double last_time = 0;                      ///< [s]; 0: 7.4/sqrt(g k), Frank's last frame
     double tolerance = 2e-11;                  ///< of a time step, in units of 1/k
-    std::optional<double> last_time{};         ///< [s]; 7.4/sqrt(g k), Frank's last frame, if not given
   };
 
   /// Computes the motion until last_time or until it ends by itself. Throws std::invalid_argument.
@@ -99,16 +97,6 @@ class PressureForcedWave : public overturning::MovingSurface {
     double work, thrust;
   };
   [[nodiscard]] Action action(double t) const;
-
-  /// Elevation that the pressure raises on water at rest, by linear theory [m].
-  ///
-  /// p_s is the real part of P e^{ix}, P = p0 (1 - e^{-2it})/2, and eta that of N e^{ix} with N'' + T N = -T P, T =
-  /// tanh kh, N = N' = 0 at t = 0:
-  ///
-  ///     N = -p0/2 + A e^{-2it} + (p0/2 - A) cos wt + (2iA/w) sin wt,   A = T p0/(2 (T - 4)),   w = sqrt(T),
-  ///
-  /// free oscillation of the frequency w after t = pi.
-  [[nodiscard]] double linear_response(double x, double t) const;
 
   /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
   /// relative to the amplitude and the head of the pressure; at the time well_resolved_until(), 0.4/sqrt(g k) after the

@@ -42,8 +42,10 @@
 /// J. Fluid Mech. 342 (1997) 141.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "seiche/exact/overturning/evolution.hpp"
@@ -73,6 +75,8 @@ class WallCollision {
   /// Throws Divergence if the water is not resolved so long.
   void advance_until_below(double level);
 
+  /// Highest elevation at the wall [m].
+  [[nodiscard]] double runup() const { return overturning::view(highest_.state).y[wall_] / k_ * depth_; }
   [[nodiscard]] std::size_t wall() const { return wall_; }         ///< its marker
   [[nodiscard]] double wavenumber() const { return k_; }           ///< 2 pi/period, in units of 1/depth
   [[nodiscard]] double length() const { return depth_ / k_; }      ///< unit of the motion [m]
@@ -85,7 +89,9 @@ class WallCollision {
   WallCollision(const SolitaryWave& wave, double depth, std::size_t markers, double tolerance);
 
   /// Of the marker at the wall.
-  [[nodiscard]] double rise(const overturning::Moment& moment) const;
+  [[nodiscard]] double rise(const overturning::Moment& moment) const {
+    return moment.time < 0.5 * crossing_ ? 1.0 : overturning::view(moment.rate).y[wall_];
+  }
   void require_resolved() const;
 
   double depth_, separation_, k_, crossing_;
@@ -99,14 +105,15 @@ class WallRunup {
   /// @param amplitude  of the incident wave [m], amplitude/depth in [0.05, 0.6];  @param depth  undisturbed [m]
   /// @param markers    even, at least 128;  @param tolerance  of a time step, in units of the depth
   /// Throws std::invalid_argument, and Divergence if the collision is not resolved.
-  explicit WallRunup(double amplitude, double depth = 1, std::size_t markers = 384, double tolerance = 1e-11);
+  explicit WallRunup(double amplitude, double depth = 1, std::size_t markers = 384, double tolerance = 1e-11)
+      : WallRunup(amplitude, depth, markers, tolerance, 1) {}
 
-  [[nodiscard]] double runup() const { return runup_; }               ///< R [m]
+  [[nodiscard]] double runup() const { return collision_->runup(); }  ///< R [m]
   [[nodiscard]] double wave_amplitude() const { return amplitude_; }  ///< a [m]
   [[nodiscard]] double depth() const { return depth_; }               ///< [m]
   /// Time from the start, when the crests are separation() from the wall, to the largest run-up, times sqrt(g/depth).
-  [[nodiscard]] double runup_time() const { return time_; }
-  [[nodiscard]] double separation() const { return separation_; }  ///< [m]
+  [[nodiscard]] double runup_time() const { return collision_->highest().time / std::sqrt(collision_->wavenumber()); }
+  [[nodiscard]] double separation() const { return collision_->separation(); }  ///< [m]
 
   /// Series in a/depth [m], with amplitude and depth [m].
   static double su_mirie(double amplitude, double depth = 1);
@@ -117,24 +124,32 @@ class WallRunup {
   [[nodiscard]] double uncertainty() const;
   [[nodiscard]] SelfTest self_test() const;
 
+ protected:
+  /// @param fall  the motion is followed until the water at the wall is lower than this part of its run-up
+  WallRunup(double amplitude, double depth, std::size_t markers, double tolerance, double fall);
+
+  [[nodiscard]] const WallCollision& collision() const { return *collision_; }
+  /// The second computation.
+  template <class Solution>
+  [[nodiscard]] Solution coarser() const {
+    return Solution(amplitude_, depth_, std::max<std::size_t>(128, markers_ / 3 * 2), 10 * tolerance_);
+  }
+  /// An identity that the errors of the time steps limit, so many times.
+  [[nodiscard]] Identity within_steps(const std::string& name, double defect, double times) const;
+  [[nodiscard]] Identity energy_identity() const;
+
  private:
   double amplitude_, depth_;
   std::size_t markers_;
-  double tolerance_, separation_;
-  double runup_ = 0;
-  double time_ = 0;
-  double volume_change_ = 0;
-  double energy_change_ = 0;
-  double asymmetry_ = 0;
+  double tolerance_;
+  std::shared_ptr<const WallCollision> collision_;
 };
 
-class WallLoad {
+/// The load of the same wave, followed until the water at the wall has fallen to half of its height, long after the
+/// largest loads.
+class WallLoad : public WallRunup {
  public:
-  /// Follows the wave until the water at the wall has fallen to half of its height, long after the largest loads.
-  ///
-  /// @param amplitude  of the incident wave [m], amplitude/depth in [0.05, 0.6];  @param depth  undisturbed [m]
-  /// @param markers    even, at least 128;  @param tolerance  of a time step, in units of the depth
-  /// Throws std::invalid_argument, and Divergence if the collision is not resolved.
+  /// As those of WallRunup.
   explicit WallLoad(double amplitude, double depth = 1, std::size_t markers = 384, double tolerance = 1e-11);
 
   /// At one time.
@@ -158,9 +173,6 @@ class WallLoad {
   [[nodiscard]] Peak largest_bottom() const { return bottom_; }
   [[nodiscard]] Peak largest_force() const { return force_; }
 
-  [[nodiscard]] double wave_amplitude() const { return amplitude_; }            ///< [m]
-  [[nodiscard]] double separation() const { return collision_->separation(); }  ///< [m]
-
   /// Series above for the largest values, with amplitude and depth [m].
   static double still_series(double amplitude, double depth = 1);   ///< third order [m]
   static double bottom_series(double amplitude, double depth = 1);  ///< second order [m]
@@ -175,10 +187,6 @@ class WallLoad {
   [[nodiscard]] Load load(const overturning::Moment& moment, overturning::SurfaceVelocity& equation) const;
   [[nodiscard]] Peak largest(double Load::*member) const;
 
-  double amplitude_, depth_;
-  std::size_t markers_;
-  double tolerance_;
-  std::shared_ptr<const WallCollision> collision_;
   std::vector<Load> history_;
   Peak still_, bottom_, force_;
 };

@@ -1,4 +1,4 @@
-#include "seiche/exact/slope_runup.hpp"
+#include "seiche/exact/overturning/slope_runup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include "seiche/exact/overturning/slope_climb.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::exact {
 
@@ -105,9 +106,8 @@ SlopeRunup::SlopeRunup(double amplitude, double cotangent, double depth, std::si
 double SlopeRunup::level(double time) const {
   const double first = history_.front().time;
   const double last = history_.back().time;
-  if (!(time >= first && time <= last)) {
-    throw std::out_of_range(fmt::format("time = {:g}: the motion is known from {:g} to {:g}", time, first, last));
-  }
+  require_that<std::out_of_range>(time >= first && time <= last, "time = {:g}: the motion is known from {:g} to {:g}",
+                                  time, first, last);
   const auto next = std::ranges::upper_bound(history_, time, {}, &Shore::time);
   const Shore& b = next == history_.end() ? history_.back() : *next;
   const Shore& a = next == history_.end() ? history_[history_.size() - 2] : *std::prev(next);
@@ -165,8 +165,7 @@ ExactSolution slope_runup_entry() {
       .scalars = {{"runup", "m", "highest elevation of the shore", &SlopeRunup::runup},
                   {"time_of_runup", "1", "when it is reached, times sqrt(g/depth)", &SlopeRunup::runup_time}},
       .make = from<SlopeRunup>("amplitude", "cotangent", "depth", "markers"),
-      .row = [](const SlopeRunup& slope, At at) { return Row{slope.level(at[0])}; },
-  };
+      .row = [](const SlopeRunup& slope, At at) { return Row{slope.level(at[0])}; }};
 }
 
 }  // namespace seiche::exact

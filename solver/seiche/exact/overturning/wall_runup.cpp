@@ -1,6 +1,7 @@
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,6 +25,8 @@ namespace {
 /// Of one wave under the crest of the other at the start, relative to its amplitude. Superposition errs by products of
 /// the two elevations, which are nowhere larger.
 constexpr double negligible = 1e-13;
+/// Of a collision, about.
+constexpr double steps_of_collision = 300;
 
 std::size_t checked(std::size_t markers, double tolerance) {
   require_at_least("markers", static_cast<long>(markers), 128);
@@ -73,10 +76,6 @@ WallCollision::WallCollision(const SolitaryWave& wave, double depth, std::size_t
   highest_ = motion_.at(motion_.first_zero([&](const ow::Moment& moment) { return rise(moment); }, 1e-10).value());
 }
 
-double WallCollision::rise(const ow::Moment& moment) const {
-  return moment.time < 0.5 * crossing_ ? 1.0 : ow::view(moment.rate).y[wall_];
-}
-
 void WallCollision::require_resolved() const {
   if (motion_.ending() == ow::Ending::none) return;
   throw Divergence(fmt::format("{} (markers = {} are too few, or the wave breaks)", motion_.ending_reason(), 2 * wall_),
@@ -85,31 +84,17 @@ void WallCollision::require_resolved() const {
 }
 
 void WallCollision::advance_until_below(double level) {
-  const double low = level / length();
-  while (motion_.ending() == ow::Ending::none && ow::view(motion_.now().state).y[wall_] > low) {
+  while (motion_.ending() == ow::Ending::none && ow::view(motion_.now().state).y[wall_] > level / length()) {
     motion_.advance_to(motion_.now().time + 0.02 * crossing_);
   }
   require_resolved();
 }
 
-WallRunup::WallRunup(double amplitude, double depth, std::size_t markers, double tolerance)
+WallRunup::WallRunup(double amplitude, double depth, std::size_t markers, double tolerance, double fall)
     : amplitude_(amplitude), depth_(depth), markers_(markers), tolerance_(tolerance) {
-  const WallCollision collision(amplitude, depth, markers, tolerance);
-  separation_ = collision.separation();
-  const double k = collision.wavenumber();
-  const std::size_t wall = collision.wall();
-  const ow::Moment& highest = collision.highest();
-  const auto surface = ow::view(highest.state);
-  runup_ = surface.y[wall] / k * depth;
-  time_ = highest.time / std::sqrt(k);
-  const ow::Invariants& start = collision.motion().moments().front().invariants;
-  volume_change_ = std::abs(highest.invariants.volume / start.volume - 1);
-  energy_change_ = std::abs(highest.invariants.energy() / start.energy() - 1);
-  Worst asymmetry;
-  for (std::size_t j = 1; j < wall; ++j) {
-    asymmetry.add(std::abs(surface.y[wall + j] - surface.y[wall - j]) / k * depth / runup_);
-  }
-  asymmetry_ = asymmetry.value();
+  const auto collision = std::make_shared<WallCollision>(amplitude, depth, markers, tolerance);
+  if (fall < 1) collision->advance_until_below(fall * collision->runup());
+  collision_ = collision;
 }
 
 double WallRunup::su_mirie(double amplitude, double depth) {
@@ -123,71 +108,46 @@ double WallRunup::byatt_smith(double amplitude, double depth) {
 }
 
 double WallRunup::uncertainty() const {
-  const std::size_t fewer = std::max<std::size_t>(128, markers_ / 3 * 2);
-  return std::abs(WallRunup(amplitude_, depth_, fewer, 10 * tolerance_).runup() / runup_ - 1);
+  return departure(coarser<WallRunup>().runup(), runup());
+}
+
+Identity WallRunup::within_steps(const std::string& name, double defect, double times) const {
+  return {name, defect, times * steps_of_collision * std::pow(tolerance_ * depth_ / amplitude_, 1.2),
+          fmt::format("about {} steps whose errors of fourth order are kept at the tolerance and add up, over the "
+                      "amplitude; the solution of fifth order that is carried on errs less by a step, the fifth root "
+                      "of the tolerance; {} times as much",
+                      steps_of_collision, times)};
+}
+
+Identity WallRunup::energy_identity() const {
+  const double start = collision_->motion().moments().front().invariants.energy();
+  return within_steps("energy is conserved until the water at the wall is highest",
+                      departure(collision_->highest().invariants.energy(), start), 2);
 }
 
 SelfTest WallRunup::self_test() const {
-  constexpr double steps = 300;
   constexpr double stages = 6;
-  // Of the elevation, relative to the amplitude.
-  const double integration = steps * std::pow(tolerance_ * depth_ / amplitude_, 1.2);
-  const double rounding = 4 * epsilon * std::sqrt(steps * stages * static_cast<double>(markers_));
-  return {{"volume is conserved", volume_change_, integration,
-           "about 300 steps whose errors of fourth order are kept at the tolerance and add up, over the amplitude; the "
-           "solution of fifth order that is carried on errs less by a step, the fifth root of the tolerance"},
-          {"energy is conserved", energy_change_, 2 * integration, "the same, twice as much of a square"},
-          {"the collision is symmetric", asymmetry_, rounding,
+  const ow::Moment& highest = collision_->highest();
+  const auto y = ow::view(highest.state).y;
+  const std::size_t wall = collision_->wall();
+  Worst asymmetry;
+  for (std::size_t j = 1; j < wall; ++j) {
+    asymmetry.add((y[wall + j] - y[wall - j]) / collision_->wavenumber() * depth_ / runup());
+  }
+  const double volume = collision_->motion().moments().front().invariants.volume;
+  return {within_steps("volume is conserved", departure(highest.invariants.volume, volume), 1),
+          energy_identity(),
+          {"the collision is symmetric", asymmetry.value(),
+           4 * epsilon * std::sqrt(steps_of_collision * stages * static_cast<double>(markers_)),
            "nothing but round-off tells left from right: about 300 steps of six surfaces, each moved by sums over all "
            "markers"}};
 }
 
-namespace {
-
-std::shared_ptr<const WallCollision> fallen(double amplitude, double depth, std::size_t markers, double tolerance) {
-  auto collision = std::make_shared<WallCollision>(amplitude, depth, markers, tolerance);
-  const double runup = ow::view(collision->highest().state).y[collision->wall()] * collision->length();
-  collision->advance_until_below(0.5 * runup);
-  return collision;
-}
-
-/// Over a time: of the force on the wall less that on the opposite one, and of the pressure at the foot without its
-/// value at rest.
-struct TimeIntegrals {
-  double thrust = 0;
-  double foot = 0;
-};
-
-TimeIntegrals integrate_loads(const ow::Evolution& motion, double begin, double end, double depth,
-                              ow::SurfaceVelocity& equation) {
-  using Rule = boost::math::quadrature::gauss<double, 10>;
-  constexpr int parts = 10;
-  const double half = 0.5 * (end - begin) / parts;
-  TimeIntegrals sums;
-  for (int part = 0; part < parts; ++part) {
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      for (const double side : {-1.0, 1.0}) {
-        const double time = begin + half * (2 * part + 1 + side * Rule::abscissa()[i]);
-        const ow::WallColumn water(motion.at(time), depth, equation);
-        sums.thrust += half * Rule::weights()[i] * (water.force() - water.opposite_force());
-        sums.foot += half * Rule::weights()[i] * (water.pressure(-depth) - depth);
-      }
-    }
-  }
-  return sums;
-}
-
-}  // namespace
-
 WallLoad::WallLoad(double amplitude, double depth, std::size_t markers, double tolerance)
-    : amplitude_(amplitude),
-      depth_(depth),
-      markers_(markers),
-      tolerance_(tolerance),
-      collision_(fallen(amplitude, depth, markers, tolerance)) {
-  ow::SurfaceVelocity equation(markers_, collision_->wavenumber());
-  for (const ow::Moment& moment : collision_->motion().moments()) {
-    if (moment.time > 0.5 * collision_->crossing()) history_.push_back(load(moment, equation));
+    : WallRunup(amplitude, depth, markers, tolerance, 0.5) {
+  ow::SurfaceVelocity equation(markers, collision().wavenumber());
+  for (const ow::Moment& moment : collision().motion().moments()) {
+    if (moment.time > 0.5 * collision().crossing()) history_.push_back(load(moment, equation));
   }
   still_ = largest(&Load::still);
   bottom_ = largest(&Load::bottom);
@@ -195,18 +155,18 @@ WallLoad::WallLoad(double amplitude, double depth, std::size_t markers, double t
 }
 
 WallLoad::Load WallLoad::load(const ow::Moment& moment, ow::SurfaceVelocity& equation) const {
-  const double length = collision_->length();
-  const ow::WallColumn water(moment, collision_->wavenumber(), equation);
-  return {.time = moment.time / std::sqrt(collision_->wavenumber()),
+  const double length = collision().length();
+  const ow::WallColumn water(moment, collision().wavenumber(), equation);
+  return {.time = moment.time / std::sqrt(collision().wavenumber()),
           .level = water.level() * length,
           .still = water.level() > 0 ? water.pressure(0) * length : 0,
-          .bottom = water.pressure(-collision_->wavenumber()) * length,
+          .bottom = water.pressure(-collision().wavenumber()) * length,
           .force = water.force() * length * length};
 }
 
 WallLoad::Load WallLoad::at(double time) const {
-  ow::SurfaceVelocity equation(markers_, collision_->wavenumber());
-  return load(collision_->motion().at(time * std::sqrt(collision_->wavenumber())), equation);
+  ow::SurfaceVelocity equation(2 * collision().wall(), collision().wavenumber());
+  return load(collision().motion().at(time * std::sqrt(collision().wavenumber())), equation);
 }
 
 WallLoad::Peak WallLoad::largest(double Load::*member) const {
@@ -235,39 +195,40 @@ double WallLoad::force_series(double amplitude, double depth) {
 }
 
 double WallLoad::uncertainty() const {
-  const std::size_t fewer = std::max<std::size_t>(128, markers_ / 3 * 2);
-  const WallLoad coarser(amplitude_, depth_, fewer, 10 * tolerance_);
-  Worst change;
-  change.add(coarser.still_.value / still_.value - 1);
-  change.add(coarser.bottom_.value / bottom_.value - 1);
-  change.add(coarser.force_.value / force_.value - 1);
-  return change.value();
+  const auto other = coarser<WallLoad>();
+  return seiche::worst(std::array{other.still_.value / still_.value - 1, other.bottom_.value / bottom_.value - 1,
+                                  other.force_.value / force_.value - 1});
 }
 
 SelfTest WallLoad::self_test() const {
-  const ow::Evolution& motion = collision_->motion();
-  const double k = collision_->wavenumber();
-  ow::SurfaceVelocity equation(markers_, k);
-  const double begin = 0.5 * collision_->crossing();
-  const ow::Moment& highest = collision_->highest();
+  using Rule = boost::math::quadrature::gauss<double, 10>;
+  const ow::Evolution& motion = collision().motion();
+  const ow::Moment& highest = collision().highest();
+  const double k = collision().wavenumber();
+  ow::SurfaceVelocity equation(2 * collision().wall(), k);
+  const double begin = 0.5 * collision().crossing();
   const ow::WallColumn before(motion.at(begin), k, equation);
   const ow::WallColumn after(highest, k, equation);
-  const TimeIntegrals sums = integrate_loads(motion, begin, highest.time, k, equation);
-  const double energy = highest.invariants.energy() / motion.moments().front().invariants.energy() - 1;
-  constexpr double steps = 300;
-  // Of the elevation, relative to the amplitude.
-  const double integration = steps * std::pow(tolerance_ * depth_ / amplitude_, 1.2);
-  const std::string reason =
-      "about 300 steps whose errors of fourth order are kept at the tolerance and add up, over the amplitude; the "
-      "solution of fifth order that is carried on errs less by a step, the fifth root of the tolerance";
-  return {{"the force on the wall less that on the opposite one adds up to the change of the momentum",
-           std::abs(sums.thrust - before.impulse() + after.impulse()) / before.impulse(), 2 * integration,
-           reason + "; twice, once in the force and once in the momentum"},
-          {"the pressure at the foot of the wall adds up to the change of the potential there",
-           std::abs(sums.foot + after.foot_potential() - before.foot_potential()) / std::abs(sums.foot),
-           2 * integration, reason + "; twice, once in the pressure and once in the potential"},
-          {"energy is conserved until the water at the wall is highest", std::abs(energy), 2 * integration,
-           reason + "; twice as much of a square"}};
+  // Over the time: of the force on the wall less that on the opposite one, and of the pressure at the foot without its
+  // value at rest.
+  double thrust = 0;
+  double foot = 0;
+  constexpr int parts = 10;
+  const double half = 0.5 * (highest.time - begin) / parts;
+  for (int part = 0; part < parts; ++part) {
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      for (const double side : {-1.0, 1.0}) {
+        const ow::WallColumn water(motion.at(begin + half * (2 * part + 1 + side * Rule::abscissa()[i])), k, equation);
+        thrust += half * Rule::weights()[i] * (water.force() - water.opposite_force());
+        foot += half * Rule::weights()[i] * (water.pressure(-k) - k);
+      }
+    }
+  }
+  return {within_steps("the force on the wall less that on the opposite one adds up to the change of the momentum",
+                       std::abs(thrust - before.impulse() + after.impulse()) / before.impulse(), 2),
+          within_steps("the pressure at the foot of the wall adds up to the change of the potential there",
+                       std::abs(foot + after.foot_potential() - before.foot_potential()) / std::abs(foot), 2),
+          energy_identity()};
 }
 
 ExactSolution wall_load_entry() {
@@ -291,25 +252,23 @@ ExactSolution wall_load_entry() {
                   {"bottom", "m", "pressure over rho g at the foot of the wall"},
                   {"force", "m^2", "force over rho g per unit width"}},
       .scalars = {{"largest_still", "m", "largest pressure over rho g at the undisturbed level",
-                   [](const WallLoad& wall) { return wall.largest_still().value; }},
+                   &WallLoad::largest_still, &WallLoad::Peak::value},
                   {"largest_bottom", "m", "largest pressure over rho g at the foot of the wall",
-                   [](const WallLoad& wall) { return wall.largest_bottom().value; }},
-                  {"largest_force", "m^2", "largest force over rho g per unit width",
-                   [](const WallLoad& wall) { return wall.largest_force().value; }},
+                   &WallLoad::largest_bottom, &WallLoad::Peak::value},
+                  {"largest_force", "m^2", "largest force over rho g per unit width", &WallLoad::largest_force,
+                   &WallLoad::Peak::value},
                   {"time_of_still", "1", "when the pressure at the undisturbed level is largest, times sqrt(g/depth)",
-                   [](const WallLoad& wall) { return wall.largest_still().time; }},
+                   &WallLoad::largest_still, &WallLoad::Peak::time},
                   {"time_of_bottom", "1", "when the pressure at the foot is largest, times sqrt(g/depth)",
-                   [](const WallLoad& wall) { return wall.largest_bottom().time; }},
-                  {"time_of_force", "1", "when the force is largest, times sqrt(g/depth)",
-                   [](const WallLoad& wall) { return wall.largest_force().time; }},
+                   &WallLoad::largest_bottom, &WallLoad::Peak::time},
+                  {"time_of_force", "1", "when the force is largest, times sqrt(g/depth)", &WallLoad::largest_force,
+                   &WallLoad::Peak::time},
                   {"separation", "m", "distance of the crest from the wall at t = 0", &WallLoad::separation}},
       .make = from<WallLoad>("amplitude", "depth", "markers"),
-      .row =
-          [](const WallLoad& wall, At at) {
-            const WallLoad::Load load = wall.at(at[0]);
-            return Row{load.level, load.still, load.bottom, load.force};
-          },
-  };
+      .row = [](const WallLoad& wall, At at) {
+        const auto [time, level, still, bottom, force] = wall.at(at[0]);
+        return Row{level, still, bottom, force};
+      }};
 }
 
 ExactSolution wall_runup_entry() {
@@ -330,8 +289,7 @@ ExactSolution wall_runup_entry() {
                   {"byatt_smith", "m", "series 2 a + a^2/2 of Byatt-Smith, in depths",
                    [](const WallRunup& wall) { return WallRunup::byatt_smith(wall.wave_amplitude(), wall.depth()); }}},
       .make = from<WallRunup>("amplitude", "depth", "markers"),
-      .row = [](const WallRunup& wall, At) { return Row{wall.runup()}; },
-  };
+      .row = [](const WallRunup& wall, At) { return Row{wall.runup()}; }};
 }
 
 }  // namespace seiche::exact

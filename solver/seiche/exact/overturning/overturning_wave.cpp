@@ -1,0 +1,248 @@
+#include "seiche/exact/overturning/overturning_wave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <gsl/gsl_sf_bessel.h>
+
+#include "seiche/exact/entry.hpp"
+#include "seiche/exact/overturning/evolution.hpp"
+#include "seiche/exact/stokes_wave.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::exact {
+
+namespace ow = overturning;
+
+namespace {
+
+/// What both waves ask of their parameters.
+template <class Parameters>
+void require_computable(const Parameters& p) {
+  require_positive("wavelength", p.wavelength);
+  require_positive("gravity", p.gravity);
+  require_positive("tolerance", p.tolerance);
+  require_positive("depth", std::isinf(p.depth) && p.depth > 0 ? p.wavelength : p.depth);
+  require_at_least("markers", static_cast<long>(p.markers), 64);
+  require_within("markers modulo 2", static_cast<double>(p.markers % 2), 0, 0);
+  require_not_negative("last_time", p.last_time);
+}
+
+/// Distance from a second computation with three quarters of the markers and ten times the tolerance [m].
+template <class Wave>
+double change_by_coarsening(const Wave& wave, typename Wave::Parameters p, double t) {
+  p.markers = std::max<std::size_t>(64, p.markers * 3 / 8 * 2);
+  p.tolerance *= 10;
+  p.last_time = std::max(t, std::sqrt(p.wavelength / (2 * std::numbers::pi * p.gravity)) * 1e-3);
+  return wave.distance_from(Wave(p), t);
+}
+
+const OverturningWave::Parameters& checked(const OverturningWave::Parameters& p) {
+  require_positive("amplitude", p.amplitude);
+  require_computable(p);
+  require_within("amplitude", p.amplitude, 0, std::min(p.wavelength / (2 * std::numbers::pi), 0.99 * p.depth));
+  return p;
+}
+
+}  // namespace
+
+OverturningWave::OverturningWave(const Parameters& parameters)
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+  const double depth = parameters_.depth / length();
+  const double last_time = parameters_.last_time > 0 ? parameters_.last_time
+                                                     : 2 * std::numbers::pi / std::sqrt(std::tanh(depth)) * time_unit();
+  auto motion = std::make_shared<ow::Evolution>(
+      ow::sinusoidal_wave(parameters_.markers, parameters_.amplitude / length(), depth), depth, parameters_.tolerance);
+  motion->advance_to(last_time / time_unit());
+  keep(std::move(motion), last_time, [](double tangent) { return 0.25 * tangent; });
+}
+
+double OverturningWave::uncertainty(double t) const {
+  return change_by_coarsening(*this, parameters_, t) / parameters_.amplitude;
+}
+
+SelfTest OverturningWave::self_test() const {
+  const double a = parameters_.amplitude / length();
+  const double exact = 0.5 * std::numbers::pi * a * a * gsl_sf_bessel_I0(2 * a);
+  const double start = evolution().moments().front().invariants.kinetic_energy;
+  return balances(
+      parameters_.amplitude, parameters_.tolerance,
+      Identity{"kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", departure(start, exact), 1e-13,
+               "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; sum over "
+               "the markers"});
+}
+
+namespace {
+
+/// Frank's last frame, in units of 1/sqrt(g k).
+constexpr double last_frame = 7.4;
+constexpr double switched_off = std::numbers::pi;
+
+const PressureForcedWave::Parameters& checked(const PressureForcedWave::Parameters& p) {
+  require_computable(p);
+  // As of Stokes waves; the markers must be closer to each other than to the bottom.
+  require_that(2 * std::numbers::pi * p.depth >= 0.2 * p.wavelength,
+               "depth = {:g} is out of range: must be at least 0.2 wavelength/(2 pi) = {:g}", p.depth,
+               0.1 * p.wavelength / std::numbers::pi);
+  require_within("amplitude", p.amplitude, 0, p.wavelength);
+  require_positive("amplitude + |pressure|/gravity", p.amplitude + std::abs(p.pressure) / p.gravity);
+  require_within("k pressure/gravity", 2 * std::numbers::pi / p.wavelength * p.pressure / p.gravity, -1, 1);
+  return p;
+}
+
+/// In scaled units.
+double surface_pressure(double strength, double x, double t) {
+  return t <= switched_off ? -strength * std::sin(t) * std::sin(x - t) : 0;
+}
+
+}  // namespace
+
+PressureForcedWave::PressureForcedWave(const Parameters& parameters)
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+  const double depth = parameters_.depth / length();
+  ow::State start = ow::still_water(parameters_.markers);
+  if (parameters_.amplitude > 0) {
+    const StokesWave wave(parameters_.amplitude / length(), 2 * std::numbers::pi, depth, 1);
+    start = ow::from_functions(
+        parameters_.markers, [&](double x) { return wave.elevation(x); },
+        [&](double x) { return wave.surface_potential(x); });
+    kinetic_energy_ = wave.kinetic_energy() * parameters_.wavelength * length() * velocity() * velocity();
+  }
+  const double strength = parameters_.pressure / (velocity() * velocity());
+  const double last_time = parameters_.last_time > 0 ? parameters_.last_time : last_frame * time_unit();
+  auto motion =
+      std::make_shared<ow::Evolution>(std::move(start), depth, parameters_.tolerance,
+                                      [strength](double x, double t) { return surface_pressure(strength, x, t); });
+  const double end = last_time / time_unit();
+  motion->advance_to(std::min(switched_off, end));
+  motion->advance_to(end);
+  keep(std::move(motion), last_time, [unit = time_unit()](double) { return 0.4 * unit; });
+}
+
+double PressureForcedWave::pressure(double x, double t) const {
+  return surface_pressure(parameters_.pressure, x / length(), t / time_unit());
+}
+
+PressureForcedWave::Action PressureForcedWave::action(double t) const {
+  const ow::Moment moment = evolution().at(scaled_time(t));
+  const auto sums = ow::by_pressure(moment.state);
+  const double area = length() * length();
+  return {area * velocity() * velocity() * sums.work, area * velocity() * sums.thrust};
+}
+
+double PressureForcedWave::uncertainty(double t) const {
+  return change_by_coarsening(*this, parameters_, t) / scale();
+}
+
+SelfTest PressureForcedWave::self_test() const {
+  std::optional<Identity> start;
+  if (kinetic_energy_) {
+    start = Identity{
+        "kinetic energy at t = 0 agrees with the Stokes wave", departure(integrals(0).kinetic_energy, *kinetic_energy_),
+        1e-13,
+        "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; Stokes wave to "
+        "1e-14"};
+  }
+  return balances(scale(), parameters_.tolerance, start);
+}
+
+namespace {
+
+/// A surface that may overturn, and how many points of it are asked for.
+template <class Wave>
+struct Profiled : Wave {
+  std::size_t points;
+};
+
+/// An entry for such a wave. `parameters` and `scalars` are its own, beside those of all; `make` makes the parameters
+/// that it is constructed from.
+template <class Wave, class Make>
+ExactSolution surface_entry(const std::string& name, const std::string& title, const std::string& citation,
+                            const std::string& formula, std::vector<Parameter> parameters,
+                            const std::vector<Scalar<Profiled<Wave>>>& own, Make make) {
+  using W = Profiled<Wave>;
+  parameters.push_back({"points", "1", 0, 0, 1e6, "points of a profile, at equal arc length; 0: at the markers"});
+  std::vector<Scalar<W>> scalars{
+      {"vertical_tangent_time", "s", "when the front is first vertical; NaN if it is not", &W::vertical_tangent_time},
+      {"touch_down_time", "s", "when the jet meets the water below; NaN if it does not", &W::touch_down_time},
+      {"end_time", "s", "last time computed", &W::end_time}};
+  scalars.insert(scalars.end(), own.begin(), own.end());
+  return Entry<W>{
+      .name = name,
+      .title = title,
+      .citation = citation,
+      .formula = formula,
+      .parameters = parameters,
+      .inputs = {time_t},
+      .outputs = {{"x", "m", "along the surface, in the surface's order"},
+                  {"y", "m", "elevation there"},
+                  {"phi", "m^2/s", "velocity potential"},
+                  velocity_u,
+                  velocity_v},
+      .scalars = scalars,
+      .make =
+          [make](const Values& p) {
+            return W{Wave(make(p)), Given{"points", p.at("points")}};
+          },
+      .row = {},
+      .curve =
+          [](const W& wave, At at) {
+            const auto profile = wave.profile(at[0], wave.points);
+            std::vector<Row> rows;
+            for (std::size_t j = 0; j < profile.x.size(); ++j) {
+              rows.push_back({profile.x[j], profile.y[j], profile.potential[j], profile.u[j], profile.v[j]});
+            }
+            return rows;
+          }};
+}
+
+}  // namespace
+
+ExactSolution overturning_wave_entry() {
+  return surface_entry<OverturningWave>(
+      "overturning_wave", "A wave steepens, overturns and plunges: fully nonlinear potential flow up to touch-down",
+      "Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350 (1976) "
+      "1; Baker, Meiron & Orszag, Generalized vortex methods for free-surface flow problems, J. Fluid Mech. 123 (1982) "
+      "477",
+      "dz/dt = conj f, dphi/dt = |f|^2/2 - g y, z_s f = phi_s + i psi_s with psi_s from Cauchy's integral; eta = A cos "
+      "kx, phi = (A g/w) cosh(k(y + h))/cosh(kh) sin kx at t = 0",
+      {{"amplitude", "m", 0.5, 1e-9, 1e6, "half the height of the cosine it starts from"},
+       wavelength_parameter(),
+       depth_parameter(infinite, infinite),
+       gravity_parameter(),
+       {"markers", "1", 512, 64, 4096, "markers per wavelength, even"},
+       {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: one period of the linear wave"}},
+      {{"kinetic", "m^4/s^2", "kinetic energy per wavelength at the start, density 1",
+        [](const OverturningWave& w) { return w.integrals(0).kinetic_energy; }},
+       {"potential", "m^4/s^2", "potential energy per wavelength at the start, density 1",
+        [](const OverturningWave& w) { return w.integrals(0).potential_energy; }}},
+      made_by([](auto... given) { return OverturningWave::Parameters{given...}; }, "amplitude", "wavelength", "depth",
+              "gravity", "markers", "last_time"));
+}
+
+ExactSolution pressure_forced_wave_entry() {
+  return surface_entry<PressureForcedWave>(
+      "pressure_forced_wave",
+      "A Stokes wave is pushed by a travelling pressure until it overturns: fully nonlinear potential flow",
+      "Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350 (1976) "
+      "1",
+      "dz/dt = conj f, dphi/dt = |f|^2/2 - g y - p_s, z_s f = phi_s + i psi_s with psi_s from Cauchy's integral; "
+      "Stokes wave at t = 0; p_s = -p0 sin wt sin(kx - wt), w = sqrt(gk), 0 <= wt <= pi",
+      {{"amplitude", "m", 0.3, 0, 1e6, "half the height of the Stokes wave; 0: water at rest"},
+       wavelength_parameter(),
+       depth_parameter(std::numbers::pi, infinite),
+       gravity_parameter(),
+       {"pressure", "m^2/s^2", 0.1, -1e6, 1e6, "amplitude p0 of the pressure over the density"},
+       {"markers", "1", 256, 192, 4096, "markers per wavelength, even"},
+       {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: 7.4/sqrt(g k)"}},
+      {{"energy", "m^4/s^2", "kinetic and potential, per wavelength at the start, density 1",
+        [](const PressureForcedWave& w) { return w.integrals(0).kinetic_energy + w.integrals(0).potential_energy; }},
+       {"work", "m^4/s^2", "of the pressure up to the end, per wavelength, density 1",
+        [](const PressureForcedWave& w) { return w.action(w.end_time()).work; }}},
+      made_by([](auto... given) { return PressureForcedWave::Parameters{given...}; }, "amplitude", "wavelength",
+              "depth", "gravity", "pressure", "markers", "last_time"));
+}
+
+}  // namespace seiche::exact
