@@ -134,12 +134,3 @@ class CellWater {
 std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest);
 
 }  // namespace seiche::free_lagrangian
-
-// What the models of this family take from the mechanics, compiled once and not in every file.
-namespace seiche::mechanics {
-
-extern template class OneStep<free_lagrangian::CellWater>;
-extern template class Start<free_lagrangian::CellWater>;
-extern template class InvariantsWatch<free_lagrangian::CellWater>;
-
-}  // namespace seiche::mechanics

@@ -9,9 +9,6 @@ namespace seiche {
 
 namespace {
 
-Point operator-(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
 /// A triangle by the sides that face its vertices, counter-clockwise, and the cotangents of its angles.
 struct Shape {
   std::array<Point, 3> side;

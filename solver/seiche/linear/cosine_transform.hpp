@@ -56,14 +56,10 @@ class CosineTransform {
     Buffer spectrum_;
   };
 
-  /// Coefficients of two rows, times factor. The two may be the same row.
-  template <class Real>
-  void forward(std::array<const Real*, 2> rows, Real factor, std::array<float*, 2> coefficients,
-               Workspace& workspace) const;
-  /// Rows from their coefficients, times factor N: the inverse of forward has factor 1/N.
-  template <class Real>
-  void backward(std::array<const float*, 2> coefficients, Real factor, std::array<Real*, 2> rows,
-                Workspace& workspace) const;
+  /// Coefficients of two rows. The two may be the same row.
+  void forward(std::array<const float*, 2> rows, std::array<float*, 2> coefficients, Workspace& workspace) const;
+  /// N times the rows that have these coefficients.
+  void backward(std::array<const float*, 2> coefficients, std::array<float*, 2> rows, Workspace& workspace) const;
 
  private:
   struct DestroyPlan {

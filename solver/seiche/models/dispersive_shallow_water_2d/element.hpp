@@ -5,14 +5,11 @@
 #include <vector>
 
 #include "seiche/lattice/cell_rows.hpp"
-#include "seiche/linear/constraint_solver.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 /// Gradients are kept as they are, number 3 corner + axis.
 struct Column {
-  using Matrix = linear::NinePointMatrix;
-  using Solver = linear::NinePointSolver;
   static constexpr std::size_t axes = 3, corners = 4, stored = 12, mobilities = 6, momenta = 2, turns = 1;
 
   template <std::size_t corner, std::size_t axis>

@@ -67,7 +67,6 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
 
 Model::Model(Lattice lattice, Settings settings, Forcing forcing)
     : Water{valid_cells(lattice, settings),
-            {lattice.shape.columns, lattice.shape.rows},
             {lattice.shape.columns, lattice.shape.rows, settings.solver, undeformed_lattice(lattice, settings.inertia),
              settings.tolerance},
             settings.tolerance},
@@ -287,13 +286,3 @@ void Model::shift_east(mechanics::State& state) {
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d
-
-namespace seiche::mechanics {
-
-template class OneStep<dispersive_shallow_water_2d::Model>;
-template class ConservativeStep<dispersive_shallow_water_2d::Model>;
-template class SchemeStepper<dispersive_shallow_water_2d::Model>;
-template class Start<dispersive_shallow_water_2d::Model>;
-template class InvariantsWatch<dispersive_shallow_water_2d::Model>;
-
-}  // namespace seiche::mechanics

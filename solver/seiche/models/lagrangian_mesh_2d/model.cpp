@@ -65,7 +65,6 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
     : Water{valid_cells(mesh, settings),
-            {mesh.columns, mesh.rows},
             {mesh.columns, mesh.rows, settings.solver, undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
       mesh_(std::move(mesh)),
@@ -322,13 +321,3 @@ double longest_stable_step(const Model& model) {
 }
 
 }  // namespace seiche::lagrangian_mesh_2d
-
-namespace seiche::mechanics {
-
-template class OneStep<lagrangian_mesh_2d::Model>;
-template class ConservativeStep<lagrangian_mesh_2d::Model>;
-template class SchemeStepper<lagrangian_mesh_2d::Model>;
-template class Start<lagrangian_mesh_2d::Model>;
-template class InvariantsWatch<lagrangian_mesh_2d::Model>;
-
-}  // namespace seiche::mechanics

@@ -68,7 +68,6 @@ linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
     : Water{valid_cells(mesh, settings),
-            {mesh.plan.columns, mesh.plan.rows, mesh.layers},
             {undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
       mesh_(std::move(mesh)),
@@ -243,13 +242,3 @@ double surely_stable_step(const Model& model) {
 }
 
 }  // namespace seiche::lagrangian_mesh_3d
-
-namespace seiche::mechanics {
-
-template class OneStep<lagrangian_mesh_3d::Model>;
-template class ConservativeStep<lagrangian_mesh_3d::Model>;
-template class SchemeStepper<lagrangian_mesh_3d::Model>;
-template class Start<lagrangian_mesh_3d::Model>;
-template class InvariantsWatch<lagrangian_mesh_3d::Model>;
-
-}  // namespace seiche::mechanics

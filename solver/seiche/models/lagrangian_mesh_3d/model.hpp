@@ -171,14 +171,3 @@ class Model : public lattice::Water<Hexahedron, Model> {
 double surely_stable_step(const Model& model);
 
 }  // namespace seiche::lagrangian_mesh_3d
-
-namespace seiche::mechanics {
-
-/// The integrators of the model, compiled once and not in every file that steps it.
-extern template class OneStep<lagrangian_mesh_3d::Model>;
-extern template class ConservativeStep<lagrangian_mesh_3d::Model>;
-extern template class SchemeStepper<lagrangian_mesh_3d::Model>;
-extern template class Start<lagrangian_mesh_3d::Model>;
-extern template class InvariantsWatch<lagrangian_mesh_3d::Model>;
-
-}  // namespace seiche::mechanics
