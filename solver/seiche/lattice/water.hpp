@@ -21,9 +21,12 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -76,6 +79,27 @@ void feasible(const Action& action) {
 struct Cells {
   std::size_t columns, rows, layers = 1;
 };
+
+/// One after the other.
+inline std::vector<double> joined(std::initializer_list<std::span<const double>> arrays) {
+  std::vector<double> all;
+  for (const std::span<const double> array : arrays) all.insert(all.end(), array.begin(), array.end());
+  return all;
+}
+
+/// Velocities of all nodes: given one by one, or call(at, node) of a function of places, or zero where that is empty.
+/// Throws std::invalid_argument for another number of them.
+template <class At, class Velocity, class Call>
+std::vector<Velocity> nodal(const std::variant<At, std::vector<Velocity>>& given, std::size_t nodes, const Call& call) {
+  if (const auto* const all = std::get_if<1>(&given)) {
+    if (all->size() == nodes) return *all;
+    throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", all->size(), nodes));
+  }
+  std::vector<Velocity> velocities(nodes);
+  const At& at = std::get<0>(given);
+  for (std::size_t k = 0; at && k < nodes; ++k) velocities[k] = call(at, k);
+  return velocities;
+}
 
 /// A symmetric matrix, xx, yy(, zz), xy(, xz, yz), times a vector.
 inline std::array<double, 2> times(const std::array<double, 3>& w, const std::array<double, 2>& v) {
@@ -441,9 +465,8 @@ void Water<E, Model>::shift_columns(mechanics::State& state, std::vector<double>
 template <class E, class Model>
 void Water<E, Model>::join_columns(std::vector<double>& x, std::vector<double>& y,
                                    const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
-  std::vector<double> first(E::axes * n_, 0.0);
-  std::ranges::copy(x, first.begin());
-  std::ranges::copy(y, first.begin() + static_cast<std::ptrdiff_t>(n_));
+  std::vector<double> first = joined({x, y});
+  first.resize(E::axes * n_);
   nodes(first);
   std::copy_n(first.begin(), n_, x.begin());
   std::copy_n(first.begin() + static_cast<std::ptrdiff_t>(n_), n_, y.begin());

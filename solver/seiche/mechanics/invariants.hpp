@@ -129,16 +129,34 @@ class InvariantsWatch {
 /// Throws std::logic_error for a ledger without that entry.
 void book_energy(InvariantsLedger& ledger, double amount);
 
-// Momenta and energy of point masses in a plane: q = (x of all, y of all), u = (velocities along x, along y).
+/// Momenta and energy of point masses in a plane, q = (x of all, y of all), u = (velocities along x, along y).
+/// @tparam Model  derives from it and gives masses() [kg/m]
+template <class Model>
+class PointMasses {
+ public:
+  [[nodiscard]] double mass() const {  ///< [kg/m]
+    return sum([](std::size_t, std::size_t) { return 1.0; });
+  }
+  [[nodiscard]] std::array<double, 2> momentum(Input /*q*/, Input u) const {  ///< along x and y [kg/s]
+    return {sum([&](std::size_t k, std::size_t) { return u[k]; }),
+            sum([&](std::size_t k, std::size_t n) { return u[n + k]; })};
+  }
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {  ///< about the origin [kg m/s]
+    return {sum([&](std::size_t k, std::size_t n) { return q[k] * u[n + k] - q[n + k] * u[k]; })};
+  }
+  [[nodiscard]] double kinetic_energy(Input /*q*/, Input u) const {  ///< [J/m]
+    return sum([&](std::size_t k, std::size_t n) { return 0.5 * (u[k] * u[k] + u[n + k] * u[n + k]); });
+  }
 
-/// [kg/m]
-double total_mass(std::span<const double> mass);
-/// Along x and y [kg/s].
-std::array<double, 2> plane_momentum(std::span<const double> mass, std::span<const double> u);
-/// About the origin [kg m/s].
-std::array<double, 1> plane_angular_momentum(std::span<const double> mass, std::span<const double> q,
-                                             std::span<const double> u);
-/// [J/m]
-double plane_kinetic_energy(std::span<const double> mass, std::span<const double> u);
+ private:
+  /// Of mass times term(node, nodes).
+  template <class Term>
+  [[nodiscard]] double sum(const Term& term) const {
+    const std::span<const double> masses = static_cast<const Model&>(*this).masses();
+    CompensatedSum all;
+    for (std::size_t k = 0; k < masses.size(); ++k) all.add(masses[k] * term(k, masses.size()));
+    return all.value();
+  }
+};
 
 }  // namespace seiche::mechanics

@@ -1,6 +1,7 @@
 /// A cell of the plan model: the water of a column between the bilinear surface and the bottom.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Column {
 struct InverseMasses {
   explicit InverseMasses(std::size_t nodes) {
     for (auto* w : {&xx, &yy, &zz, &xy, &xz, &yz}) w->assign(nodes, 0.0);
+  }
+  void put(std::size_t k, const std::array<double, 6>& w) {
+    xx[k] = w[0], yy[k] = w[1], zz[k] = w[2], xy[k] = w[3], xz[k] = w[4], yz[k] = w[5];
   }
   std::vector<double> xx, yy, zz, xy, xz, yz;
 };

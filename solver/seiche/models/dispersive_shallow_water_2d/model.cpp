@@ -79,9 +79,7 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       drag_(settings.drag, lattice_, settings.inertia) {
   require_not_negative("gravity", settings.gravity);
   if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
-  std::vector<double> places = lattice_.x;
-  places.insert(places.end(), lattice_.y.begin(), lattice_.y.end());
-  places.insert(places.end(), lattice_.z.begin(), lattice_.z.end());
+  const std::vector<double> places = lattice::joined({lattice_.x, lattice_.y, lattice_.z});
   if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {
     shoreline_.emplace(shape(), lattice_.sides, lattice_.bottom, places);
   }
@@ -107,40 +105,27 @@ void Model::sum_masses() {
       mass[k] += (on_shore(k) ? Shoreline::share_of_mass : 0.25) * volume_[cell];
     }
   }
-  if (!bottom_) masses_.stand_on_level_bottom();
+  if (!bottom_) masses_.stand_on(nullptr);
 }
 
 mechanics::State Model::state(const InitialVelocity& velocity) const {
-  mechanics::State state{.q = lattice_.x, .u = std::vector<double>(rates(), 0.0)};
-  state.q.insert(state.q.end(), lattice_.y.begin(), lattice_.y.end());
-  state.q.insert(state.q.end(), lattice_.z.begin(), lattice_.z.end());
-  const auto set = [&](std::size_t k, const Velocity& given) {
-    state.u[k] = given.u;
-    state.u[n_ + k] = given.v;
-    state.u[2 * n_ + k] = given.w;
-  };
-  if (const auto* nodal = std::get_if<std::vector<Velocity>>(&velocity)) {
-    if (nodal->size() != n_) {
-      throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", nodal->size(), n_));
-    }
-    for (std::size_t k = 0; k < n_; ++k) set(k, (*nodal)[k]);
-  } else if (const auto& at = std::get<VelocityAt>(velocity)) {
-    for (std::size_t k = 0; k < n_; ++k) set(k, at(lattice_.x[k], lattice_.y[k]));
-  }
+  mechanics::State state{.q = lattice::joined({lattice_.x, lattice_.y, lattice_.z}),
+                         .u = std::vector<double>(rates(), 0.0)};
+  const auto given = lattice::nodal(
+      velocity, n_, [&](const VelocityAt& at, std::size_t k) { return at(lattice_.x[k], lattice_.y[k]); });
+  for (std::size_t k = 0; k < n_; ++k) put_vector({given[k].u, given[k].v, given[k].w}, k, state.u);
   if (bottom_) find_normals(state.q, other_normals_);
   masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);
   return state;
 }
 
 void Model::find_normals(Input q, Normals& normals) const {
-  for (auto* along : {&normals.x, &normals.y, &normals.z}) along->resize(n_);
+  normals.resize(n_);
   try {
     for (std::size_t k = 0; k < n_; ++k) {
       const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
       const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-      normals.x[k] = -b.along_x / length;
-      normals.y[k] = -b.along_y / length;
-      normals.z[k] = 1 / length;
+      normals[k] = {-b.along_x / length, -b.along_y / length, 1 / length};
       if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
         throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
                                                 q[k], q[n_ + k], q[2 * n_ + k] - b.elevation),
@@ -155,7 +140,7 @@ void Model::find_normals(Input q, Normals& normals) const {
 void Model::stand(Input q) {
   if (bottom_) {
     find_normals(q, normals_);
-    masses_.stand_on(normals_);
+    masses_.stand_on(&normals_);
   }
   if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
 }
@@ -176,7 +161,7 @@ void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
     stand(at);
     if (shoreline_ && !instant) {
       shoreline_->tilt_between(q0, q1, normals_);
-      masses_.stand_on(normals_);
+      masses_.stand_on(&normals_);
     }
   });
   if (forcing_.body_force) {
@@ -241,9 +226,9 @@ std::array<double, 3> Model::momentum_of(std::size_t k, Input u) const {
   const double m = masses_.mass()[k];
   const double less = 1 - settings_.inertia;
   if (!bottom_) return {m * u[k], m * u[n_ + k], m * settings_.inertia * u[2 * n_ + k]};
-  const auto& [x, y, z] = other_normals_;
-  const double across = less * (u[k] * x[k] + u[n_ + k] * y[k] + u[2 * n_ + k] * z[k]);
-  return {m * (u[k] - across * x[k]), m * (u[n_ + k] - across * y[k]), m * (u[2 * n_ + k] - across * z[k])};
+  const Vector3 v = vector_at(u, k);
+  const Vector3 p = m * (v - less * dot(v, other_normals_[k]) * other_normals_[k]);
+  return {p.x, p.y, p.z};
 }
 
 double Model::cell_volume(Input q, std::size_t cell) const {

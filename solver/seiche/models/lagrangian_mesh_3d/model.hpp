@@ -102,8 +102,9 @@ class Model : public lattice::Water<Hexahedron, Model> {
   void settle(Interval when, Output q, Output u) const;
   [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % n_]; }
 
-  [[nodiscard]] double potential_energy(Input q) const {  ///< [J], zero for still water
-    return settings_.density * settings_.gravity * surface_.moment(q);
+  /// [J], zero for still water. @param counted  marks the columns of cells whose water counts; empty: all
+  [[nodiscard]] double potential_energy(Input q, std::span<const char> counted = {}) const {
+    return settings_.density * settings_.gravity * surface_.moment(q, counted);
   }
 
   /// Over a level bottom: drops the west column and puts a column at rest, as wide as the last one was at the
