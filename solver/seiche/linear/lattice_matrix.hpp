@@ -31,16 +31,14 @@ class RowBlocks {
         values_((rows + 1) * numbers * stride_, 0.0) {}
 
   /// Numbers of one row; number k of cell i is at data[k stride + i], -1 <= i <= columns.
-  struct Row {
-    double* data;
+  template <class Number>
+  struct Numbers {
+    Number* data;
     std::size_t stride;
-    [[nodiscard]] double* operator[](std::size_t number) const { return data + number * stride; }
+    [[nodiscard]] Number* operator[](std::size_t number) const { return data + number * stride; }
   };
-  struct ConstRow {
-    const double* data;
-    std::size_t stride;
-    [[nodiscard]] const double* operator[](std::size_t number) const { return data + number * stride; }
-  };
+  using Row = Numbers<double>;
+  using ConstRow = Numbers<const double>;
 
   [[nodiscard]] Row row(std::size_t r) { return {values_.data() + begin(r), stride_}; }
   [[nodiscard]] ConstRow row(std::size_t r) const { return {values_.data() + begin(r), stride_}; }

@@ -17,7 +17,7 @@ std::size_t InvariantsLedger::watch(std::string name, double initial) {
   return entries_.size() - 1;
 }
 
-void InvariantsLedger::record(Input values, double solver_residual) {
+void InvariantsLedger::record(Input values) {
   if (values.size() != entries_.size()) {
     throw std::invalid_argument(
         fmt::format("values: {} given; allowed: {}, one per entry", values.size(), entries_.size()));
@@ -35,8 +35,6 @@ void InvariantsLedger::record(Input values, double solver_residual) {
     keep_larger(entry.largest_defect, entry.defect);
     keep_larger(entry.largest_step_defect, entry.step_defect);
   }
-  residual_ = solver_residual;
-  residuals_.add(solver_residual);
   ++records_;
 }
 
@@ -58,12 +56,6 @@ double InvariantsLedger::largest_defect(const std::string& begins) const {
   }
   if (!found) throw std::invalid_argument(fmt::format("no invariant begins with {}", begins));
   return worst.value();
-}
-
-Extent extent(Input values) {
-  CompensatedSum sum;
-  for (const double v : values) sum.add(v);
-  return {.largest = values.empty() ? 0 : worst(values), .sum = sum.value()};
 }
 
 void book_energy(InvariantsLedger& ledger, double amount) {

@@ -36,9 +36,8 @@ class InvariantsLedger {
   std::size_t watch(std::string name, double initial);
   /// What entered from outside since the last record: work, impulse, inflow.
   void book(std::size_t index, double amount) { entries_.at(index).booked.add(amount); }
-  /// One value per entry, in the order of watch, after a step; the solver's residual beside them. Throws
-  /// std::invalid_argument when the number of values differs.
-  void record(Input values, double solver_residual = 0);
+  /// One value per entry, in the order of watch, after a step. Throws std::invalid_argument when their number differs.
+  void record(Input values);
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   /// Throws std::invalid_argument listing the names there are.
@@ -46,22 +45,11 @@ class InvariantsLedger {
   /// Largest over the entries whose name begins so: "momentum" covers momentum_x, momentum_y, ...
   [[nodiscard]] double largest_defect(const std::string& begins) const;
   [[nodiscard]] long records() const { return records_; }
-  [[nodiscard]] double solver_residual() const { return residual_; }
-  [[nodiscard]] double largest_solver_residual() const { return residuals_.value(); }
 
  private:
   std::vector<Entry> entries_;
   long records_ = 0;
-  double residual_ = 0;
-  Worst residuals_;
 };
-
-/// Largest magnitude and compensated sum of an array.
-struct Extent {
-  double largest = 0;
-  double sum = 0;
-};
-Extent extent(Input values);
 
 /// Watches of a model whatever it offers:
 ///
@@ -79,11 +67,11 @@ class InvariantsWatch {
     });
   }
 
-  /// After a step. @param residual  J u~ of the step, if it was measured
-  void record(const State& state, Input residual = {}) {
+  /// After a step.
+  void record(const State& state) {
     values_.clear();
     observe(state, [&](const std::string&, double value) { values_.push_back(value); });
-    ledger_.record(values_, extent(residual).largest);
+    ledger_.record(values_);
   }
 
   [[nodiscard]] InvariantsLedger& ledger() { return ledger_; }
@@ -106,9 +94,10 @@ class InvariantsWatch {
     if constexpr (HasConstraintValues<Model>) {
       constraints_.resize(constraint_count(model_));
       model_.constraint_values(q, constraints_);
-      const Extent volumes = extent(constraints_);
-      keep("volume_total", volumes.sum);
-      keep("volume_worst", volumes.largest);
+      CompensatedSum total;
+      for (const double defect : constraints_) total.add(defect);
+      keep("volume_total", total.value());
+      keep("volume_worst", constraints_.empty() ? 0 : worst(constraints_));
     }
   }
 
