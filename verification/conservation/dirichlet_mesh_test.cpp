@@ -6,6 +6,7 @@
 #include "seiche/models/dirichlet_mesh/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 
 namespace dirichlet_mesh_test {
 

@@ -29,6 +29,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/twin.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 #include "verification/wcsph_problems.hpp"
 

@@ -92,42 +92,6 @@ std::vector<double> Flow::elevation_at(std::span<const double> places) const {
   return elevation;
 }
 
-Flow::Crest Flow::crest() const {
-  const auto xs = surface_x();
-  const auto ys = surface_y();
-  const auto highest = static_cast<std::size_t>(std::max_element(ys.begin(), ys.end()) - ys.begin());
-  if (highest < 2 || highest + 2 >= xs.size()) return {xs[highest], ys[highest]};
-  // Newton's divided differences around the highest node, then its maximum by Newton's iteration on the derivative.
-  std::array<double, 5> s{};
-  std::array<double, 5> c{};
-  for (std::size_t i = 0; i < 5; ++i) {
-    s[i] = xs[highest - 2 + i] - xs[highest];
-    c[i] = ys[highest - 2 + i];
-  }
-  for (std::size_t order = 1; order < 5; ++order) {
-    for (std::size_t i = 4; i >= order; --i) c[i] = (c[i] - c[i - 1]) / (s[i] - s[i - order]);
-  }
-  struct Local {
-    double value, slope, curvature;
-  };
-  const auto at = [&](double z) {
-    Local p{c[4], 0, 0};
-    for (std::size_t i = 4; i-- > 0;) {
-      p.curvature = 2 * p.slope + (z - s[i]) * p.curvature;
-      p.slope = p.value + (z - s[i]) * p.slope;
-      p.value = c[i] + (z - s[i]) * p.value;
-    }
-    return p;
-  };
-  double z = 0;
-  for (int iteration = 0; iteration < 20; ++iteration) {
-    const Local p = at(z);
-    if (!(p.curvature < 0)) break;
-    z = std::clamp(z - p.slope / p.curvature, s[1], s[3]);
-  }
-  return {xs[highest] + z, at(z).value};
-}
-
 void Flow::keep_upright(double drift) {
   require_within("drift", drift, 1e-6, 2);
   if (model_->forcing().body_force) throw std::invalid_argument("a rezoned mesh with a body force; allowed: none");

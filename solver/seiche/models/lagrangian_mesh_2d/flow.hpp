@@ -70,12 +70,6 @@ class Flow : public lattice::Flow<Model> {
   [[nodiscard]] std::span<const double> surface_y() const { return top(y()); }
   /// Surface elevation at places, linear between nodes; NaN beyond the surface's ends.
   [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const;
-  /// Highest point of the polynomial of degree four through the highest surface node and two neighbours on each side.
-  struct Crest {
-    double place = 0;
-    double elevation = 0;
-  };
-  [[nodiscard]] Crest crest() const;
 
   enum class WallSide { left, right };
   /// The load of a wall at the beginning of the last step, from the mean of the last two steps' multipliers. After two
