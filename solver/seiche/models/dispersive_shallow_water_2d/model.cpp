@@ -76,7 +76,9 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       masses_(shape(), lattice_.sides, lattice_.x, lattice_.y, settings.inertia),
       surface_(shape().columns, shape().rows, n_),
       dispersion_(shape(), settings.gamma),
-      drag_(settings.drag, lattice_, settings.inertia) {
+      drag_(settings.drag, lattice_, settings.inertia),
+      normals_(n_),
+      other_normals_(n_) {
   require_not_negative("gravity", settings.gravity);
   if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
   const std::vector<double> places = lattice::joined({lattice_.x, lattice_.y, lattice_.z});
@@ -120,12 +122,11 @@ mechanics::State Model::state(const InitialVelocity& velocity) const {
 }
 
 void Model::find_normals(Input q, Normals& normals) const {
-  normals.resize(n_);
   try {
     for (std::size_t k = 0; k < n_; ++k) {
       const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
       const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-      normals[k] = {-b.along_x / length, -b.along_y / length, 1 / length};
+      normals.put(k, {-b.along_x / length, -b.along_y / length, 1 / length});
       if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
         throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
                                                 q[k], q[n_ + k], q[2 * n_ + k] - b.elevation),

@@ -18,7 +18,13 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 /// Unit normals of the bottom below the nodes.
-using Normals = std::vector<Vector3>;
+struct Normals {
+  std::vector<double> x, y, z;
+
+  explicit Normals(std::size_t nodes) : x(nodes), y(nodes), z(nodes) {}
+  [[nodiscard]] Vector3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+  void put(std::size_t k, Vector3 normal) { x[k] = normal.x, y[k] = normal.y, z[k] = normal.z; }
+};
 
 class NodeMasses {
  public:
