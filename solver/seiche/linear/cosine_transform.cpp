@@ -133,16 +133,6 @@ CosineTransform::Workspace::Buffer CosineTransform::Workspace::allocate(std::siz
 CosineTransform::Workspace::Workspace(const CosineTransform& transform)
     : rows_(allocate(transform.size())), spectrum_(allocate(transform.size())) {}
 
-std::size_t fast_size_from(std::size_t size) {
-  for (size = std::max<std::size_t>(size, 1);; ++size) {
-    std::size_t rest = size;
-    for (const std::size_t factor : {2, 3, 5, 7}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return size;
-  }
-}
-
 CosineTransform::CosineTransform(std::size_t size) : size_(size) {
   require_at_least("size", static_cast<long>(size), 1);
   for (std::size_t m = 0; m <= size / 2; ++m) {

@@ -24,10 +24,6 @@ struct fftwf_plan_s;
 
 namespace seiche::linear {
 
-/// The smallest size from `size` on whose transforms are fast: no prime factors but 2, 3, 5 and 7. A large prime makes
-/// them ten times slower.
-std::size_t fast_size_from(std::size_t size);
-
 class CosineTransform {
  public:
   /// @param size  number of samples N, at least 1. Throws std::invalid_argument.

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "seiche/lattice/water.hpp"
-#include "seiche/plan_lattice/lattice_flow.hpp"
 #include "seiche/require.hpp"
 #include "seiche/shallow_water/breaking_bore.hpp"
 

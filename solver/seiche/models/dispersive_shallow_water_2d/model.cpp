@@ -16,11 +16,8 @@ namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
+using bilinear_patch::at_corners;
 using bilinear_patch::Corners;
-
-Corners at(const double* values, const std::array<std::size_t, 4>& corners) {
-  return {values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-}
 
 lattice::Cells valid_cells(const Lattice& lattice, const Settings& settings) {
   lattice.require_valid();
@@ -39,8 +36,8 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
   double length = 0;
   for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
     const auto [c0, c1, c2, c3] = shape.corners(cell);
-    const bilinear_patch::Corners x{lattice.x[c0], lattice.x[c1], lattice.x[c2], lattice.x[c3]};
-    const bilinear_patch::Corners y{lattice.y[c0], lattice.y[c1], lattice.y[c2], lattice.y[c3]};
+    const Corners x = at_corners(lattice.x, shape.corners(cell));
+    const Corners y = at_corners(lattice.y, shape.corners(cell));
     const auto depth = [&](std::size_t k) {
       return lattice.z[k] -
              (lattice.bottom ? lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation : -lattice.depth);
@@ -235,8 +232,8 @@ std::array<double, 3> Model::momentum_of(std::size_t k, Input u) const {
 double Model::cell_volume(Input q, std::size_t cell) const {
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
   const auto corners = shape().corners(cell);
-  const Corners z = at(q.data() + 2 * n_, corners);
-  const double volume = bilinear_patch::volume(at(q.data(), corners), at(q.data() + n_, corners),
+  const Corners z = at_corners(q.subspan(2 * n_), corners);
+  const double volume = bilinear_patch::volume(at_corners(q, corners), at_corners(q.subspan(n_), corners),
                                                {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom});
   return bottom_ ? volume - bottom_->volume(plan(q), cell) : volume;
 }
@@ -244,8 +241,7 @@ double Model::cell_volume(Input q, std::size_t cell) const {
 /// Over the mean Jacobian at the beginning.
 double Model::cell_shape(Input q, std::size_t cell) const {
   const auto corners = shape().corners(cell);
-  const auto j = bilinear_patch::jacobians(at(q.data(), corners), at(q.data() + n_, corners));
-  return std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) / mean_area_;
+  return smallest(bilinear_patch::jacobians(at_corners(q, corners), at_corners(q.subspan(n_), corners))) / mean_area_;
 }
 
 double Model::potential_energy(Input q, std::span<const char> counted) const {

@@ -28,25 +28,18 @@ Corners jacobians(const Quadrilateral& at) {
   return bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
 }
 
-/// Throws mechanics::Infeasible.
-const Lattice& convex(const Lattice& lattice) {
-  for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
-    Quadrilateral at;
-    for (std::size_t a = 0; a < 4; ++a) {
-      const std::size_t k = lattice.shape.corners(cell)[a];
-      at[a] = {lattice.x[k], lattice.y[k]};
-    }
-    const Corners j = jacobians(at);
-    if (std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) > 0) continue;
-    throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, at[0].x, at[0].y), at[0].x);
-  }
-  return lattice;
-}
-
+/// Throws mechanics::Infeasible for a cell that is not convex.
 Lattice moved(Lattice lattice, std::vector<double> x, std::vector<double> y) {
   lattice.x = std::move(x);
   lattice.y = std::move(y);
-  return convex(lattice);
+  for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
+    const auto corners = lattice.shape.corners(cell);
+    const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
+    if (smallest(bilinear_patch::jacobians(at(lattice.x), at(lattice.y))) > 0) continue;
+    const Point corner{lattice.x[corners[0]], lattice.y[corners[0]]};
+    throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y), corner.x);
+  }
+  return lattice;
 }
 
 std::vector<double> shares_of(const Lattice& lattice) {
@@ -196,9 +189,7 @@ class Remap {
 
   [[nodiscard]] double new_level(std::size_t cell) const {
     const auto corners = shape_.corners(cell);
-    const auto at = [&](const std::vector<double>& values) {
-      return Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-    };
+    const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
     return bilinear_patch::volume(at(now_.lattice.x), at(now_.lattice.y), at(now_.lattice.z));
   }
 
