@@ -54,6 +54,15 @@ void claim_misprints(Check& check) {
   }
 }
 
+/// The leading term of the law's error, of second order in the spacings, for g = H = 1 and alpha = 1/3.
+double leading_error(double hx, double hy, double k, double direction) {
+  const double c2 = std::pow(std::cos(direction), 2);
+  const double s2 = std::pow(std::sin(direction), 2);
+  const double potential = c2 * hx * hx + s2 * hy * hy;
+  const double inertia = (c2 * c2 * hx * hx + s2 * s2 * hy * hy) / (1 + k * k / 3);
+  return k * k / 12 * (inertia - potential);
+}
+
 void claim_orders(Check& check) {
   constexpr double k = 1.2;
   constexpr double direction = 0.5;
@@ -114,15 +123,6 @@ void draw(Check& check) {
     polar.line(name, x, y, Role::computed);
     angles.line(name, degrees, errors, Role::computed);
   }
-}
-
-/// The leading term of the law's error, of second order in the spacings, for g = H = 1 and alpha = 1/3.
-double leading_error(double hx, double hy, double k, double direction) {
-  const double c2 = std::pow(std::cos(direction), 2);
-  const double s2 = std::pow(std::sin(direction), 2);
-  const double potential = c2 * hx * hx + s2 * hy * hy;
-  const double inertia = (c2 * c2 * hx * hx + s2 * s2 * hy * hy) / (1 + k * k / 3);
-  return k * k / 12 * (inertia - potential);
 }
 
 TEST_CASE("the law of the plan model has the known digits and limits", "[dispersion]") {

@@ -1,6 +1,7 @@
 #include "validation/instruments/mesh/crest_track.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -17,6 +18,41 @@ std::size_t first_at(const std::vector<double>& time, double from) {
 
 std::span<const double> since(const std::vector<double>& values, std::size_t first) {
   return std::span(values).subspan(first);
+}
+
+/// Highest point of the polynomial of degree four through the highest surface node and two neighbours on each side.
+Point crest_of(std::span<const double> xs, std::span<const double> ys) {
+  const auto highest = static_cast<std::size_t>(std::max_element(ys.begin(), ys.end()) - ys.begin());
+  if (highest < 2 || highest + 2 >= xs.size()) return {xs[highest], ys[highest]};
+  // Newton's divided differences around the highest node, then its maximum by Newton's iteration on the derivative.
+  std::array<double, 5> s{};
+  std::array<double, 5> c{};
+  for (std::size_t i = 0; i < 5; ++i) {
+    s[i] = xs[highest - 2 + i] - xs[highest];
+    c[i] = ys[highest - 2 + i];
+  }
+  for (std::size_t order = 1; order < 5; ++order) {
+    for (std::size_t i = 4; i >= order; --i) c[i] = (c[i] - c[i - 1]) / (s[i] - s[i - order]);
+  }
+  struct Local {
+    double value, slope, curvature;
+  };
+  const auto at = [&](double z) {
+    Local p{c[4], 0, 0};
+    for (std::size_t i = 4; i-- > 0;) {
+      p.curvature = 2 * p.slope + (z - s[i]) * p.curvature;
+      p.slope = p.value + (z - s[i]) * p.slope;
+      p.value = c[i] + (z - s[i]) * p.value;
+    }
+    return p;
+  };
+  double z = 0;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const Local p = at(z);
+    if (!(p.curvature < 0)) break;
+    z = std::clamp(z - p.slope / p.curvature, s[1], s[3]);
+  }
+  return {xs[highest] + z, at(z).value};
 }
 
 }  // namespace
@@ -42,10 +78,10 @@ CrestTrack follow_crest(lagrangian_mesh_2d::Flow& flow, double time, double tau,
   CrestTrack track;
   Smallest corner;
   const auto add = [&] {
-    const lagrangian_mesh_2d::Flow::Crest crest = flow.crest();
+    const Point crest = crest_of(flow.surface_x(), flow.surface_y());
     track.time.push_back(flow.time());
-    track.place.push_back(crest.place);
-    track.elevation.push_back(crest.elevation);
+    track.place.push_back(crest.x);
+    track.elevation.push_back(crest.y);
     corner.add(flow.worst_corner().shape);
   };
   add();

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "seiche/exact/mach_reflection.hpp"
-#include "seiche/linear/cosine_transform.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::validation {
@@ -86,6 +85,17 @@ ReflectionWindow window_until(double time, const ObliqueWave& wave, double spaci
 
 namespace {
 
+/// The smallest number from `cells` on without prime factors but 2, 3, 5 and 7: others make Fourier transforms slow.
+std::size_t fast_from(std::size_t cells) {
+  for (;; ++cells) {
+    std::size_t rest = cells;
+    for (const std::size_t factor : {2, 3, 5, 7}) {
+      while (rest % factor == 0) rest /= factor;
+    }
+    if (rest == 1) return cells;
+  }
+}
+
 /// The window's cells, and what bounds it.
 struct Frame {
   double begin, end, north;
@@ -112,7 +122,7 @@ Velocity first_velocity(const ObliqueWave& wave, const ReflectionWindow& window,
 
 /// Cells that fill a length, in a number that suits Fourier transforms.
 std::size_t cells(double length, double spacing) {
-  return linear::fast_size_from(std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4));
+  return fast_from(std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4));
 }
 
 Frame frame_of(const ObliqueWave& wave, const ReflectionWindow& window) {
