@@ -231,14 +231,19 @@ double angle_falls(const ReflectionSeries& series) {
   return falls.value();
 }
 
-/// Angles of reflection over Miles's sqrt(3a), less 1, where reflection is irregular; of the one that is the largest,
-/// or, within their uncertainties, may be.
-Largest over_miles(const ReflectionSeries& series) {
-  Largest over;
+/// Angles of reflection over Miles's sqrt(3a), less 1, where reflection is irregular: the largest that one may be, and
+/// the largest distance of one.
+struct OverMiles {
+  Largest highest, distance;
+};
+OverMiles over_miles(const ReflectionSeries& series) {
+  OverMiles over;
   const double miles = degrees(std::sqrt(3 * series.amplitude));
   for (const Reflection& r : series.reflections) {
+    if (r.run.kappa_finite_angle() >= 1) continue;
     const Measurement angle = r.reflected_angle();
-    if (r.run.kappa_finite_angle() < 1) over.add((angle.value + angle.half_width()) / miles - 1, degrees(r.run.angle));
+    over.highest.add((angle.value + angle.half_width()) / miles - 1);
+    over.distance.add(std::abs(angle.value / miles - 1));
   }
   return over;
 }
@@ -267,8 +272,20 @@ void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries
           with("angle-below-theory", series),
           fmt::format("a = {:g}: where reflection is irregular, theory overestimates the angle of reflection.",
                       series.amplitude),
-          "all angles are smaller", [](const ReflectionSeries& s) { return over_miles(s).value() < 0 ? 1.0 : 0.0; },
+          "all angles are smaller",
+          [](const ReflectionSeries& s) { return over_miles(s).highest.value() < 0 ? 1.0 : 0.0; },
           Qualitative{.detector = "each with its uncertainty is below Miles's sqrt(3a)", .reason = "Frank says so"});
+  claims.from(source)
+      .only_if(series.amplitude == 0.05, "Frank says it of his lowest waves")
+      .known_failure(
+          "angle-of-theory", "a = 0.05: where reflection is irregular, the angle of reflection equals Miles's.",
+          "largest relative difference from Miles's sqrt(3a)",
+          [](const ReflectionSeries& s) { return over_miles(s).distance.value(); },
+          Bound{.limit = 0.05, .reason = "what theory leaves out is of the order of the amplitude"},
+          {.value = 0.07,
+           .width = 0.01,
+           .reason = "Miles's angles are small ones; tan(psi_r) = sqrt(3a) cos(psi_i) for finite angles gives "
+                     "20.2 to 20.9 degrees for the 20.6 to 21.2 that are found, not 22.2"});
   claims.from(source).check(
       with("angle-falls", series),
       fmt::format(
