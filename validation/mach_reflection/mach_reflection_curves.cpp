@@ -106,15 +106,16 @@ std::string lattice_of(const ReflectionSeries& series) {
   return fmt::format("h = {:g}", series.spacing);
 }
 
-/// Largest relative difference of the limits for infinite time from theory over a parameter; away from the cusp, see
-/// MachReflection.
+/// Largest relative difference of the limits for infinite time from theory over the parameter for finite angles; away
+/// from the cusp, see MachReflection.
 constexpr double cusp = 0.15;
-Worst from_theory(const ReflectionSeries& series, double (ReflectionRun::*kappa)() const) {
+Worst from_theory(const ReflectionSeries& series) {
   Worst worst;
   for (std::size_t k = 0; k < series.reflections.size(); ++k) {
     const Reflection& r = series.reflections[k];
-    if (std::abs(r.run.kappa_finite_angle() - 1) < cusp) continue;
-    worst.add(r.limit_ratio().value / MachReflection::wall_ratio((r.run.*kappa)()) - 1, series.angles[k]);
+    const double kappa = r.run.kappa_finite_angle();
+    if (std::abs(kappa - 1) < cusp) continue;
+    worst.add(r.limit_ratio().value / MachReflection::wall_ratio(kappa) - 1, series.angles[k]);
   }
   return worst;
 }
@@ -128,7 +129,7 @@ void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries
                       series.amplitude, cusp),
           "largest relative difference of the limits for infinite time",
           [](const ReflectionSeries& s) -> Measurement {
-            const Worst worst = from_theory(s, &ReflectionRun::kappa_finite_angle);
+            const Worst worst = from_theory(s);
             return {
                 .value = worst.value(), .resolution = lattice_of(s), .where = fmt::format("{:g} deg", worst.where())};
           },
@@ -331,17 +332,6 @@ Results compute(const Run& run) {
   return all;
 }
 
-void show_numbers(evidence::Exhibit& exhibit, const ReflectionSeries& series) {
-  const auto keep = [&](const std::string& name, double value) {
-    if (std::isfinite(value)) exhibit.measure(fmt::format("{}_a_{:g}", name, series.amplitude), value);
-  };
-  keep("largest_error_of_miles", from_theory(series, &ReflectionRun::kappa).value());
-  const Reflection& highest = series.highest();
-  keep("peak_reached", highest.wall_ratio().value);
-  keep("peak_limit", highest.limit_ratio().value);
-  keep("peak_limit_uncertainty", highest.limit_ratio().half_width());
-}
-
 void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   draw_amplitudes(exhibit, all);
   draw_regimes(exhibit, all, values);
@@ -349,16 +339,7 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
   draw_growth(exhibit, all);
   tabulate_reflections(exhibit, all);
   for (const ReflectionSeries& series : all) {
-    show_numbers(exhibit, series);
-    if (values.real("h") < 0.5 + 1e-9 && plan_of(series.amplitude)) {
-      exhibit.measure(fmt::format("boundary_a_{:g}", series.amplitude), series.boundary().value);
-    }
-    if (series.amplitude != 0.3) continue;
-    const AngleLaw law = angle_law(series, last_of_law);
-    exhibit.measure("angle_law_factor", law.factor);
-    exhibit.measure("angle_law_uncertainty", law.uncertainty);
-    exhibit.measure("angle_law_largest_residual", law.largest_residual);
-    draw_angle_law(exhibit, series, law, last_of_law);
+    if (series.amplitude == 0.3) draw_angle_law(exhibit, series, angle_law(series, last_of_law), last_of_law);
   }
 }
 
