@@ -120,7 +120,7 @@ constexpr double folding_periods = 2;
 struct SetUp {
   Berm berm;
   BermResolution mesh;
-  double sea, height;
+  double sea, height, hourglass;
   long steps;
   std::vector<double> wavelengths;  ///< the first: the berm is half a wave wide; the last: a long wave
 
@@ -128,6 +128,7 @@ struct SetUp {
       : mesh{values.real("columns_per_depth"), static_cast<std::size_t>(values.integer("rows"))},
         sea(values.real("sea")),
         height(values.real("height")),
+        hourglass(values.real("hourglass")),
         steps(values.integer("steps")),
         wavelengths(values.tier() == Tier::quick ? std::vector<double>{6, 5, 15}
                                                  : std::vector<double>{6, 4.2, 5, 7.6, 10, 15}) {}
@@ -270,7 +271,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 /// When the tank has settled before the breakwater and nothing has come around once more.
 IncidentWaves incident(const SetUp& s, const BasinWave& small) {
-  IncidentWaves waves{.sea = s.sea};
+  IncidentWaves waves{.sea = s.sea, .hourglass = s.hourglass};
   const auto steps = static_cast<double>(s.steps);
   waves.tau = 2 / small.mode.frequency * std::sin(std::numbers::pi / steps);
   const double period = steps * waves.tau;
@@ -395,10 +396,11 @@ Case breakwater_periodic() {
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("sea", 36.0, "depth", {20, 200}, "by which the tank is longer than the basin of 14 depths"),
-      real("height", 1e-4, "depth", {1e-6, 1e-3}, "that the standing wave is to have at its antinodes"),
+      real("height", 1e-4, "depth", {1e-6, 0.2}, "that the standing wave is to have at its antinodes"),
       real("columns_per_depth", 8.0, "1", {8, 32}, "columns of cells per depth"),
       integer("rows", 6, {6, 24}, "rows of cells"),
       integer("steps", 60, {60, 1000}, "time steps in a period"),
+      real("hourglass", 0.0, "1", {0, 2}, "kappa_0 of the hourglass potential, for high waves"),
   };
   c.published = {{.tiles = {"frank-breakwater"}}};
   c.study = Study(claims, compute, show, source);

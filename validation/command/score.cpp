@@ -362,6 +362,26 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
   return false;
 }
 
+/// Of every error: how many results of other solvers for the case in the folder have a larger one.
+std::vector<std::string> ranks(const ScoreOptions& options, const std::string& stem) {
+  const auto own = evidence::read_summary(std::filesystem::path(options.out) / (stem + ".json"));
+  std::vector<evidence::Summary> others = evidence::read_summaries(options.out);
+  std::erase_if(others, [&](const auto& other) { return other.name != own.name || other.solver == own.solver; });
+  std::vector<std::string> told;
+  for (const auto& claim : own.claims) {
+    std::vector<double> errors;
+    for (const evidence::Summary& other : others) {
+      const auto same = std::ranges::find(other.claims, claim.id, &evidence::Summary::Outcome::id);
+      if (same != other.claims.end() && std::isfinite(same->measured)) errors.push_back(validation::error_of(*same));
+    }
+    if (errors.empty() || claim.kind == "qualitative" || claim.kind == "roundoff") continue;
+    const double error = validation::error_of(claim);
+    told.push_back(fmt::format("{}: error {:.3g}, better than {} of {}", claim.id, error,
+                               std::ranges::count_if(errors, [&](double e) { return e > error; }), errors.size()));
+  }
+  return told;
+}
+
 /// Keeps what was judged: the checksum of every file, of a folder that of its files' checksums.
 void note_files(const std::vector<validation::ResultFile>& files, evidence::Record& record) {
   for (const validation::ResultFile& file : files) {
@@ -473,13 +493,16 @@ int score(const ScoreOptions& options) {
   const std::string written = (std::filesystem::path(options.out) / (record.stem() + ".json")).string();
   std::vector<std::string> since;
   const bool worse = !options.baseline.empty() && compare_with_baseline(options, record.stem(), baseline, since);
+  const std::vector<std::string> beside = ranks(options, record.stem());
   if (options.json) {
     auto json = as_json(all, record, findings, look, written);
+    if (!beside.empty()) json["ranks"] = beside;
     if (!since.empty()) json["baseline"] = since;
     fmt::print("{}\n", json.dump(1));
   } else {
     for (const Read& read : all) print_reading(read);
     print(record, findings, look);
+    for (const std::string& line : beside) fmt::print("  {:<12} {}\n", "rank", line);
     fmt::print("record: {}\n", written);
     for (const std::string& line : since) fmt::print("{}\n", line);
   }

@@ -14,7 +14,7 @@ motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to t
 what keeps volume: the projection takes some per cent of the velocity there. Hence first order for the particles. The
 stretch, a mean over them, is better, but scatters from lattice to lattice with how the rim is cut: the six particles
 on it alone change its error twofold at ten spacings to the radius. Balls in the literal words of the source
-(`shape = ball`, `smoothing` 1.6) get the stretch right to 8 % only.
+(`shape = ball`, `smoothing` 1.6) converge at first order too, and miss the stretch by 3 % on the finest lattice.
 
 **When it is no test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's. Rotation faster
 than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below that of the surroundings and an unstable
@@ -51,6 +51,7 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 constexpr std::array lattices{5, 7, 10, 14, 20, 28, 40};  ///< spacings to the radius
 constexpr std::array drawn{5, 10, 20};
 constexpr double usual_smoothing = 2.6;
+constexpr double smoothing_of_balls = 1.6;
 
 /// What the parameters decide.
 struct SetUp {
@@ -62,9 +63,8 @@ struct SetUp {
   /// About as many as the rows hold.
   [[nodiscard]] double particles() const { return 2 * std::numbers::pi / std::numbers::sqrt3 / (spacing * spacing); }
   [[nodiscard]] double strain() const { return gradient.norm() / std::numbers::sqrt2; }
-  [[nodiscard]] bool usual() const {
-    return settings.shape == overlapping_particles::Shape::smoothed && settings.support == usual_smoothing;
-  }
+  [[nodiscard]] bool balls() const { return settings.shape == overlapping_particles::Shape::ball; }
+  [[nodiscard]] bool usual() const { return settings.support == (balls() ? smoothing_of_balls : usual_smoothing); }
 };
 
 /// Throws std::invalid_argument for a gradient that does not keep volume.
@@ -176,24 +176,35 @@ std::vector<int> lattices_of(const SetUp& s) {
 void claims(const Values& values, const Claims<Results>& everything) {
   const SetUp s = set_up(values);
   const Claims<Results> all = everything.at(fmt::format("h = {:g}, tau = {:g}", s.spacing, s.tau));
-  const std::string otherwise = "balls, and volumes of another width, are right in kind only";
+  const bool published = values.as_published("frank-overlapping");
+  const std::string otherwise = "volumes of another width are right in kind only";
   const Claims<Results> claims = all.only_if(s.gradient.determinant() < 0,
                                              "the surface of a drop that rotates faster than it is strained is "
                                              "unstable, the finer the lattice the more")
                                      .only_if(s.usual(), otherwise);
   const double deformed = s.strain() * s.end;
-  claims.check(
-      "places", "The particle positions agree with the exact drop to about one spacing.",
-      "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
-      Bound{s.spacing * deformed,
-            "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
-  claims.only_if(deformed <= 1.2 && s.spacing <= 0.1, "for drops not much thinner than in the source's first tests")
+  const auto judge = [&](const Claims<Results>& list, double missed) {
+    return list.only_if(!s.balls() || published, "how far balls are off depends on the lattice")
+        .fails({.value = missed,
+                .width = 0.02 * std::abs(missed),
+                .reason = "cause unknown; it falls by first order, to a third from 5 spacings to 20"},
+               s.balls());
+  };
+  judge(claims, 0.0720869)
+      .check(
+          "places", "The particle positions agree with the exact drop to about one spacing.",
+          "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
+          Bound{s.spacing * deformed,
+                "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
+  judge(claims.only_if(deformed <= 1.2 && s.spacing <= 0.1,
+                       "for drops not much thinner than in the source's first tests"),
+        -0.0308398)
       .check(
           "stretch", "The larger semi-axis agrees with the exact drop.", "relative error",
           [](const Results& r) { return r.own.stretch.larger / r.exact.larger - 1; },
           Bound{std::pow(s.settings.support * s.spacing / 2, 2),
-                "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a volume, "
-                "S/2, and of the energy, which drives the stretch, its square"});
+                "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a "
+                "volume, S/2, and of the energy, which drives the stretch, its square"});
   study_of_orders().claim_orders(claims.of(&Results::refinement)
                                      .only_if(deformed <= 1.2 && lattices_of(s).size() >= 5,
                                               "five lattices, on which the drop is many spacings thick"));
@@ -290,8 +301,9 @@ Case ellipse_overlapping() {
       choice("shape", std::string("smoothed"), {"smoothed", "ball"}, "of particles and control volumes"),
       real("smoothing", usual_smoothing, "1", {1.5, 10}, "S, reach of a control volume, in spacings"),
   };
-  c.published = {
-      {.tiles = {"frank-overlapping"}, .different = {{"shape", "ball"}, {"smoothing", "1, a ball of one spacing"}}}};
+  c.published = {{.tiles = {"frank-overlapping"},
+                  .values = {{"shape", std::string("ball")}, {"smoothing", smoothing_of_balls}},
+                  .stated = {"shape"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

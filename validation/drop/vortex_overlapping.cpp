@@ -358,7 +358,7 @@ Case vortex_overlapping() {
       real("tau", 0.02, "1", {1e-4, 0.1}, "time step"),
       real("time", 3.0, "1", {0.2, 100}, "end of the run"),
   };
-  c.published = {{.tiles = {"frank-overlapping"}}};
+  c.published = {{.tiles = {"frank-overlapping"}, .differs = "a smooth kernel, not balls"}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -80,7 +80,8 @@ struct Wave {
   std::vector<double> noise;  ///< over the kinetic energy of the beginning
   double lasted = 0;          ///< periods
   bool broke = false;
-  double lost = 0;  ///< energy of the water, over the kinetic energy of the beginning
+  double lost = 0;    ///< energy of the water, over the kinetic energy of the beginning
+  double remade = 0;  ///< triangles that flips make anew in a step, over all of them
 };
 
 /// Kinetic energy outside the linear wave's field.
@@ -138,6 +139,11 @@ Wave follow(Flow& flow, const Model& model, const Surface& surface, double tau, 
     }
   } catch (const Divergence&) {
     wave.broke = true;
+  }
+  // A flip makes two triangles, and a node has about two: as many as coordinates.
+  if constexpr (requires { flow.flips(); }) {
+    wave.remade =
+        2 * static_cast<double>(flow.flips()) / static_cast<double>(flow.state().q.size() * (wave.time.size() - 1));
   }
   return wave;
 }
@@ -293,6 +299,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Bound{.limit = 0.1,
                 .reason = "the amplitude, to be told from the exact wave's by no more than its second order, a/2H = 5 "
                           "%, after ten periods"});
+  life.from("Frank (1994), 5.2, in words")
+      .check(
+          "flips", "Local flips make few of the triangles anew, where a rebuild makes all.",
+          "triangles made anew in a step over all of them",
+          [](const Results& r) { return r.life.at(of_dirichlet).remade; },
+          Bound{.limit = courant_of_life * amplitude * frequency() / std::tanh(k),
+                .reason = "the way of the fastest node in a step over the spacing: it passes a neighbour, which a flip "
+                          "tells, once in as many steps at most"});
   const Bound one_wave{.limit = 0.05,
                        .reason =
                            "harmonics of a wave of a = 0.1 have velocities of order a/H over those of the wave: a "
