@@ -25,7 +25,7 @@ acceleration show both; shallow water turns the wave into a bore and shows none.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/wall_runup.hpp"
+#include "seiche/exact/overturning/wall_runup.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"

@@ -6,8 +6,9 @@
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
+#include "verification/timed_steps.hpp"
 
 namespace seiche::verification::conservative_step_test {
 
@@ -69,7 +70,8 @@ TEST_CASE("implicit steps do not depend on when they begin nor on who counts the
     Composition suzuki(base, suzuki_weights());
     const auto step = [&](double length) { composed ? suzuki.step(state, length) : base.step(state, length); };
     if (to_a_time) {
-      equal_steps_to(state, begin + 4, 0.02, {}, step);
+      TimedSteps flow{state, step};
+      march(flow, begin + 4, 0.02);
     } else {
       for (int n = 0; n < 200; ++n) step(4.0 / 200);
     }

@@ -10,6 +10,7 @@
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"

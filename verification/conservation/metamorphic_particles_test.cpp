@@ -18,6 +18,7 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/conservation/metamorphic.hpp"
 #include "verification/noise.hpp"
 #include "verification/wcsph_problems.hpp"

@@ -162,11 +162,11 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
     Largest worst, true_residual;
     for (const auto& [columns, rows] : {std::pair{40, 20}, {33, 7}, {1, 12}, {50, 1}, {7, 30}}) {
       Problem problem(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), 0.1);
-      const auto b = random_array(problem.a.columns, problem.a.rows);
+      const auto b = random_array(problem.a.columns(), problem.a.rows());
       const Eigen::MatrixXd a = dense(problem.a);
       const Eigen::VectorXd expected = a.llt().solve(as_vector(b.values()));
       const double smallest = a.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
-      auto x = random_array(problem.a.columns, problem.a.rows);
+      auto x = random_array(problem.a.columns(), problem.a.rows());
       problem.solve(b, x, {tolerance});
       const auto found = as_vector(x.values());
       const double b_norm = as_vector(b.values()).norm();

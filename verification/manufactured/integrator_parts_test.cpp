@@ -6,9 +6,10 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
+#include "verification/timed_steps.hpp"
 
 namespace seiche::verification::integrator_parts_test {
 
@@ -70,7 +71,8 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   State state;
   state.time = 0.5;
   std::vector<double> lengths;
-  equal_steps_to(state, 2, 0.4, {}, [&](double length) { lengths.push_back(length); });
+  TimedSteps flow{state, [&](double length) { lengths.push_back(length); }};
+  march(flow, 2, 0.4);
   const auto claim = [&](const std::string& text, double value, double expected) {
     check.holds(text, {value}, Roundoff{4, 2, "a rounded time per step", expected});
   };
@@ -80,7 +82,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   claim("The last step ends exactly at the end time.", state.time, 2);
   state.time = 0.5;
   lengths.clear();
-  equal_steps_to(state, 2, 0.3, {}, [&](double length) { lengths.push_back(length); });
+  march(flow, 2, 0.3);
   claim("A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
 }
 

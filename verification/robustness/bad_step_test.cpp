@@ -23,8 +23,9 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace bad_step_test {
@@ -33,7 +34,7 @@ using namespace seiche;
 using namespace seiche::verification;
 
 /// What a refusal must not change.
-template <Model M>
+template <FlowModel M>
 std::vector<double> seen(const M& flow) {
   std::vector<double> all{flow.time(), static_cast<double>(flow.steps())};
   for (const Invariant& invariant : flow.invariants()) {
@@ -43,7 +44,7 @@ std::vector<double> seen(const M& flow) {
   return all;
 }
 
-template <Model M>
+template <FlowModel M>
 void refuses(Check& check, const std::string& name, M&& flow) {
   flow.advance(std::min(1e-3, 0.5 * flow.stable_step()));
   const std::vector<double> before = seen(flow);

@@ -26,8 +26,8 @@ inline Point operator+(Point a, Point b) {
 inline Point operator-(Point a, Point b) {
   return {a.x - b.x, a.y - b.y};
 }
-inline Point operator*(double s, Point a) {
-  return {s * a.x, s * a.y};
+inline Point operator*(double a, Point b) {
+  return {a * b.x, a * b.y};
 }
 inline Point& operator+=(Point& a, Point b) {
   return a = a + b;
@@ -38,7 +38,6 @@ inline double dot(Point a, Point b) {
 inline double cross(Point a, Point b) {
   return a.x * b.y - a.y * b.x;
 }
-
 inline double distance(Point a, Point b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
@@ -76,13 +75,13 @@ class Line final : public Curve {
  public:
   /// @param direction  of any length but zero. Throws std::invalid_argument.
   Line(Point origin, Point direction);
-  [[nodiscard]] Point position(double s) const override;
+  [[nodiscard]] Point position(double s) const override { return origin_ + s * tangent_; }
   [[nodiscard]] Point tangent(double) const override { return tangent_; }
   [[nodiscard]] Point curvature(double) const override { return {0, 0}; }
   [[nodiscard]] Point mean_tangent(double, double) const override { return tangent_; }
-  [[nodiscard]] double moment(double s) const override;
+  [[nodiscard]] double moment(double s) const override { return s * mean_moment_rate(0, s); }
   [[nodiscard]] double mean_moment_rate(double s0, double s1) const override;
-  [[nodiscard]] double arc_length_at(Point near) const override;
+  [[nodiscard]] double arc_length_at(Point near) const override { return dot(near - origin_, tangent_); }
 
  private:
   Point origin_, tangent_;
@@ -138,13 +137,12 @@ class BentLine final : public Curve {
   [[nodiscard]] Point tangent(double s) const override;
   [[nodiscard]] Point curvature(double s) const override;
   [[nodiscard]] Point mean_tangent(double s0, double s1) const override;
-  [[nodiscard]] double moment(double s) const override;
+  [[nodiscard]] double moment(double s) const override { return s * mean_moment_rate(0, s); }
   [[nodiscard]] double mean_moment_rate(double s0, double s1) const override;
   [[nodiscard]] double arc_length_at(Point near) const override;
   [[nodiscard]] double radius() const { return radius_; }
 
  private:
-  [[nodiscard]] double mean_moment_on_arc(double s0, double s1) const;
   /// Mean over [s0, s1], in either order, from the means over what of it lies before, on and after the arc.
   template <class Value, class Before, class Arc, class After>
   [[nodiscard]] Value mean(double s0, double s1, const Before& before, const Arc& arc, const After& after) const;
