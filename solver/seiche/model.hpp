@@ -35,7 +35,7 @@ struct Invariant {
 /// made; the flow is then as before. stable_step() is the longest step that the flow proposes by its present state,
 /// infinite where it knows of no limit. arrive(time) is for `march`: the present time, without what rounding took.
 template <class M>
-concept FlowModel = requires(M& flow, const M& seen, double tau) {
+concept AnyFlow = requires(M& flow, const M& seen, double tau) {
   flow.advance(tau);
   flow.arrive(tau);
   { seen.time() } -> std::convertible_to<double>;
@@ -49,7 +49,7 @@ concept FlowModel = requires(M& flow, const M& seen, double tau) {
 ///             or tau(rest): the longest next step where `rest` is left, by the flow's present state
 /// Throws std::invalid_argument for a time before the present one and for tau; Divergence as advance, and where steps
 /// shrink to nothing.
-template <FlowModel M, class Tau, class After>
+template <AnyFlow M, class Tau, class After>
 long march(M& flow, double time, const Tau& tau, const After& after) {
   const double begin = flow.time();
   const long before = flow.steps();
@@ -77,19 +77,19 @@ long march(M& flow, double time, const Tau& tau, const After& after) {
   }
   return flow.steps() - before;
 }
-template <FlowModel M, class Tau>
+template <AnyFlow M, class Tau>
 long march(M& flow, double time, const Tau& tau) {
   return march(flow, time, tau, [] {});
 }
 /// Steps of flow.stable_step(), the last one cut.
-template <FlowModel M>
+template <AnyFlow M>
 long march(M& flow, double time) {
   return march(flow, time, [&](double) { return flow.stable_step(); });
 }
 
 /// For march: equal steps of at most tau and of `courant` stable steps. No last one is a sliver, which would also spoil
 /// the order of a scheme.
-template <FlowModel M>
+template <AnyFlow M>
 auto stable_steps(M& flow, double tau, double courant = 0.3) {
   require_positive("tau", tau);
   require_positive("courant", courant);

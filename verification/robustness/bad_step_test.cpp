@@ -34,7 +34,7 @@ using namespace seiche;
 using namespace seiche::verification;
 
 /// What a refusal must not change.
-template <FlowModel M>
+template <AnyFlow M>
 std::vector<double> seen(const M& flow) {
   std::vector<double> all{flow.time(), static_cast<double>(flow.steps())};
   for (const Invariant& invariant : flow.invariants()) {
@@ -44,7 +44,7 @@ std::vector<double> seen(const M& flow) {
   return all;
 }
 
-template <FlowModel M>
+template <AnyFlow M>
 void refuses(Check& check, const std::string& name, M&& flow) {
   flow.advance(std::min(1e-3, 0.5 * flow.stable_step()));
   const std::vector<double> before = seen(flow);

@@ -14,7 +14,7 @@ namespace seiche::distributed {
 
 static_assert(mechanics::ConstrainedModel<DistributedModel<dispersive_shallow_water_2d::Model>>);
 static_assert(mechanics::ConstrainedModel<DistributedModel<lagrangian_mesh_3d::Model>>);
-static_assert(seiche::FlowModel<Flow<PlanModel>> && seiche::FlowModel<Flow<HexahedralModel>>);
+static_assert(seiche::AnyFlow<Flow<PlanModel>> && seiche::AnyFlow<Flow<HexahedralModel>>);
 
 namespace {
 
