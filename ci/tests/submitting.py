@@ -31,6 +31,18 @@ def rows_of(csv):
     return lines[0].split(","), [line.split(",") for line in lines[1:]]
 
 
+def columns_of(csv):
+    """{name without its unit: numbers} of a CSV text."""
+    names, rows = rows_of(csv)
+    values = np.array([[float(word) for word in row] for row in rows])
+    return {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
+
+
+def exact(name, *words):
+    """Columns of an exact solution."""
+    return columns_of(printed("exact", name, *map(str, words)))
+
+
 class Scratch(unittest.TestCase):
     """Tests with a folder each, and in it one for evidence."""
 
@@ -81,9 +93,8 @@ class Scoring(Scratch):
         commands = [line.split("the reference: seiche ")[1].split() for line in template.splitlines()
                     if "the reference: seiche " in line]
         self.assertTrue(commands, template)
-        parts = [rows_of(printed(*command)) for command in commands]
-        named = [name.split(" ")[0] for name in parts[0][0]]
-        return {name: np.array([float(row[named.index(name)]) for _, rows in parts for row in rows])
+        parts = [columns_of(printed(*command)) for command in commands]
+        return {name: np.concatenate([part[name] for part in parts])
                 for name in (wanted.split(" ")[0] for wanted in rows_of(template)[0])}
 
     def table(self, columns, name="mine.csv"):

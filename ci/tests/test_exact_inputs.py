@@ -10,7 +10,7 @@ import unittest
 import h5py
 import numpy as np
 
-from submitting import SEICHE, Scratch, seiche
+from submitting import SEICHE, Scratch, columns_of, exact, printed, seiche
 
 WAVE = ["--set", "amplitude=0.2,depth=1,gravity=1"]
 # What other solvers start from: the elevation of the bed (None: infinitely deep), where, and with which parameters.
@@ -29,17 +29,6 @@ PISTONS = {"solitary", "solitary_asymptotic", "wavemaker"}
 QUICKER = {"overturning_wave": ["--set", "markers=64,last_time=0.5"],
            "pressure_forced_wave": ["--set", "markers=192,last_time=0.5"],
            "wall_load": ["--set", "markers=128,amplitude=0.1"], "wall_runup": ["--set", "markers=128,amplitude=0.1"]}
-
-
-def table_of(text):
-    """Columns by name."""
-    rows = [line for line in text.splitlines() if line and not line.startswith("#")]
-    numbers = np.array([[float(entry) for entry in row.split(",")] for row in rows[1:]])
-    return {entry.split(" ")[0]: numbers[:, k] for k, entry in enumerate(rows[0].split(","))}
-
-
-def exact(name, *words):
-    return table_of(seiche("exact", name, *words).stdout)
 
 
 def at(name, words, points, time):
@@ -211,13 +200,13 @@ class Inputs(Scratch):
     @for_every_solution
     def test_csv_json_and_hdf5(self, name, inputs):
         words = [*QUICKER.get(name, []), *(["--grid", grid_of(inputs)] if inputs else [])]
-        printed = seiche("exact", name, *words).stdout
+        text = printed("exact", name, *words)
         file, = self.written(name, "csv", *words).values()
-        self.assertEqual(file.read_text(), printed)
+        self.assertEqual(file.read_text(), text)
         self.assertEqual(seiche("exact", name, *words, "--format", "hdf5", "--out", self.out / "h5").returncode, 0)
         table = json.loads(seiche("exact", name, *words, "--format", "json").stdout)
         with h5py.File(self.out / "h5") as hdf5:
-            for k, (column, values) in enumerate(table_of(printed).items()):
+            for k, (column, values) in enumerate(columns_of(text).items()):
                 self.assertEqual(table["columns"][k]["name"], column)
                 np.testing.assert_array_equal(np.array([row[k] for row in table["rows"]], float), values)
                 np.testing.assert_array_equal(hdf5[column][:], values)

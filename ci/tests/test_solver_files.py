@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from submitting import SOURCE, Scoring, printed, rows_of, seiche
+from submitting import SOURCE, Scoring, exact, rows_of, seiche
 
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 
@@ -20,11 +20,7 @@ class SolverFiles(Scoring):
 
     def wave(self):
         """t and eta of the case with a single gauge."""
-        template = printed("score", "wavemaker_start", "--template")
-        command = next(line for line in template.splitlines() if "the reference: seiche " in line)
-        names, rows = rows_of(printed(*command.split("the reference: seiche ")[1].split()))
-        values = np.array([[float(word) for word in row] for row in rows])
-        columns = {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
+        columns = self.reference("wavemaker_start", "gauge")
         return columns["t"], columns["eta"]
 
     def passes(self, *words, case="thacker"):
@@ -147,11 +143,8 @@ class SolverFiles(Scoring):
 
     def test_geoclaw_grids_with_refinement(self):
         places = [0.5 + k if k < 25 else 25.25 + 0.5 * (k - 25) for k in range(75)]
-        exact = seiche("exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1",
-                       *(word for x in places for word in ("--at", f"x={x},t=6")))
-        names, rows = rows_of(exact.stdout)
-        column = {name.split("[")[0].strip(): k for k, name in enumerate(names)}
-        values = [(float(row[column["h"]]), float(row[column["u"]])) for row in rows]
+        flow = exact("riemann", "--set", "jump=20,right_depth=0.1", *(word for x in places for word in ("--at", f"x={x},t=6")))
+        values = list(zip(flow["h"].tolist(), flow["u"].tolist()))
 
         def patch(number, level, low, size, cells):
             header = f"{number} grid_number\n{level} AMR_level\n{len(cells)} mx\n{low} xlow\n{size} dx\n\n"

@@ -4,14 +4,7 @@ import unittest
 
 import numpy as np
 
-from submitting import SOURCE, Scoring, printed, rows_of, seiche
-
-
-def exact(name, *words):
-    """Columns of an exact solution, by name without unit."""
-    names, rows = rows_of(printed("exact", name, *words))
-    values = np.array([[float(word) for word in row] for row in rows])
-    return {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
+from submitting import SOURCE, Scoring, exact, printed, rows_of, seiche
 
 
 class Riemann(Scoring):

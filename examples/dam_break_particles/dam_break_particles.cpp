@@ -19,7 +19,7 @@ int main() {
   ParticleFile file("dam_break_particles");
   std::puts("t,front,kinetic_energy");
   for (int k = 0; k <= 16; ++k) {
-    march(flow, 0.01 * k);
+    seiche::march(flow, 0.01 * k);
     file.frame(flow.time(), flow.particles(), flow.pressure());
     const Particles& now = flow.particles();
     double front = dam.rear_wall;

@@ -9,9 +9,10 @@
 ///                                                                                    reference with g (1 +- s)
 ///
 /// The smallest s that is noticed is found among 0.05 % doubled until it is, then by bisection to a sixteenth of an
-/// octave; of both signs the larger counts. Without size: reversed, exchanged (the values of two groups, or of two
-/// quantities), truncated (to the first 60 %), dead (one group stands still), still (everything does). The truth
-/// itself, printed at half and at double density, and with NaN where it is dry, has to pass.
+/// octave; of both signs the larger counts, the other sign being looked for from the first one's s on. Without size:
+/// reversed, exchanged (the values of two groups, or of two quantities), truncated (to the first 60 %), dead (one group
+/// stands still), still (everything does). The truth itself, printed at half and at double density, and with NaN where
+/// it is dry, has to pass.
 ///
 /// Noticed is what makes a claim anything but met, and what is rejected.
 #pragma once
