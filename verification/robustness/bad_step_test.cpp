@@ -51,10 +51,9 @@ void refuses(Check& check, const std::string& name, M&& flow) {
   Refusals refusals(check);
   using Limits = std::numeric_limits<double>;
   for (const double bad : {0.0, -0.1, Limits::quiet_NaN(), Limits::infinity()}) {
-    const std::string what = fmt::format("{}, {:g}: ", name, bad);
-    refusals.refused(what + "length of a step.", {"tau", "positive and finite"}, [&] { flow.advance(bad); });
-    refusals.refused(what + "length of equal steps.", {"tau", "positive and finite"}, [&] { march(flow, 1, bad); });
-    refusals.refused(what + "a time to go to.", {"time", "at least the present"}, [&] { march(flow, bad, 0.1); });
+    refusals.refused({"tau", "positive and finite"}, [&] { flow.advance(bad); });
+    refusals.refused({"tau", "positive and finite"}, [&] { march(flow, 1, bad); });
+    refusals.refused({"time", "at least the present"}, [&] { march(flow, bad, 0.1); });
   }
   check.holds(name + ": all is as it was.", {seen(flow) == before && before.size() > 2 ? 1.0 : 0.0},
               Qualitative{"equal time, steps, invariants and books", "a caller may go on"});
