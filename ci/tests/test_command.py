@@ -64,6 +64,7 @@ class Command(Scratch):
         listed = seiche("list", "--published").stdout
         for name, tile in runs:
             self.assertIn(f"seiche run {name} --as {tile}", listed)
+        self.assertRegex(listed, r"bzz-fig-5 +picture only\n +bzz-fig-7 +reproduced\n")
         # What equals the tier's defaults is the tier's own run; one of its tiles names the set as well as another.
         self.assertEqual(seiche("run", "dry_dam_break", "--as", "bzz-fig-7", "--out", self.out).returncode, 0)
         record = self.record("dry_dam_break")

@@ -165,7 +165,8 @@ class Metamorphic(Scoring):
         # Solvers beside each other, whoever came first.
         for order in ("ab", "ba"):
             for solver in order:
-                seiche("score", "riemann", "--data", data[solver], "--solver", solver, "--out", self.folder / order)
+                said = seiche("score", "riemann", "--data", data[solver], "--solver", solver, "--out", self.folder / order)
+            self.assertIn(f"better than {int(solver == 'a')} of 1", said.stdout)
         self.assertEqual(*(seiche("compare", self.folder / order).stdout for order in ("ab", "ba")))
         # Quick and quick beside full: what is the same is not touched by what is new.
         record = json.loads((folders["a"] / "riemann.mine.json").read_text())

@@ -21,6 +21,7 @@ class Tile:
     place: str
     title: str
     content: str
+    beyond: list = dataclasses.field(default_factory=list)       # claims of what the source does not state: they leave the word
     picture: tuple = None          # (record, figure, Drawn)
     table: tuple = None            # (record, table)
     records: list = dataclasses.field(default_factory=list)      # the best first
@@ -43,7 +44,7 @@ class Tile:
         declared = [record for record in own if record.published_set(self.id)]
         if declared:
             return [record for record in declared if record.published_set(self.id)["here"]]
-        return [record for record in own if record.kind == "verification"] if self.kind != "computed" else []
+        return [record for record in own if record.kind == "verification"] if self.kind == "set-up" else []
 
     @property
     def judged(self):
@@ -60,9 +61,10 @@ class Tile:
 
     @property
     def word(self):
-        """One of WORDS, from the runs with the parameters of the source: all of their claims hold, with the source's method
-        and parameters or with others; only those fail whose failure, declared, proves the source wrong; or the runs are of
-        a longer tier than the report has. What the source only drew is a picture. Anything else is not yet reproduced."""
+        """One of WORDS, from the runs with the parameters of the source: all claims of what it states hold, with its method
+        and parameters or with others, or where only its method as written misses some; or those alone fail whose failure,
+        declared, proves the source wrong; or the runs are of a longer tier than the report has. A sketch is a picture.
+        Anything else is not yet reproduced."""
         if not self.at_source:
             longer = self.published and any(
                 record.own and record.standard and TIERS.index(record.tier) < TIERS.index(self.published["tier"])
@@ -70,16 +72,18 @@ class Tile:
             return "reduced size" if longer else "not yet"
         if any(record.unexpected for record in self.at_source):
             return "not yet"
-        sets = [record.published_set(self.id) for record in self.at_source]
-        failed = {claim.id for record in self.at_source for claim in record.claims if claim.verdict != "pass"}
-        wrong = failed & {name for one in sets if one for name in one["contradicted"]}
-        if wrong and wrong == failed:
-            return "source contradicted"
-        if self.kind != "computed":
+        if self.kind == "set-up":
             return "picture only"
-        if failed:
+        sets = [record.published_set(self.id) for record in self.at_source]
+        failed = {claim.id for record in self.at_source for claim in record.claims if claim.verdict != "pass"} - set(self.beyond)
+        missed = {name for name in failed if "as_written" in name}
+        wrong = failed & {name for one in sets for name in one["contradicted"]}
+        if failed - missed - wrong:
             return "not yet"
-        return "reproduced by another method" if any(one["differs"] or one["different"] for one in sets) else "reproduced"
+        if wrong and not missed:
+            return "source contradicted"
+        other = missed or any(one["differs"] or one["different"] for one in sets)
+        return "reproduced by another method" if other else "reproduced"
 
     @property
     def parameters(self):

@@ -7,7 +7,7 @@ FIGURE = "cost"
 COLUMNS = ("model", "size of", "size", "error", "uncertainty", "processor time", "energy", "momentum", "lasted",
            "asked", "broke by")
 WORDS = ("model", "size of", "broke by")
-ALSO = ("stokes_models", "mach_reflection_models")      # cases that set several models side by side in their own way
+ALSO = ("stokes_models",)      # cases that set several models side by side in their own way
 
 
 @dataclasses.dataclass

@@ -107,9 +107,7 @@ std::vector<NamedScheme> schemes(const std::string& chosen) {
 
 /// Largest values at any step.
 struct Unrest {
-  Worst velocity;
-  Worst elevation;
-  Worst displacement;
+  Worst velocity, elevation, displacement;
   long steps = 0;
 
   void include(const Unrest& other) {
@@ -158,8 +156,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
     if (lake.channel.periodic()) continue;
     const bool shore = lake.channel.right == model::End::tip;
     const std::vector<double> x = evenly(-length, shore ? 2 : 0, 881);
-    std::vector<double> bed;
-    std::vector<double> surface;
+    std::vector<double> bed, surface;
     for (const double at : x) {
       bed.push_back(lake.channel.bottom->elevation(at));
       surface.push_back(bed.back() > 0 ? bed.back() : 0.0);
@@ -176,18 +173,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,
                                   const std::string& unit, Worst Unrest::*of) {
-      claims.check(
-          {.id = all[k].id + "-" + id,
-           .text = fmt::format("{} ({})", text, all[k].name),
-           .quantity = quantity,
-           .unit = unit,
-           .source = "heights counted from the still-water level"},
-          [k, of](const Results& r) -> Measurement {
-            const Unrest unrest = r.lakes.at(k).largest();
-            return {.value = (unrest.*of).value(),
-                    .resolution = fmt::format("{} markers, {} steps", r.lakes[k].markers, unrest.steps)};
-          },
-          Bound{0, "every force is a product with an elevation, which is zero"});
+      claims.from("heights counted from the still-water level")
+          .check(
+              all[k].id + "-" + id, fmt::format("{} ({})", text, all[k].name), fmt::format("{} [{}]", quantity, unit),
+              [k, of](const Results& r) -> Measurement {
+                const Unrest unrest = r.lakes.at(k).largest();
+                return {.value = (unrest.*of).value(),
+                        .resolution = fmt::format("{} markers, {} steps", r.lakes[k].markers, unrest.steps)};
+              },
+              Bound{0, "every force is a product with an elevation, which is zero"});
     };
     exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
     exactly_zero("elevation", "The surface of water at rest stays level.", "largest elevation", "H",
@@ -220,24 +214,16 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<Lake> all = lakes(values);
   const std::vector<NamedScheme> named = schemes(values.text("scheme"));
-  evidence::Table table{.id = "unrest",
-                        .title = "Largest values at any step",
-                        .caption = "Of all markers and both kinetic energies.",
-                        .columns = table_columns({"lake", "scheme", "steps [1]", "velocity [(g H)^(1/2)]",
-                                                  "elevation [H]", "displacement [H]"})};
-  Unrest largest;
+  evidence::Table& table =
+      add_table(exhibit, "unrest", "Largest values at any step", "Of all markers and both kinetic energies.",
+                {"lake", "scheme", "steps [1]", "velocity [(g H)^(1/2)]", "elevation [H]", "displacement [H]"});
   for (std::size_t k = 0; k < all.size(); ++k) {
-    largest.include(r.lakes[k].largest());
     for (std::size_t j = 0; j < named.size(); ++j) {
       const Unrest& unrest = r.lakes[k].by_scheme[j];
       table.rows.push_back({all[k].name, named[j].name, static_cast<double>(unrest.steps), unrest.velocity.value(),
                             unrest.elevation.value(), unrest.displacement.value()});
     }
   }
-  exhibit.measure("max_velocity", largest.velocity.value());
-  exhibit.measure("max_elevation", largest.elevation.value());
-  exhibit.measure("max_displacement", largest.displacement.value());
-  exhibit.table(std::move(table));
   draw(exhibit, all);
 }
 

@@ -164,16 +164,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto flow = figure.of(&ParticleFigure::flow);
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   const double reflected_depth = s.reflection().reflected_depth();
-  const auto at_wall = [](const Results& r) { return r.wall_depth(r.figure.flow.profile()); };
   const auto here = claims.at(s.discretisation.text());
   here.only_if(s.reflected(), "the bore has not met the wall")
       .from("jump conditions (11) of the paper")
-      .check("wall_depth", "The depth at the wall agrees with the jump conditions.", "depth at the wall [m]", at_wall,
-             Roundoff{.operations = 8 * std::round(s.time / s.discretisation.time_step) *
-                                    static_cast<double>(s.discretisation.particles),
-                      .scale = reflected_depth,
-                      .reason = "eight rounded operations per step, and per particle the jump has passed",
-                      .expected = reflected_depth});
+      .check(
+          "wall_depth", "The depth at the wall agrees with the jump conditions.", "depth at the wall [m]",
+          [](const Results& r) { return r.wall_depth(r.figure.flow.profile()); },
+          Roundoff{.operations = 8 * std::round(s.time / s.discretisation.time_step) *
+                                 static_cast<double>(s.discretisation.particles),
+                   .scale = reflected_depth,
+                   .reason = "eight rounded operations per step, and per particle the jump has passed",
+                   .expected = reflected_depth});
   claim_exact_profile(flow, reflected_depth, s.discretisation, s.time);
   claim_as_written(figure.of(&ParticleFigure::as_written), values, "bzz-fig-15", s.problem, s.discretisation, s.time,
                    reflected_depth - s.reflection().incident().ahead().depth, &s.front, {{"width", 3}});

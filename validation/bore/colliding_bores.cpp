@@ -96,10 +96,8 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   draw_flow(r.flow, exhibit, "Two bores meet", {});
-  evidence::Table table{.id = "levels",
-                        .title = "Error of the levels",
-                        .caption = "Cell L1(h) after the collision.",
-                        .columns = table_columns({"particles", "G1 [m]", "M2 [m]", "H2 [m]", "H2 reconstructed [m]"})};
+  evidence::Table& table = add_table(exhibit, "levels", "Error of the levels", "Cell L1(h) after the collision.",
+                                     {"particles", "G1 [m]", "M2 [m]", "H2 [m]", "H2 reconstructed [m]"});
   std::vector<double> counts;
   std::vector<std::vector<double>> errors(particle_schemes.size());
   for (std::size_t k = 0; k < r.levels.size(); ++k) {
@@ -112,17 +110,14 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     }
     row.emplace_back(r.levels[k].back().errors.reconstructed.depth.l1);
   }
-  exhibit.table(std::move(table));
   auto& panel =
       exhibit.figure("convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.")
           .panel({.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
   for (std::size_t level = 0; level < errors.size(); ++level) {
     panel.points(particle_schemes[level], counts, errors[level], Role::computed);
   }
-  show_conservation(r.flow, exhibit);
+  exhibit.measure("max_courant", r.flow.max_courant);
   measure_own(wanted_states(s.states()), submitted_profile(r.flow.profile()), exhibit);
-  exhibit.measure("reconstructed_l1_h", r.finest().errors.reconstructed.depth.l1);
-  exhibit.measure("cell_l1_h", r.finest().errors.cell.depth.l1);
   exhibit.measure("collision_time", s.bores.collision_time());
   exhibit.measure("collision_place", s.bores.collision_place());
   exhibit.measure("star_depth", s.bores.star().depth);

@@ -259,7 +259,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   show_figure(r.figure, exhibit, "A bore runs into still water", {"bzz-fig-12"});
   draw_history(exhibit, r.history, s.bore);
   measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);
-  exhibit.measure("energy_deviation", energy_deviation(r.history, s.bore).value());
 }
 
 }  // namespace

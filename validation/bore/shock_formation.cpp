@@ -18,7 +18,6 @@ which starts at that of a simple wave and must settle to that behind a bore.
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/shallow_water/relations.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/profile_curves.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::shock_formation {
@@ -76,8 +75,7 @@ SetUp set_up(const Values& values) {
 
 struct Results {
   SetUp set_up;
-  std::vector<double> sizes;
-  std::vector<double> positions;
+  std::vector<double> sizes, positions;
   Profile finest;
 
   /// @throws std::invalid_argument where a position is not a number
@@ -138,12 +136,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   const std::vector<double> depths = means_of(r.finest).depth;
   panel.steps(fmt::format("{} particles", r.set_up.n.back()), r.finest.edges, depths, Role::computed);
   const evidence::GridConvergence study = r.convergence();
-  exhibit.measure("front_position", r.positions.back());
   exhibit.measure("front_position_extrapolated", study.extrapolated);
   exhibit.measure("front_uncertainty", study.uncertainty);
-  exhibit.measure("front_width", r.width());
-  exhibit.measure("piston_depth", r.at_piston());
-  exhibit.measure("piston_depth_bore", r.set_up.bore);
   exhibit.measure("piston_depth_simple_wave", r.set_up.simple);
   exhibit.measure("largest_depth", largest(depths));
 }

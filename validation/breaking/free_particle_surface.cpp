@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/gauss_outline.hpp"
+#include "validation/instruments/particles/gauss_outline.hpp"
 
 namespace seiche::validation {
 namespace {

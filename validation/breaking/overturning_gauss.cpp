@@ -35,8 +35,8 @@ to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 #include "validation/breaking/free_particle_surface.hpp"
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/instruments/processor_time.hpp"
-#include "validation/instruments/sph_steep_wave.hpp"
 
 namespace seiche::validation::cases::overturning_gauss {
 namespace {
@@ -267,10 +267,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     draw("free particles", r.finest().surfaces[i], Role::computed);
     draw("SPH", r.sph.surfaces[i], Role::peer);
   }
-  evidence::Table table{.id = "models",
-                        .title = "Distance from potential flow",
-                        .caption = "Root mean square at the five instants, in 1/k, and the processor time.",
-                        .columns = table_columns({"", "cell or spacing [1/k]"})};
+  evidence::Table& table = add_table(exhibit, "models", "Distance from potential flow",
+                                     "Root mean square at the five instants, in 1/k, and the processor time.",
+                                     {"", "cell or spacing [1/k]"});
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "1/k");
   table.columns.emplace_back("time", "s");
   std::vector<const Computed*> all;
@@ -283,13 +282,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     for (const PolylineDistance& distance : one->distances) row.emplace_back(distance.rms);
     row.emplace_back(one->seconds);
   }
-  exhibit.table(std::move(table));
   for (std::size_t i = 0; i < instants.size(); ++i) {
-    exhibit.measure("rms_distance_" + instants[i].id, r.finest().distances[i].rms);
     exhibit.measure("rms_distance_sph_" + instants[i].id, r.sph.distances[i].rms);
   }
-  exhibit.measure("vertical_time", r.turned);
-  exhibit.measure("exact_vertical_time", r.vertical);
 }
 
 }  // namespace

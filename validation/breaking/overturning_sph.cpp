@@ -32,7 +32,7 @@ bottom by a part of a spacing; the kinetic energy is within a few per cent of th
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/sph_steep_wave.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/speed_field.hpp"
@@ -268,15 +268,11 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
   const SphOverturned& finest = r.finest();
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const std::string& id = instants[i].id;
-    exhibit.measure("rms_distance_" + id, r.distances[i].back().rms);
     exhibit.measure("largest_distance_" + id, r.distances[i].back().largest);
-    exhibit.measure("order_" + id, order_at(r, i).order);
     exhibit.measure("energy_" + id, finest.energy[i]);
     exhibit.measure("level_" + id, finest.level[i]);
     exhibit.measure("speed_" + id, finest.speed[i]);
   }
-  exhibit.measure("exact_overhang_time", r.exact_overhang);
-  exhibit.measure("overhang_time", finest.hangs_over);
   exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(none));
   exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(none));
   exhibit.measure("touch_down_time", finest.touches);
@@ -285,12 +281,12 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void tabulate_variants(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "variants",
-                        .title = "Schemes of the same kind",
-                        .caption = fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and the "
-                                               "kinetic energy with a developed jet over that of potential flow.",
-                                               wavelength / r.runs[halved].spacing),
-                        .columns = table_columns({""})};
+  evidence::Table& table =
+      add_table(exhibit, "variants", "Schemes of the same kind",
+                fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and the "
+                            "kinetic energy with a developed jet over that of potential flow.",
+                            wavelength / r.runs[halved].spacing),
+                {""});
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "dx");
   table.columns.emplace_back("kinetic energy", "");
   for (std::size_t k = 0; k < variants.size(); ++k) {
@@ -300,7 +296,6 @@ void tabulate_variants(const Results& r, evidence::Exhibit& exhibit) {
     for (const double rms : r.others_rms[k]) row.emplace_back(rms / one.spacing);
     row.emplace_back(one.kinetic.back() / r.exact.integrals(one.times.back()).kinetic_energy);
   }
-  exhibit.table(std::move(table));
 }
 
 void draw(const Results& r, evidence::Exhibit& exhibit) {

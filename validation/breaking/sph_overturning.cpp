@@ -11,7 +11,7 @@
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/sph_steep_wave.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
 
 namespace seiche::validation {

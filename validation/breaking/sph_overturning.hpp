@@ -9,8 +9,8 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/lattice.hpp"
 #include "validation/case/checkpoints.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
 #include "validation/instruments/polyline_distance.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
 
 namespace seiche::validation {
 

@@ -50,8 +50,10 @@ struct DeclaredClaim {
 /// "run-up [depth]" as "run-up" and "depth"; the unit is empty where no brackets end the text.
 std::pair<std::string, std::string> name_and_unit(const std::string& text);
 
-/// The columns of a table, each with its unit in brackets.
-std::vector<std::pair<std::string, std::string>> table_columns(const std::vector<std::string>& columns);
+/// Adds a table without rows; the reference stays valid for the exhibit's life. @param columns  each with its unit in
+/// brackets; @param tiles  of the atlas that the table fills
+evidence::Table& add_table(evidence::Exhibit& exhibit, std::string id, std::string title, std::string caption,
+                           const std::vector<std::string>& columns, std::vector<std::string> tiles = {});
 
 namespace detail {
 
@@ -76,41 +78,38 @@ template <class Part>
 class Claims {
  public:
   using Find = std::function<const Part&(const void* results)>;
+  /// What several claims have in common.
+  struct Terms {
+    std::string source;
+    std::string resolution = {};
+    std::string left_out = {};
+    std::optional<evidence::KnownFailure> failure = {};
+  };
 
   /// A list for the whole results.
   explicit Claims(std::vector<DeclaredClaim>& list, std::string source = {})
-      : Claims(
-            list, [](const void* results) -> const Part& { return *static_cast<const Part*>(results); }, {}, {},
-            std::move(source)) {}
-  Claims(std::vector<DeclaredClaim>& list, Find find, std::string left_out, std::string resolution, std::string source)
-      : list_(&list),
-        find_(std::move(find)),
-        left_out_(std::move(left_out)),
-        resolution_(std::move(resolution)),
-        source_(std::move(source)) {}
+      : Claims(list, [](const void* results) -> const Part& { return *static_cast<const Part*>(results); },
+               {std::move(source)}) {}
+  Claims(std::vector<DeclaredClaim>& list, Find find, Terms terms)
+      : list_(&list), find_(std::move(find)), terms_(std::move(terms)) {}
 
   /// @param quantity  what is measured, with its unit in brackets unless that is 1: "run-up [depth]"
   template <class Measure>
   void check(std::string id, std::string text, const std::string& quantity, Measure measure,
              evidence::Criterion criterion) const {
-    add(claim(std::move(id), std::move(text), quantity), std::move(measure), std::move(criterion), {});
+    auto [name, unit] = name_and_unit(quantity);
+    if (unit.empty()) unit = "1";
+    check({std::move(id), std::move(text), std::move(name), std::move(unit), terms_.source}, std::move(measure),
+          std::move(criterion));
   }
-  /// A claim that the method is known not to meet.
-  template <class Measure>
-  void known_failure(std::string id, std::string text, const std::string& quantity, Measure measure,
-                     evidence::Criterion criterion, evidence::KnownFailure failure) const {
-    add(claim(std::move(id), std::move(text), quantity), std::move(measure), std::move(criterion), std::move(failure));
-  }
-
+  /// A claim that names its source itself.
   template <class Measure>
   void check(evidence::Claim claim, Measure measure, evidence::Criterion criterion) const {
-    add(std::move(claim), std::move(measure), std::move(criterion), {});
-  }
-
-  template <class Measure>
-  void known_failure(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
-                     evidence::KnownFailure failure) const {
-    add(std::move(claim), std::move(measure), std::move(criterion), std::move(failure));
+    list_->push_back(
+        {std::move(claim), std::move(criterion), terms_.failure, terms_.left_out,
+         [find = find_, measure = std::move(measure), resolution = terms_.resolution](const void* results) {
+           return detail::as_measured(std::invoke(measure, find(results)), resolution);
+         }});
   }
 
   /// The same list for claims about a part of the results, a member or what a function of the results refers to.
@@ -120,44 +119,33 @@ class Claims {
     return Claims<Found>(
         *list_,
         [find = find_, member](const void* results) -> const Found& { return std::invoke(member, find(results)); },
-        left_out_, resolution_, source_);
+        {terms_.source, terms_.resolution, terms_.left_out, terms_.failure});
   }
 
   /// The same list for claims that apply under a condition on parameters. @param otherwise  why they do not apply
   [[nodiscard]] Claims only_if(bool applies, const std::string& otherwise) const {
-    return Claims(*list_, find_, applies ? left_out_ : otherwise, resolution_, source_);
+    return with(&Terms::left_out, applies ? terms_.left_out : otherwise);
   }
-
+  /// The same list for claims that the method is known not to meet. @param known  whether it is at these parameters
+  [[nodiscard]] Claims fails(evidence::KnownFailure failure, bool known = true) const {
+    return known ? with(&Terms::failure, std::optional(std::move(failure))) : *this;
+  }
   /// The same list for measurements at a resolution that they need not name themselves.
-  [[nodiscard]] Claims at(const std::string& resolution) const {
-    return Claims(*list_, find_, left_out_, resolution, source_);
-  }
-
+  [[nodiscard]] Claims at(const std::string& resolution) const { return with(&Terms::resolution, resolution); }
   /// The same list for claims that come from a source of their own.
-  [[nodiscard]] Claims from(const std::string& source) const {
-    return Claims(*list_, find_, left_out_, resolution_, source);
-  }
+  [[nodiscard]] Claims from(const std::string& source) const { return with(&Terms::source, source); }
 
  private:
-  [[nodiscard]] evidence::Claim claim(std::string id, std::string text, const std::string& quantity) const {
-    auto [name, unit] = name_and_unit(quantity);
-    return {std::move(id), std::move(text), std::move(name), unit.empty() ? "1" : std::move(unit), source_};
-  }
-
-  template <class Measure>
-  void add(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
-           std::optional<evidence::KnownFailure> failure) const {
-    list_->push_back({std::move(claim), std::move(criterion), std::move(failure), left_out_,
-                      [find = find_, measure = std::move(measure), resolution = resolution_](const void* results) {
-                        return detail::as_measured(std::invoke(measure, find(results)), resolution);
-                      }});
+  template <class Term>
+  [[nodiscard]] Claims with(Term Terms::*term, Term value) const {
+    Claims other = *this;
+    other.terms_.*term = std::move(value);
+    return other;
   }
 
   std::vector<DeclaredClaim>* list_;
   Find find_;
-  std::string left_out_;
-  std::string resolution_;
-  std::string source_;
+  Terms terms_;
 };
 
 }  // namespace seiche::validation

@@ -19,12 +19,9 @@ void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTe
                       const std::string& source) {
   for (std::size_t k = 0; k < declared.size(); ++k) {
     const exact::Identity& identity = declared[k];
-    claims.check(
-        {.id = fmt::format("identity-{}", k + 1),
-         .text = fmt::format("The reference satisfies its own identity: {}.", identity.name),
-         .quantity = "relative defect",
-         .source = source},
-        [k](const exact::SelfTest& test) { return test.at(k).defect; },
+    claims.from(source).check(
+        fmt::format("identity-{}", k + 1), fmt::format("The reference satisfies its own identity: {}.", identity.name),
+        "relative defect", [k](const exact::SelfTest& test) { return test.at(k).defect; },
         Bound{.limit = identity.accuracy, .reason = identity.reason});
   }
 }

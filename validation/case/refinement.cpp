@@ -37,25 +37,20 @@ void RefinementStudy::claim_orders(const Claims<Refinement>& claims) const {
   for (std::size_t k = 0; k < quantities.size(); ++k) {
     const RefinedQuantity& quantity = quantities[k];
     if (!quantity.order) continue;
-    claims.check(
-        {.id = "order-" + quantity.id,
-         .text = quantity.statement,
-         .quantity = "order of the error: " + quantity.name,
-         .source = source},
+    claims.from(source).check(
+        "order-" + quantity.id, quantity.statement, "order of the error: " + quantity.name,
         [k, from = coarsest](const Refinement& refinement) { return refinement.order(k, from); }, *quantity.order);
   }
 }
 
 void RefinementStudy::tabulate(const Refinement& refinement, evidence::Exhibit& exhibit) const {
-  evidence::Table table{
-      .id = "errors", .title = "Errors", .caption = "On meshes of n cells across.", .columns = {{"n", ""}}};
+  evidence::Table& table = add_table(exhibit, "errors", "Errors", "On meshes of n cells across.", {"n"});
   for (const RefinedQuantity& quantity : quantities) table.columns.emplace_back(quantity.name, "");
   for (std::size_t i = 0; i < refinement.n().size(); ++i) {
     auto& row = table.rows.emplace_back();
     row.emplace_back(refinement.n()[i]);
     for (std::size_t k = 0; k < quantities.size(); ++k) row.emplace_back(refinement.errors(k)[i]);
   }
-  exhibit.table(std::move(table));
   for (std::size_t k = 0; k < quantities.size(); ++k) {
     exhibit.measure("order_" + quantities[k].id, refinement.order(k, coarsest).order);
   }

@@ -1,21 +1,95 @@
 #include "validation/case/runner.hpp"
 
+#include <omp.h>
+#include <unistd.h>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include "reports/evidence/record_files.hpp"
 #include "reports/evidence/record_lock.hpp"
 #include "validation/case/child.hpp"
-#include "validation/case/display.hpp"
 
 namespace seiche::validation {
 namespace {
+
+/// Shows a run: on a terminal a bar per running case, redrawn in place; elsewhere a line per finished case.
+class Display {
+ public:
+  explicit Display(std::size_t total);
+
+  void skipped(const std::string& name);
+  void finished(const std::string& name, const Ending& ending, double seconds);
+  void running(const std::vector<std::unique_ptr<Child>>& children);
+
+ private:
+  void erase_bars();
+  void line(const char* mark, const std::string& name, const std::string& rest);
+
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::size_t bars_ = 0;  ///< lines of bars now on the terminal
+  bool terminal_;
+};
+
+std::string bar(double fraction, int width) {
+  const int full = static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * width));
+  std::string text;
+  for (int k = 0; k < width; ++k) text += k < full ? "█" : "·";
+  return text;
+}
+
+const char* mark(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::as_declared:
+      return "✓";
+    case Outcome::failed:
+      return "✗";
+    case Outcome::wrong_input:
+      return "?";
+    case Outcome::unfinished:
+      return "!";
+  }
+  return "!";
+}
+
+Display::Display(std::size_t total) : total_(total), terminal_(isatty(STDOUT_FILENO) != 0) {}
+
+void Display::erase_bars() {
+  for (; bars_ > 0; --bars_) fmt::print("\033[1A\033[2K");
+}
+
+void Display::line(const char* sign, const std::string& name, const std::string& rest) {
+  erase_bars();
+  fmt::print("[{:>3}/{}] {} {:<34} {}\n", ++done_, total_, sign, name, rest);
+  std::fflush(stdout);
+}
+
+void Display::skipped(const std::string& name) {
+  line("=", name, "unchanged, kept");
+}
+
+void Display::finished(const std::string& name, const Ending& ending, double seconds) {
+  line(mark(ending.outcome), name, fmt::format("{:7.2f} s  {}", seconds, ending.message));
+}
+
+void Display::running(const std::vector<std::unique_ptr<Child>>& children) {
+  if (!terminal_) return;
+  erase_bars();
+  for (const auto& child : children) {
+    fmt::print("          {:<34} {} {:5.1f} s\n", child->job().stem(), bar(child->progress(), 30), child->seconds());
+  }
+  bars_ = children.size();
+  std::fflush(stdout);
+}
 
 /// Set by the signal handler, the one thing that such a handler may do.
 volatile std::sig_atomic_t interrupted = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)

@@ -50,10 +50,11 @@ std::pair<std::string, std::string> name_and_unit(const std::string& text) {
   return {text.substr(0, bracket), text.substr(bracket + 2, text.size() - bracket - 3)};
 }
 
-std::vector<std::pair<std::string, std::string>> table_columns(const std::vector<std::string>& columns) {
-  std::vector<std::pair<std::string, std::string>> named;
-  for (const std::string& column : columns) named.push_back(name_and_unit(column));
-  return named;
+evidence::Table& add_table(evidence::Exhibit& exhibit, std::string id, std::string title, std::string caption,
+                           const std::vector<std::string>& columns, std::vector<std::string> tiles) {
+  evidence::Table table{std::move(id), std::move(title), std::move(caption), {}, {}, std::move(tiles)};
+  for (const std::string& column : columns) table.columns.push_back(name_and_unit(column));
+  return exhibit.table(std::move(table));
 }
 
 std::vector<DeclaredClaim> Study::claims(const Values& values) const {

@@ -17,19 +17,60 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <functional>
+#include <initializer_list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "reports/evidence/record.hpp"
-#include "validation/case/lazy.hpp"
-#include "validation/case/measure.hpp"
 #include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
+
+/// A value, or what computes it when it is first asked for; copies share it. Not for several threads at a time.
+template <class T>
+class Lazy {
+ public:
+  Lazy(T known = {}) : kept_(std::make_shared<Kept>(Kept{std::move(known), {}})) {}
+  template <class Element>
+  Lazy(std::initializer_list<Element> known) : Lazy(T(known.begin(), known.end())) {}
+  template <std::invocable Compute>
+  Lazy(Compute compute) : kept_(std::make_shared<Kept>(Kept{{}, std::move(compute)})) {}
+
+  const T& operator*() const {
+    if (!kept_->value) kept_->value.emplace(kept_->compute());
+    return *kept_->value;
+  }
+  const T* operator->() const { return &**this; }
+
+ private:
+  struct Kept {
+    std::optional<T> value;
+    std::function<T()> compute;
+  };
+  std::shared_ptr<Kept> kept_;
+};
+
+/// What is measured of a submitted quantity s beside its reference r; formulas: validation/instruments/agreement.hpp.
+enum class Measure {
+  value,            ///< the submitted number itself; scalars only
+  relative_error,   ///< (s - r)/|r|; scalars only
+  largest_error,    ///< max |s - r|
+  relative_l1,      ///< sum |s - r| / sum |r|
+  relative_l2,      ///< sqrt(sum (s - r)^2 / sum r^2)
+  relative_linf,    ///< max |s - r| / max |r|
+  amplitude_ratio,  ///< range of s over range of r
+  shift,            ///< how far s lies behind r along the abscissa, in its unit
+  arrival_error,    ///< first arrival of s less that of r; series only
+  peak_error,       ///< max s - max r
+  peak_shift,       ///< where s is largest less where r is
+  skill,            ///< Willmott's index of agreement: 1 is perfect
+};
 
 struct Column {
   std::string name;

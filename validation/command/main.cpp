@@ -59,7 +59,7 @@ void add_list(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json, "Print JSON, with every parameter");
   command->add_flag("--scores", options->scores,
                     "List cases that accept external results, with their tables and columns");
-  command->add_flag("--published", options->published, "List as-published parameter sets, by figure and table");
+  command->add_flag("--published", options->published, "List as-published parameter sets, and whether they reproduce the figures and tables");
   command->add_option("--claims", options->claims, "List the claims of this case, with limits and reasons");
   command->add_option("--tier", options->tier, "Test level, with --claims: quick, full or paper [quick]");
   command->add_option("--set", options->settings, "Parameter of the case, with --claims, as name=value")

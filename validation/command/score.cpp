@@ -313,20 +313,6 @@ std::optional<validation::Repeats> repeats_of(const ScoreOptions& options, std::
   return repeats;
 }
 
-/// Why the numbers of a baseline are none to compare with: empty where they are.
-std::string unlike(const evidence::Summary& before, const evidence::Record& record) {
-  if (!before.error.empty()) return before.error;
-  for (const auto& [name, p] : record.parameters) {
-    const auto was = before.parameters.find(name);
-    if (was != before.parameters.end() && was->second == p.value) continue;
-    const auto in_words = [](const auto& value) { return fmt::format("{}", value); };
-    return fmt::format("scored with {} = {}, not {}", name,
-                       was == before.parameters.end() ? "none" : std::visit(in_words, was->second),
-                       std::visit(in_words, p.value));
-  }
-  return {};
-}
-
 /// The baseline, read before this score is written; none where this is to be the first.
 std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, const evidence::Record& record) {
   namespace fs = std::filesystem;
@@ -338,7 +324,7 @@ std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, cons
   std::string why = fmt::format("has no {}", kept.filename().string());
   if (fs::is_regular_file(kept)) {
     evidence::Summary before = evidence::read_summary(kept);
-    why = unlike(before, record);
+    why = validation::unlike(before, record);
     if (why.empty()) return before;
   }
   if (options.bless) return std::nullopt;
@@ -374,6 +360,26 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
   }
   told.push_back(fmt::format("baseline {}: is this score now", kept.string()));
   return false;
+}
+
+/// Of every error: how many results of other solvers for the case in the folder have a larger one.
+std::vector<std::string> ranks(const ScoreOptions& options, const std::string& stem) {
+  const auto own = evidence::read_summary(std::filesystem::path(options.out) / (stem + ".json"));
+  std::vector<evidence::Summary> others = evidence::read_summaries(options.out);
+  std::erase_if(others, [&](const auto& other) { return other.name != own.name || other.solver == own.solver; });
+  std::vector<std::string> told;
+  for (const auto& claim : own.claims) {
+    std::vector<double> errors;
+    for (const evidence::Summary& other : others) {
+      const auto same = std::ranges::find(other.claims, claim.id, &evidence::Summary::Outcome::id);
+      if (same != other.claims.end() && std::isfinite(same->measured)) errors.push_back(validation::error_of(*same));
+    }
+    if (errors.empty() || claim.kind == "qualitative" || claim.kind == "roundoff") continue;
+    const double error = validation::error_of(claim);
+    told.push_back(fmt::format("{}: error {:.3g}, better than {} of {}", claim.id, error,
+                               std::ranges::count_if(errors, [&](double e) { return e > error; }), errors.size()));
+  }
+  return told;
 }
 
 /// Keeps what was judged: the checksum of every file, of a folder that of its files' checksums.
@@ -487,13 +493,16 @@ int score(const ScoreOptions& options) {
   const std::string written = (std::filesystem::path(options.out) / (record.stem() + ".json")).string();
   std::vector<std::string> since;
   const bool worse = !options.baseline.empty() && compare_with_baseline(options, record.stem(), baseline, since);
+  const std::vector<std::string> beside = ranks(options, record.stem());
   if (options.json) {
     auto json = as_json(all, record, findings, look, written);
+    if (!beside.empty()) json["ranks"] = beside;
     if (!since.empty()) json["baseline"] = since;
     fmt::print("{}\n", json.dump(1));
   } else {
     for (const Read& read : all) print_reading(read);
     print(record, findings, look);
+    for (const std::string& line : beside) fmt::print("  {:<12} {}\n", "rank", line);
     fmt::print("record: {}\n", written);
     for (const std::string& line : since) fmt::print("{}\n", line);
   }

@@ -147,8 +147,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                   "Mean error of cell depths against the number of cells and against processor time.");
     auto& by_number = figure.panel({.x = "N", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
     auto& by_time = figure.panel({.x = "processor time [s]", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
-    evidence::Table table{
-        .id = id, .title = name_of(ratio), .caption = "Cell L1(h) at t = 6 s.", .columns = table_columns({"scheme"})};
+    evidence::Table& table = add_table(exhibit, id, name_of(ratio), "Cell L1(h) at t = 6 s.", {"scheme"});
     for (const long count : counts) table.columns.emplace_back(fmt::format("N = {}", count), "m");
     table.columns.emplace_back("order", "");
     for (const Refined& one : r.all) {
@@ -161,11 +160,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       // Clocks do not resolve less.
       std::vector<double> seconds = each(one.seconds, [&](const double s) { return std::max(s, 1e-5); });
       by_time.points(one.contender->label, seconds, one.errors, one.contender->role);
-      exhibit.measure(fmt::format("cell_l1_h_{}_{}", id, one.contender->id), one.finest());
     }
     const std::vector<double> guide{static_cast<double>(counts.front()), static_cast<double>(counts.back())};
     by_number.line("order 1", guide, std::vector<double>{0.1 * 50 / guide[0], 0.1 * 50 / guide[1]}, Role::guide);
-    exhibit.table(std::move(table));
   }
 }
 

@@ -115,9 +115,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   measure_run(exhibit, computed);
   measure_sound(exhibit, r.collapse);
   if (!computed.roundings.empty()) {
-    evidence::Table table{.id = "roundings", .title = "Lengths that were rounded", .columns = table_columns({"what"})};
+    evidence::Table& table = add_table(exhibit, "roundings", "Lengths that were rounded", "", {"what"});
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
-    exhibit.table(std::move(table));
   }
   auto& panel = exhibit
                     .figure("front", "Position of the front",

@@ -76,19 +76,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);
   claim_sound(claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); }), values);
-  const evidence::Claim shift{.id = "shift-mps",
-                              .text = "The SPH front and the MPS computation start at the same time within 0.1.",
-                              .quantity = "shift of the time origin, in sqrt(L/2g)",
-                              .source = mps.citation};
-  const Bound at_once{.limit = 0.1, .reason = "both columns are free at once"};
-  if (values.integer("cells") < 80) {
-    claims.known_failure(shift, on_finest(mps, &ShiftedFront::shift), at_once,
-                         {.width = std::numeric_limits<double>::infinity(),
-                          .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for "
-                                    "alpha = 0.3 and -0.07 for 0.1"});
-  } else {
-    claims.check(shift, on_finest(mps, &ShiftedFront::shift), at_once);
-  }
+  claims
+      .fails({.width = std::numeric_limits<double>::infinity(),
+              .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for "
+                        "alpha = 0.3 and -0.07 for 0.1"},
+             values.integer("cells") < 80)
+      .from(mps.citation)
+      .check("shift-mps", "The SPH front and the MPS computation start at the same time within 0.1.",
+             "shift of the time origin, in sqrt(L/2g)", on_finest(mps, &ShiftedFront::shift),
+             Bound{.limit = 0.1, .reason = "both columns are free at once"});
   claim_rms(claims, mps, "mps", {.limit = 2 * mps.uncertainty, .reason = "twice the reading of the curve"});
   const Bound reading{.limit = shifted_front(first.curve(), second.curve(), tank - 0.1).rms,
                       .reason = "what one shift leaves between the two digitisations of the same figure"};

@@ -129,9 +129,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_flow(r.flow, exhibit, "Dam break over a dry bed", {"bzz-fig-6"}, r.as_written);
   draw_parabola(exhibit, r.flow, r.set_up.ritter.front(r.flow.time()));
   report_contest(exhibit, r.set_up.channel, r.flow.time(), r.contestants);
-  show_conservation(r.flow, exhibit);
-  show_errors(r.flow.errors, exhibit);
-  exhibit.measure("front_position", r.front());
+  exhibit.measure("max_courant", r.flow.max_courant);
 }
 
 }  // namespace

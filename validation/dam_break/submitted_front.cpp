@@ -70,8 +70,7 @@ std::string text_of(const Counting& count, const ColumnFront& data, double farth
 
 /// How far the front falls back behind where it has been.
 double largest_retreat(const std::vector<double>& X) {
-  Largest reached;
-  Largest retreat;
+  Largest reached, retreat;
   for (const double x : X) {
     reached.add(x);
     retreat.add(reached.value() - x);
@@ -104,8 +103,7 @@ FrontFit front_fit(Curve computed, const ColumnFront& data, double farthest, std
   FrontFit fit{.points = count.used.size()};
   Normal n;
   constexpr int iterations = 60;  // of Gauss and Newton: a smooth problem of two unknowns
-  std::vector<double> weighted_s;
-  std::vector<double> weighted_r;
+  std::vector<double> weighted_s, weighted_r;
   double variance = 0;
   for (int k = 0; k < iterations; ++k) {
     n = {};
@@ -197,10 +195,8 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
 
   using evidence::Bound;
   const auto times = [&](double factor) { return stated ? std::optional(factor * *fit.rate_numerical) : std::nullopt; };
-  record.check({.id = "rate",
-                .text = "The speed of the front agrees with the published one.",
-                .quantity = "rate at which its clock would have to run",
-                .source = data.citation},
+  record.check({"rate", "The speed of the front agrees with the published one.",
+                "rate at which its clock would have to run", "1", data.citation},
                {.value = fit.rate, .uncertainty = times(2), .resolution = counted},
                evidence::Uncertainty{.expected = 1,
                                      .data = fit.rate_uncertainty,
@@ -208,11 +204,10 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                                      .reason = "standard uncertainties of the points in T and X/a, through the fit of "
                                                "shift and rate; a gravity a tenth too small makes 0.054, a front a "
                                                "twentieth too fast 0.048"});
-  record.check({.id = "shift",
-                .text = data.measured ? "The measured front lags by no more than the delay expected of its release."
-                                      : "The other computation starts at the same time.",
-                .quantity = "shift of the time origin, in the unit of T",
-                .source = data.citation},
+  record.check({"shift",
+                data.measured ? "The measured front lags by no more than the delay expected of its release."
+                              : "The other computation starts at the same time.",
+                "shift of the time origin, in the unit of T", "1", data.citation},
                {.value = fit.shift, .resolution = counted},
                data.measured
                    ? Bound{.limit = 0.2,
@@ -222,18 +217,14 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                            .expected = 0.15}
                    : Bound{.limit = 0.1, .reason = "both columns are free at once"});
   const auto n = static_cast<double>(fit.points);
-  record.check({.id = "rms",
-                .text = "With one shift the front goes through the published points.",
-                .quantity = "rms difference of X/a",
-                .source = data.citation},
+  record.check({"rms", "With one shift the front goes through the published points.", "rms difference of X/a", "1",
+                data.citation},
                {.value = fit.rms, .resolution = counted},
                Bound{.limit = fit.expected * (1 + 2 / std::sqrt(2 * n)),
                      .reason = "root mean square of sqrt(u_X^2 + (X' u_T)^2) over the points, and two standard "
                                "deviations of such a mean of n, a part 1/sqrt(2n) of it each"});
-  record.check({.id = "advance",
-                .text = "The position of the front never falls back.",
-                .quantity = "largest retreat of X/a",
-                .source = "water on a dry floor runs on until it meets a wall"},
+  record.check({"advance", "The position of the front never falls back.", "largest retreat of X/a", "1",
+                "water on a dry floor runs on until it meets a wall"},
                {.value = largest_retreat(X), .resolution = fmt::format("cells of {:.3g} a", cell)},
                Bound{.limit = evidence::Amount::at_most(cell, 0.1),
                      .reason = "a front is known to one cell or particle; cells of more than a tenth of the column say "

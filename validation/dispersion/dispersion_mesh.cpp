@@ -15,25 +15,28 @@ are $10^{-6}$ depths and twice that.
 
 **What is compared.** The elevations are projected on the wave; a sinusoid fitted to the series gives the frequency, and
 the two amplitudes its limit for small waves. It must be the formula's, digit for digit: for the wave of the parameters,
-for twelve others up to the shortest that the mesh resolves, and for all points of the figure. Then two remarks of
-Frank: that waves of seven depths and more are well described by $h_1 = H$, $h_2 = H/2$; and that at special parameters
-the mesh has nearly the law of Boussinesq's equations, $\omega^2 = k^2/(1 + k^2/3)$, for waves of 3.5 depths and more.
+and for all points of the figure. Then two remarks of Frank: that waves of seven depths and more are well described by
+$h_1 = H$, $h_2 = H/2$; and that at special parameters the mesh has nearly the law of Boussinesq's equations, $\omega^2
+= k^2/(1 + k^2/3)$, for waves of 3.5 depths and more.
 
 **What to look at.** The coarse mesh is 2.9 per cent slow at seven depths, 0.23 per cent at twenty. The last panel shows
 the meshes that imitate Boussinesq: with four rows and $h_1 = 0.46$ the difference is 0.2 per cent. One or two rows are
 too few for that. Deviations of the measured frequencies from the law are roundings.
 */
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/dispersion/boussinesq_mesh.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
@@ -44,6 +47,33 @@ namespace {
 using exact::LagrangianMeshDispersion;
 using lagrangian_mesh_2d::Stepping;
 using mechanics::stepping_named;
+
+// Lagrangian meshes whose waves have nearly the law of Boussinesq's equations, omega^2 = k^2/(1 + k^2/3), depth and
+// gravity 1 (Frank 1994, section 2.1).
+
+constexpr double shortest_like_boussinesq = 3.5;  ///< wavelength, in depths, down to which they are compared
+
+/// Largest relative difference of the frequencies over these wavelengths.
+double distance_from_boussinesq(double column_width, std::size_t rows) {
+  const exact::LagrangianMeshDispersion law(1, 1, column_width, rows);
+  const auto boussinesq = exact::RationalDispersion::green_naghdi(1, 1);
+  Worst difference;
+  for (const double k : evenly(0.01, 2 * std::numbers::pi / shortest_like_boussinesq, 300)) {
+    difference.add(law.frequency(k) / boussinesq.frequency(k) - 1, k);
+  }
+  return difference.value();
+}
+
+/// Width of columns, between 0.001 and 1.7, with which it is smallest.
+double boussinesq_width(std::size_t rows) {
+  const auto distance = [&](double width) { return distance_from_boussinesq(width, rows); };
+  const std::vector<double> widths = evenly(0.02, 1.7, 85);
+  const double near =
+      *std::min_element(widths.begin(), widths.end(), [&](double a, double b) { return distance(a) < distance(b); });
+  const double reach = widths[1] - widths[0];
+  constexpr int bits = 26;
+  return boost::math::tools::brent_find_minima(distance, std::max(0.001, near - reach), near + reach, bits).first;
+}
 
 constexpr double pi = std::numbers::pi;
 const std::string frank = "Frank, Discrete models of incompressible fluids (1994), section 2.1";
@@ -57,9 +87,7 @@ constexpr double amplitude = 1e-6;
 
 /// Frequencies measured in tanks.
 std::vector<double> frequencies(const std::vector<MeshTank>& tanks, double periods) {
-  std::vector<double> measured =
-      each(tanks, [&](const MeshTank& tank) { return smallest_wave_frequency(tank, periods, amplitude); });
-  return measured;
+  return each(tanks, [&](const MeshTank& tank) { return smallest_wave_frequency(tank, periods, amplitude); });
 }
 
 double deviation(const MeshTank& tank, double measured) {
@@ -85,31 +113,6 @@ MeshTank own_tank(const Values& values) {
           .tau = values.real("tau"),
           .scheme = {.stepping = stepping_named(values.text("scheme"))},
           .tuned_surface_inertia = values.toggle("tuned_surface_inertia")};
-}
-
-/// Twelve waves from long and resolved to the shortest of their mesh.
-std::vector<MeshTank> twelve_tanks(Stepping stepping) {
-  struct Wave {
-    double length;
-    std::size_t columns, rows, half_waves;
-    double tau;
-    bool tuned;
-  };
-  const std::vector<Wave> waves = {{6, 16, 4, 1, 0.4, false}, {6, 16, 4, 1, 0.2, false},  {6, 16, 4, 1, 0.1, false},
-                                   {6, 16, 4, 5, 0.1, false}, {6, 16, 4, 16, 0.1, false}, {6, 6, 2, 1, 0.1, false},
-                                   {5, 8, 3, 3, 0.2, false},  {6, 5, 1, 2, 0.2, false},   {3, 24, 8, 1, 0.05, false},
-                                   {6, 16, 4, 1, 0.1, true},  {5, 8, 3, 8, 0.2, true},    {6, 5, 1, 2, 0.2, true}};
-  std::vector<MeshTank> tanks;
-  for (const Wave& wave : waves) {
-    tanks.push_back({.wavenumber = pi * static_cast<double>(wave.half_waves) / wave.length,
-                     .columns = wave.columns,
-                     .rows = wave.rows,
-                     .half_waves = wave.half_waves,
-                     .tau = wave.tau,
-                     .scheme = {.stepping = stepping},
-                     .tuned_surface_inertia = wave.tuned});
-  }
-  return tanks;
 }
 
 /// Frank's mesh for long waves, h1 = H, h2 = H/2, in tanks of one wavelength.
@@ -163,8 +166,6 @@ struct Nearest {
 
 struct Results {
   double own = 0;
-  std::vector<double> one_step;
-  std::vector<double> conservative;
   std::vector<double> long_waves;
   std::vector<Nearest> nearest;
   std::vector<double> figure;
@@ -183,18 +184,6 @@ void claim_waves(const Values& values, const Claims<Results>& claims) {
           "frequency", "The wave of the parameters has the frequency of the mesh's law.",
           "relative deviation of the frequency", [own](const Results& r) { return deviation(own, r.own); },
           frequency_roundoff(std::vector{own}, periods, &MeshTank::columns));
-  const auto twelve = [&](const std::string& id, const std::string& scheme, Stepping stepping,
-                          std::vector<double> Results::*measured) {
-    const std::vector<MeshTank> tanks = twelve_tanks(stepping);
-    claims.at("1 to 8 rows, tau = 0.05 to 0.4")
-        .check(
-            id, fmt::format("Twelve waves have the law's frequency with the {} scheme.", scheme),
-            "largest relative deviation of the frequency",
-            [tanks, measured](const Results& r) { return worst_deviation(tanks, r.*measured); },
-            frequency_roundoff(tanks, periods, &MeshTank::columns));
-  };
-  twelve("one-step", "one-step", Stepping::one_step, &Results::one_step);
-  twelve("conservative", "conservative", Stepping::conservative, &Results::conservative);
   const std::vector<MeshTank> tanks = tanks_of_figure();
   claims.at("20 columns, 2, 4 and 8 rows, tau = 0.05")
       .check(
@@ -261,9 +250,6 @@ Results compute(const Run& run) {
   Results r;
   r.own = smallest_wave_frequency(own_tank(run), periods, amplitude);
   run.progress(0.1);
-  r.one_step = frequencies(twelve_tanks(Stepping::one_step), periods);
-  r.conservative = frequencies(twelve_tanks(Stepping::conservative), periods);
-  run.progress(0.5);
   r.long_waves = frequencies(long_tanks(), periods);
   for (const std::size_t rows : {1UL, 2UL, 3UL, 4UL, 6UL, 8UL, 16UL}) {
     const double width = boussinesq_width(rows);
@@ -275,28 +261,10 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table waves{.id = "waves",
-                        .title = "Frequencies measured and of the law",
-                        .caption =
-                            "Depth and gravity are 1; deviations are relative to the law. The last three rows have "
-                            "tuned surface inertia.",
-                        .columns = table_columns({"wavenumber", "columns", "rows", "tau", "one-step: measured",
-                                                  "deviation", "conservative: measured", "deviation"})};
-  const std::vector<MeshTank> one_step = twelve_tanks(Stepping::one_step);
-  const std::vector<MeshTank> conservative = twelve_tanks(Stepping::conservative);
-  for (std::size_t i = 0; i < one_step.size(); ++i) {
-    const MeshTank& tank = one_step[i];
-    waves.rows.push_back({tank.wavenumber, static_cast<double>(tank.columns), static_cast<double>(tank.rows), tank.tau,
-                          fmt::format("{:.13f}", r.one_step[i]), deviation(tank, r.one_step[i]),
-                          fmt::format("{:.13f}", r.conservative[i]), deviation(conservative[i], r.conservative[i])});
-  }
-  exhibit.table(std::move(waves));
-
-  evidence::Table coarse{
-      .id = "long-waves",
-      .title = "Long waves on the coarse mesh, h1 = H, h2 = H/2",
-      .caption = "Measured in a tank of one wavelength with tau = 0.05, the time step's effect taken out by the law.",
-      .columns = table_columns({"wavelength/H", "frequency", "error against Airy [%]"})};
+  evidence::Table& coarse =
+      add_table(exhibit, "long-waves", "Long waves on the coarse mesh, h1 = H, h2 = H/2",
+                "Measured in a tank of one wavelength with tau = 0.05, the time step's effect taken out by the law.",
+                {"wavelength/H", "frequency", "error against Airy [%]"});
   const std::vector<MeshTank> tanks = long_tanks();
   for (std::size_t i = 0; i < tanks.size(); ++i) {
     const double error = error_of(tanks[i], r.long_waves[i]);
@@ -304,17 +272,14 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
                            fmt::format("{:.10f}", without_step(tanks[i], r.long_waves[i])), 100 * error});
     exhibit.measure(fmt::format("error_at_{}_depths", tanks[i].columns), error);
   }
-  exhibit.table(std::move(coarse));
 
-  evidence::Table nearest{.id = "boussinesq",
-                          .title = "Meshes that come nearest to Boussinesq's equations",
-                          .caption =
-                              "Width of the columns for which the largest relative difference of the frequency from "
-                              "$k/\\sqrt{1 + k^2/3}$, over wavelengths of 3.5 depths and more, is smallest. With one "
-                              "or two rows the narrowest columns tried, 0.001 depths, are the best.",
-                          .columns = table_columns({"rows", "h1/H", "difference [%]"})};
+  evidence::Table& nearest =
+      add_table(exhibit, "boussinesq", "Meshes that come nearest to Boussinesq's equations",
+                "Width of the columns for which the largest relative difference of the frequency from "
+                "$k/\\sqrt{1 + k^2/3}$, over wavelengths of 3.5 depths and more, is smallest. With one "
+                "or two rows the narrowest columns tried, 0.001 depths, are the best.",
+                {"rows", "h1/H", "difference [%]"});
   for (const Nearest& n : r.nearest) nearest.rows.push_back({static_cast<double>(n.rows), n.width, 100 * n.distance});
-  exhibit.table(std::move(nearest));
 }
 
 void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
@@ -342,9 +307,7 @@ void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
                                          .y_max = 0.03});
   const auto add = [&](const std::string& label, const auto& law, double k_last, Role role) {
     const std::vector<double> k = evenly(0.02, k_last, 400);
-    std::vector<double> speeds;
-    std::vector<double> from_airy;
-    std::vector<double> from_boussinesq;
+    std::vector<double> speeds, from_airy, from_boussinesq;
     for (const double at : k) {
       speeds.push_back(law.phase_speed(at));
       from_airy.push_back(std::abs(speeds.back() / airy.phase_speed(at) - 1));
@@ -361,10 +324,7 @@ void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
   }
   const std::vector<MeshTank> tanks = tanks_of_figure();
   for (const Family& family : families) {
-    std::vector<double> k;
-    std::vector<double> speeds;
-    std::vector<double> from_airy;
-    std::vector<double> from_boussinesq;
+    std::vector<double> k, speeds, from_airy, from_boussinesq;
     for (std::size_t i = 0; i < tanks.size(); ++i) {
       if (tanks[i].rows != family.rows) continue;
       k.push_back(tanks[i].wavenumber);

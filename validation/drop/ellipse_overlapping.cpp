@@ -8,14 +8,13 @@ control volume of radius $S/2$ = `smoothing`/2 spacings is centred on every part
 first velocities are projected on that.
 
 **What is compared.** Places of particles with the exact ones; the semi-axes of the linear map that fits the particles'
-motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to the radius, with steps in proportion;
-energy and momenta.
+motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to the radius, with steps in proportion.
 
 **What to look at.** Next to the surface control volumes are half empty, and what keeps the mass in them is not quite
 what keeps volume: the projection takes some per cent of the velocity there. Hence first order for the particles. The
 stretch, a mean over them, is better, but scatters from lattice to lattice with how the rim is cut: the six particles
 on it alone change its error twofold at ten spacings to the radius. Balls in the literal words of the source
-(`shape = ball`, `smoothing` 1.6) get the stretch right to 8 % only.
+(`shape = ball`, `smoothing` 1.6) converge at first order too, and miss the stretch by 3 % on the finest lattice.
 
 **When it is no test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's. Rotation faster
 than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below that of the surroundings and an unstable
@@ -52,6 +51,7 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 constexpr std::array lattices{5, 7, 10, 14, 20, 28, 40};  ///< spacings to the radius
 constexpr std::array drawn{5, 10, 20};
 constexpr double usual_smoothing = 2.6;
+constexpr double smoothing_of_balls = 1.6;
 
 /// What the parameters decide.
 struct SetUp {
@@ -63,9 +63,8 @@ struct SetUp {
   /// About as many as the rows hold.
   [[nodiscard]] double particles() const { return 2 * std::numbers::pi / std::numbers::sqrt3 / (spacing * spacing); }
   [[nodiscard]] double strain() const { return gradient.norm() / std::numbers::sqrt2; }
-  [[nodiscard]] bool usual() const {
-    return settings.shape == overlapping_particles::Shape::smoothed && settings.support == usual_smoothing;
-  }
+  [[nodiscard]] bool balls() const { return settings.shape == overlapping_particles::Shape::ball; }
+  [[nodiscard]] bool usual() const { return settings.support == (balls() ? smoothing_of_balls : usual_smoothing); }
 };
 
 /// Throws std::invalid_argument for a gradient that does not keep volume.
@@ -99,16 +98,13 @@ struct Places {
   std::vector<double> x, y;
 };
 
-/// A drop of particles, how far it is from the exact one, and what it kept.
+/// A drop of particles and how far it is from the exact one.
 struct Drop {
   Particles first;
   std::vector<Places> frames = {};  ///< at the beginning, about the middle, at the end
   Stretch stretch = {};
-  double rms = 0;       ///< of the distances from the exact places
-  double taken = 0;     ///< part of the velocity that the first projection took, rms
-  double energy = 0;    ///< largest defect over the kinetic energy
-  double momentum = 0;  ///< largest defect
-  double angular_momentum = 0;
+  double rms = 0;    ///< of the distances from the exact places
+  double taken = 0;  ///< part of the velocity that the first projection took, rms
 
   [[nodiscard]] Vector2d label(std::size_t k) const { return {first.x[k], first.y[k]}; }
 };
@@ -122,21 +118,18 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
         return Point{u.x(), u.y()};
       },
       s.settings);
-  Mean given;
-  Mean taken;
+  Mean given, taken;
   for (std::size_t k = 0; k < drop.first.size(); ++k) {
     const Vector2d u = s.gradient * drop.label(k);
     given.add(u.norm());
     taken.add((Vector2d(flow.u()[k], flow.v()[k]) - u).norm());
   }
   drop.taken = taken.rms() / given.rms();
-  const double kinetic = flow.energy();
   const auto keep = [&] {
     drop.frames.push_back({flow.time(), {flow.x().begin(), flow.x().end()}, {flow.y().begin(), flow.y().end()}});
   };
   keep();
   march(flow, s.end, tau, [&] {
-    flow.observe();
     if (drop.frames.size() == 1 && 2 * flow.time() >= s.end - tau) keep();
   });
   keep();
@@ -152,9 +145,6 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
   }
   drop.stretch = stretch_of(moved * labels.inverse());
   drop.rms = apart.rms();
-  drop.energy = flow.ledger().largest_defect("energy") / kinetic;
-  drop.momentum = flow.ledger().largest_defect("momentum");
-  drop.angular_momentum = flow.ledger().largest_defect("angular");
   return drop;
 }
 
@@ -183,59 +173,41 @@ std::vector<int> lattices_of(const SetUp& s) {
   return chosen;
 }
 
-void claim_accuracy(const SetUp& s, const Claims<Results>& all) {
-  const std::string otherwise = "balls, and volumes of another width, are right in kind only";
+void claims(const Values& values, const Claims<Results>& everything) {
+  const SetUp s = set_up(values);
+  const Claims<Results> all = everything.at(fmt::format("h = {:g}, tau = {:g}", s.spacing, s.tau));
+  const bool published = values.as_published("frank-overlapping");
+  const std::string otherwise = "volumes of another width are right in kind only";
   const Claims<Results> claims = all.only_if(s.gradient.determinant() < 0,
                                              "the surface of a drop that rotates faster than it is strained is "
                                              "unstable, the finer the lattice the more")
                                      .only_if(s.usual(), otherwise);
   const double deformed = s.strain() * s.end;
-  claims.check(
-      "places", "The particle positions agree with the exact drop to about one spacing.",
-      "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
-      Bound{s.spacing * deformed,
-            "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
-  claims.only_if(deformed <= 1.2 && s.spacing <= 0.1, "for drops not much thinner than in the source's first tests")
+  const auto judge = [&](const Claims<Results>& list, double missed) {
+    return list.only_if(!s.balls() || published, "how far balls are off depends on the lattice")
+        .fails({.value = missed,
+                .width = 0.02 * std::abs(missed),
+                .reason = "cause unknown; it falls by first order, to a third from 5 spacings to 20"},
+               s.balls());
+  };
+  judge(claims, 0.0720869)
+      .check(
+          "places", "The particle positions agree with the exact drop to about one spacing.",
+          "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
+          Bound{s.spacing * deformed,
+                "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
+  judge(claims.only_if(deformed <= 1.2 && s.spacing <= 0.1,
+                       "for drops not much thinner than in the source's first tests"),
+        -0.0308398)
       .check(
           "stretch", "The larger semi-axis agrees with the exact drop.", "relative error",
           [](const Results& r) { return r.own.stretch.larger / r.exact.larger - 1; },
           Bound{std::pow(s.settings.support * s.spacing / 2, 2),
-                "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a volume, "
-                "S/2, and of the energy, which drives the stretch, its square"});
+                "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a "
+                "volume, S/2, and of the energy, which drives the stretch, its square"});
   study_of_orders().claim_orders(claims.of(&Results::refinement)
                                      .only_if(deformed <= 1.2 && lattices_of(s).size() >= 5,
                                               "five lattices, on which the drop is many spacings thick"));
-}
-
-void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
-  const AffineDrop::Invariants first = s.drop.invariants(s.drop.at(0));
-  const double inertia = std::numbers::pi / 4 * s.drop.at(s.end).deformation.squaredNorm();
-  const auto kept = [&](const std::string& id, const std::string& what, double Drop::*member, double scale,
-                        const std::string& of_scale) {
-    claims.from("Frank (1994), chapter 1")
-        .check(
-            id, "The " + what + " is conserved to round-off.", "largest defect",
-            [member](const Results& r) { return r.own.*member; },
-            Roundoff{
-                .operations = 40 * std::ceil(s.end / s.tau),
-                .scale = scale,
-                .reason = "in every step the multipliers of a particle's forty volumes and its own, rounded; scale: " +
-                          of_scale});
-  };
-  kept("energy", "energy", &Drop::energy, 1, "the kinetic energy, over which it is taken");
-  const double particles = s.particles();
-  kept("momentum", "momentum", &Drop::momentum, std::sqrt(2 * first.kinetic_energy * first.area / particles),
-       "sqrt(2 K M), above the sum of m |u|, over sqrt N, for particles round on their own");
-  kept("angular_momentum", "angular momentum", &Drop::angular_momentum,
-       std::sqrt(2 * first.kinetic_energy * inertia / particles),
-       "sqrt(2 K I) with the moment of inertia at the end, above the sum of m |r| |u|, over sqrt N");
-}
-
-void claims(const Values& values, const Claims<Results>& all) {
-  const SetUp s = set_up(values);
-  const Claims<Results> claims = all.at(fmt::format("h = {:g}, tau = {:g}", s.spacing, s.tau));
-  claim_accuracy(s, claims);
-  claim_invariants(s, claims);
 }
 
 Results compute(const Run& run) {
@@ -257,8 +229,7 @@ Results compute(const Run& run) {
 }
 
 void draw_outline(evidence::Panel& panel, const AffineDrop& drop, double time) {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   const Matrix2d deformation = drop.at(time).deformation;
   for (int k = 0; k <= 200; ++k) {
     const double angle = 2 * std::numbers::pi * k / 200;
@@ -284,8 +255,7 @@ void draw_drops(const Results& r, evidence::Exhibit& exhibit) {
                                   {"frank-overlapping"});
   for (const auto& [n, drop] : r.coarser) {
     const Places& end = drop.frames.back();
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (std::size_t k = 0; k < drop.first.size(); ++k) {
       if (drop.label(k).norm() < 1 - drop.first.spacing) continue;
       x.push_back(end.x[k]);
@@ -307,16 +277,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     study.draw(r.refinement, figure.panel({.x = "1/h", .y = "error", .log_x = true, .log_y = true}));
     study.tabulate(r.refinement, exhibit);
   }
-  exhibit.measure("stretch_larger", r.own.stretch.larger);
   exhibit.measure("stretch_smaller", r.own.stretch.smaller);
-  exhibit.measure("stretch_larger_exact", r.exact.larger);
   exhibit.measure("stretch_smaller_exact", r.exact.smaller);
-  exhibit.measure("rms", r.own.rms);
   exhibit.measure("taken_at_start", r.own.taken);
   exhibit.measure("particles", static_cast<double>(r.own.first.size()));
-  exhibit.measure("energy_defect", r.own.energy);
-  exhibit.measure("momentum_defect", r.own.momentum);
-  exhibit.measure("angular_momentum_defect", r.own.angular_momentum);
 }
 
 }  // namespace
@@ -337,8 +301,9 @@ Case ellipse_overlapping() {
       choice("shape", std::string("smoothed"), {"smoothed", "ball"}, "of particles and control volumes"),
       real("smoothing", usual_smoothing, "1", {1.5, 10}, "S, reach of a control volume, in spacings"),
   };
-  c.published = {
-      {.tiles = {"frank-overlapping"}, .different = {{"shape", "ball"}, {"smoothing", "1, a ball of one spacing"}}}};
+  c.published = {{.tiles = {"frank-overlapping"},
+                  .values = {{"shape", std::string("ball")}, {"smoothing", smoothing_of_balls}},
+                  .stated = {"shape"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

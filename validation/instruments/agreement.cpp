@@ -81,8 +81,7 @@ double shift_between(std::span<const double> x, std::span<const double> submitte
   const long farthest = static_cast<long>(n) / 4;
   if (farthest < 1) return unknown;
   const double spacing = (x.back() - x.front()) / static_cast<double>(n - 1);
-  std::vector<double> s;
-  std::vector<double> r;
+  std::vector<double> s, r;
   for (std::size_t i = 0; i < n; ++i) {
     const double at = i + 1 == n ? x.back() : x.front() + static_cast<double>(i) * spacing;
     s.push_back(linear_at({x, submitted}, at));

@@ -1,5 +1,7 @@
 #include "validation/instruments/dispersive_standing_mode.hpp"
 
+#include "validation/instruments/each.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -129,8 +131,8 @@ double smallest_wave_frequency(const StandingBox& box, double periods, double re
 Oscillation finite_oscillation(const StandingBox& box, double amplitude, double periods) {
   const exact::DispersiveStandingWave wave(amplitude, 2 * std::numbers::pi / box.wavenumber, box.depth, box.gravity,
                                            box.wave_parameters());
-  std::vector<double> depths;
-  for (const double label : labels_of(box)) depths.push_back(depth_over(box, wave, label));
+  const std::vector<double> depths =
+      each(labels_of(box), [&](const double label) { return depth_over(box, wave, label); });
   return oscillation(box, equal_cells(box, std::move(depths)), periods, {1, 3});
 }
 

@@ -42,8 +42,7 @@ double correlation(std::span<const double> a, std::span<const double> b) {
 }
 
 Period period_of(std::span<const double> samples, double interval) {
-  std::vector<double> lag;
-  std::vector<double> likeness;
+  std::vector<double> lag, likeness;
   bool crossed = false;
   for (std::size_t k = 1; k <= samples.size() / 2; ++k) {
     const std::size_t overlap = samples.size() - k;

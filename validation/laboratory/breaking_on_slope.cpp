@@ -12,8 +12,8 @@ of permanent form: from linear wavemakers free second harmonics beat along the f
 #include <algorithm>
 
 #include "seiche/samples.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::breaking_on_slope {
 namespace {

@@ -21,7 +21,7 @@ the head $(u^2/2g + d)/H$ = 0.99 to 0.79 at the wall for $T$ from 3.4 to 5.4, wh
 #include <utility>
 
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/sph_wall_gauge.hpp"
+#include "validation/instruments/particles/sph_wall_gauge.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 

@@ -12,8 +12,8 @@ energy over the bar.
 **What to look at.** The two gauges behind the bar: the third harmonic is there a wave of $kh$ = 3.6, which tells
 dispersion laws apart.
 */
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::dingemans_bar {
 namespace {
@@ -72,8 +72,9 @@ Experiment experiment(const Values& /*values*/) {
           .files = {"dingemans_1994_bar/bed.csv"},
           .compute = compute,
           .model = "dispersive shallow water, improved dispersion",
-          .miss = "as in the same test at half the scale: what was measured behind the bar carries a fifth less energy "
-                  "than before it, and this model loses none"};
+          .miss =
+              "as in the same test at half the scale: what was measured behind the bar carries a fifth less energy "
+              "than before it, and this model loses none"};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ theory has the pattern right and the peaks behind the focus a tenth too high; th
 #include <numbers>
 
 #include "validation/laboratory/laboratory_case.hpp"
-#include "validation/laboratory/wave_basin.hpp"
+#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 
 namespace seiche::validation::cases::elliptic_shoal {
 namespace {

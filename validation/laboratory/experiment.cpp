@@ -47,8 +47,7 @@ class Rows {
   [[nodiscard]] double group(std::size_t k) const { return part_.group ? table_.column(part_.group->name)[k] : 0; }
   [[nodiscard]] Row row(std::size_t k) const {
     Mean mean;
-    Largest u;
-    Largest highest;
+    Largest u, highest;
     Smallest lowest;
     for (const std::string& column : columns_) {
       const double y = table_.column(column)[k];

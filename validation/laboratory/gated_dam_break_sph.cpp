@@ -22,7 +22,7 @@ depends on the artificial viscosity, with $\alpha = 0.1$ farther than with 0.3.
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/sph_volume_fraction.hpp"
+#include "validation/instruments/particles/sph_volume_fraction.hpp"
 #include "validation/laboratory/gated_dam_break_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"

@@ -10,8 +10,8 @@ of Serre's equations, as high as measured there.
 computation stays below it; a meniscus at the crest is suggested. These frames are therefore taken to be known to 1.5
 mm.
 */
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::henderson_collision {
 namespace {

@@ -24,8 +24,8 @@ and falls behind; asymmetry grows until the shore.
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/wave_source.hpp"
 #include "validation/instruments/wave_statistics.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::irregular_waves_slope {
 namespace {

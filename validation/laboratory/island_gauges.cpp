@@ -21,8 +21,8 @@ them: their middle is asked for, with half of their distance over $\sqrt3$ as an
 #include <string>
 #include <vector>
 
-#include "validation/instruments/island_flow.hpp"
-#include "validation/instruments/plan_gauges.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
+#include "validation/instruments/plan/plan_gauges.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::island_gauges {

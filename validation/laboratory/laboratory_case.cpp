@@ -158,8 +158,8 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
   evidence::Claim claim = claim_of(experiment);
   claim.text.insert(claim.text.size() - 1, fmt::format(" ({})", experiment.model));
   if (experiment.miss.empty()) return claims.check(claim, agree, criterion);
-  claims.known_failure(claim, agree, criterion,
-                       {.width = std::numeric_limits<double>::infinity(), .reason = experiment.miss});
+  claims.fails({.width = std::numeric_limits<double>::infinity(), .reason = experiment.miss})
+      .check(claim, agree, criterion);
 }
 
 Computed compute_experiment(const Experiment& experiment, const Run& run) {

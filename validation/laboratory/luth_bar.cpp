@@ -11,9 +11,9 @@ C in `luth_bar_short`.
 **What to look at.** Case A behind the bar, where the higher harmonics run free. In case C already the wave before the
 bar is a short one, $kh$ = 1.7, and its second harmonic has $kh$ = 6.4, beyond any law of long waves.
 */
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/luth_bar_experiment.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::luth_bar {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "validation/laboratory/dispersive_flume.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {

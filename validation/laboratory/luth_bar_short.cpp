@@ -12,9 +12,9 @@ and their energy half as fast again as it should: behind the bar, where two harm
 that makes of the way. With `dispersion=improved`, Airy's to the fourth order of $kh$, the misfits there are one and
 a half to four times as large.
 */
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/luth_bar_experiment.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::luth_bar_short {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
+#include <Eigen/QR>
 
 #include "seiche/samples.hpp"
 
@@ -245,9 +245,10 @@ Reading harmonic(double group, int order, double period, Window window, double u
           .group = group,
           .window = window,
           .read = [order, period](Curve curve) { return amplitude(curve, order, period); },
-          .spread = [uncertainty](const Measured& measured) {
-            return std::hypot(uncertainty, measured.u.front() / std::sqrt(10.0));
-          }};
+          .spread =
+              [uncertainty](const Measured& measured) {
+                return std::hypot(uncertainty, measured.u.front() / std::sqrt(10.0));
+              }};
 }
 
 Reading misfit(double group, Window window) {

@@ -13,7 +13,7 @@ that was measured: where it is highest is not asked for. Waves of 1 s need good 
 #include <cmath>
 
 #include "validation/laboratory/laboratory_case.hpp"
-#include "validation/laboratory/wave_basin.hpp"
+#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 
 namespace seiche::validation::cases::semicircular_shoal {
 namespace {

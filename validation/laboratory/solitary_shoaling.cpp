@@ -11,8 +11,8 @@ stated height, without friction, which the source calls negligible.
 */
 #include <cmath>
 
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::solitary_shoaling {
 namespace {

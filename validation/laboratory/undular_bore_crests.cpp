@@ -15,8 +15,8 @@ they ran. The theory of modulated waves lets the first crest grow beyond twice t
 #include <cmath>
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::undular_bore_crests {
 namespace {

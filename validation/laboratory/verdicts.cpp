@@ -10,6 +10,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include "seiche/samples.hpp"
+#include "validation/case/claims.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation::laboratory {
@@ -234,12 +235,10 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
 evidence::Claim claim_of(const Experiment& experiment) {
   std::vector<std::string> parts;
   for (const Series& part : experiment.parts) parts.push_back(part.quantity.meaning);
-  return {.id = "agreement",
-          .text = fmt::format("All readings of {} agree with the measurement within their combined uncertainty.",
-                              fmt::join(parts, ", ")),
-          .quantity = "common factor, less 1, as clear as what the readings differ by",
-          .unit = "1",
-          .source = experiment.source};
+  return {"agreement",
+          fmt::format("All readings of {} agree with the measurement within their combined uncertainty.",
+                      fmt::join(parts, ", ")),
+          "common factor, less 1, as clear as what the readings differ by", "1", experiment.source};
 }
 
 Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input) {
@@ -259,32 +258,30 @@ Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input
 
 void show_readings(const std::vector<Question>& all, const Submitted& computed, const std::vector<double>& numerical,
                    const std::vector<double>& scores, const std::string& solver, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "laboratory-readings",
-                        .title = solver,
-                        .caption =
-                            "What was measured and computed, with standard uncertainties, and their difference over "
-                            "the combined one; arrivals are counted from the origin.",
-                        .columns = table_columns({"quantity", "reading", "measured [1]", "u measured [1]",
-                                                  "computed [1]", "u computed [1]", "origin [1]", "E/u [1]"})};
+  evidence::Table& table =
+      add_table(exhibit, "laboratory-readings", solver,
+                "What was measured and computed, with standard uncertainties, and their difference over "
+                "the combined one; arrivals are counted from the origin.",
+                {"quantity", "reading", "measured [1]", "u measured [1]", "computed [1]", "u computed [1]",
+                 "origin [1]", "E/u [1]"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
     table.rows.push_back({name(one.reading().kind), one.id(), one.expected(),
                           std::hypot(one.data_uncertainty(), one.part().input * one.size()), one.answer(computed),
                           numerical[k], one.reading().along ? one.part().origin : 0.0, scores[k]});
   }
-  exhibit.table(std::move(table));
 }
 
 void show_calibration(const Experiment& experiment, const Values& values, const Submitted& computed,
                       evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "calibration",
-                        .title = "Calibration",
-                        .caption = "Readings of the gauges that set the input of a computation: no claims.",
-                        .columns = table_columns({"reading", "measured [1]", "computed [1]", "unit"})};
-  for (const Question& one : questions(experiment, values, true)) {
+  const std::vector<Question> all = questions(experiment, values, true);
+  if (all.empty()) return;
+  evidence::Table& table = add_table(exhibit, "calibration", "Calibration",
+                                     "Readings of the gauges that set the input of a computation: no claims.",
+                                     {"reading", "measured [1]", "computed [1]", "unit"});
+  for (const Question& one : all) {
     table.rows.push_back({one.id(), one.expected(), one.answer(computed), one.unit()});
   }
-  if (!table.rows.empty()) exhibit.table(std::move(table));
 }
 
 void judge(const Experiment& experiment, const Values& values, const Submitted& submitted, const SolverFacts& facts,

@@ -138,10 +138,6 @@ void show_numbers(evidence::Exhibit& exhibit, const Configuration& one, const st
   keep("a_w", finest.wall.back());
   keep("a_i", finest.pattern.incident_amplitude.value);
   if (finest.pattern.reflected) keep("a_r", finest.pattern.reflected->amplitude.value);
-  keep("growth_last_fifth", finest.limit.growth);
-  keep("growth_rate", finest.limit.growth / (0.2 * finest.time.back()));
-  keep("a_w_limit_over_a_i", finest.limit_ratio().value);
-  keep("a_w_limit_over_a_i_uncertainty", finest.limit_ratio().half_width());
   keep("kappa", finest.run.kappa());
   keep("kappa_finite_angle", finest.run.kappa_finite_angle());
   keep("stem_length", finest.pattern.stem_length.value);
@@ -150,13 +146,6 @@ void show_numbers(evidence::Exhibit& exhibit, const Configuration& one, const st
   keep("cells", static_cast<double>(finest.cells));
   keep("iterations_per_step", finest.iterations);
   keep("processor_seconds", finest.seconds);
-  for (const Quantity& quantity : quantities()) {
-    const Value value = value_of(one, quantity);
-    if (!std::isfinite(value.measured.value)) continue;
-    keep(quantity.id, value.measured.value);
-    keep(quantity.id + "_uncertainty", value.measured.half_width());
-    keep(quantity.id + "_fine_limit", value.limit);
-  }
 }
 
 /// Until the stem should have settled.
@@ -244,13 +233,11 @@ void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& 
 }
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
-  evidence::Table table{.id = "reflections",
-                        .title = "What is measured, and what others have",
-                        .caption =
-                            "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
-                            "Miles and for finite angles.",
-                        .columns = table_columns(
-                            {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"})};
+  evidence::Table& table =
+      add_table(exhibit, "reflections", "What is measured, and what others have",
+                "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
+                "Miles and for finite angles.",
+                {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"});
   for (const Configuration& one : all) {
     const ReflectionRun& what = one.finest().run;
     const MachReflection miles(what.amplitude, what.angle);
@@ -266,18 +253,11 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
                             digits(value.limit), digits(theory(miles)[k]), digits(theory(finite)[k])});
     }
   }
-  exhibit.table(std::move(table));
 }
 
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   for (const Configuration& one : all) {
     show_numbers(exhibit, one, &one == &all.front() ? "" : "_second");
-    const ReflectionRun& what = one.finest().run;
-    const double ratio = one.finest().limit_ratio().value;
-    const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
-    exhibit.measure(fmt::format("a_w_over_miles_{:g}", one.angle),
-                    ratio / MachReflection(what.amplitude, what.angle).wall_ratio());
-    exhibit.measure(fmt::format("a_w_over_kodama_yeh_{:g}", one.angle), ratio / finite.wall_ratio());
     draw_surface(exhibit, one);
   }
   draw_history(exhibit, all);

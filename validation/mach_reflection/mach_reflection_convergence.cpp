@@ -136,10 +136,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     panel.points("computed", ladder->coarser(), ladder->differences());
     slope_guide(panel, 2, ladder->coarser(), 0.6 * ladder->differences().back());
   }
-  for (std::size_t k = 0; k < rungs; ++k) {
-    exhibit.measure(fmt::format("a_w_h_{:.3f}", r.lattices.size[k]), r.lattices.wall[k]);
-    exhibit.measure(fmt::format("a_w_tau_{:.3f}", r.steps.size[k]), r.steps.wall[k]);
-  }
   exhibit.measure("a_w", r.usual.wall.back());
 }
 

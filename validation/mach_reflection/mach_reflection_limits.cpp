@@ -332,15 +332,12 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
 
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw(exhibit, all);
-  evidence::Table table{
-      .id = "limits",
-      .title = "Limits of fine lattices and long times",
-      .caption =
-          "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. Time: "
-          "processor's, of the finest run.",
-      .columns = table_columns({"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]",
-                                "a_w/a_i [1]", "theory [1]", "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]",
-                                "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"})};
+  evidence::Table& table = add_table(
+      exhibit, "limits", "Limits of fine lattices and long times",
+      "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. Time: "
+      "processor's, of the finest run.",
+      {"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]", "a_w/a_i [1]", "theory [1]",
+       "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]", "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"});
   const auto digits = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Wave& wave : all) {
     const Reflection& finest = wave.lattices.front();
@@ -355,9 +352,7 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
                           digits(wave.limit(&Reflection::reflected_angle).value), digits(wave.theory_angle()),
                           wave.stem() ? fmt::format("{:.2f}", settling) : std::string("-"),
                           std::round(10 * finest.seconds) / 10});
-    if (wave.stem()) exhibit.measure("settling_" + wave.id(), settling);
   }
-  exhibit.table(std::move(table));
 }
 
 }  // namespace

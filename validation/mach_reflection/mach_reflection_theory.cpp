@@ -112,12 +112,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                         "no run of this amplitude and angle with a stem is tabulated");
   for (const Number& one : numbers_of(values)) {
     const Requirement& required = one.wanted.requirements.front();
-    tabulated.check(
-        {.id = "tabulated-" + one.wanted.column.name,
-         .text = "A run of the 2DH model: " + required.text,
-         .quantity = one.wanted.column.meaning,
-         .unit = one.wanted.column.unit,
-         .source = source},
+    tabulated.from(source).check(
+        "tabulated-" + one.wanted.column.name, "A run of the 2DH model: " + required.text,
+        fmt::format("{} [{}]", one.wanted.column.meaning, one.wanted.column.unit),
         [value = found ? one.of(*run) : 0.0](const Results&) { return value; }, required.criterion);
   }
 }

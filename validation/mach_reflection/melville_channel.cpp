@@ -32,8 +32,8 @@ is a hundredth lower.
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
-#include "validation/instruments/oblique_wave.hpp"
-#include "validation/instruments/row_crests.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
+#include "validation/instruments/plan/row_crests.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 #include "validation/mach_reflection/surface_part.hpp"
 
@@ -260,7 +260,6 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
     const exact::MachReflection theory(finest.channel.amplitude, finest.channel.angle,
                                        exact::MachReflection::Theory::kodama_yeh);
     panel.line("after infinite time", std::vector{0.0, farthest}, std::vector(2, theory.wall_ratio()), Role::guide);
-    exhibit.measure(fmt::format("limit_of_theory_{:g}", angle), theory.wall_ratio());
     map.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]", .title = fmt::format("{:g} deg", angle)})
         .plan("elevation", finest.surface.lattice());
   }
@@ -273,9 +272,6 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
     const double angle = degrees(finest.channel.angle);
     const std::string by = finest.channel.model == WaveModel::plan ? "" : "_hexahedra";
     exhibit.measure(fmt::format("a_i_{:g}{}", angle, by), finest.incident.value());
-    for (const double distance : {10.0, 20.0, 30.0, 40.0}) {
-      exhibit.measure(fmt::format("ratio_{:g}_at_{:g}{}", angle, distance, by), finest.at(distance));
-    }
   }
 }
 

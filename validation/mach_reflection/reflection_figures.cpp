@@ -210,16 +210,13 @@ void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>
 }
 
 void tabulate_reflections(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  evidence::Table table{
-      .id = "runs",
-      .title = "All runs",
-      .caption =
-          "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run that grows by more than 1 % "
-          "is not steady, and the limit is what counts.",
-      .columns = table_columns({"a [depth]", "psi_i [deg]", "kappa [1]", "kappa' [1]", "h [depth]",
-                                "end [sqrt(depth/g)]", "a_i [depth]", "a_w/a_i [1]", "growth [1]", "steady",
-                                "limit [1]", "uncertainty [1]", "a_r/a_i [1]", "psi_r [deg]", "stem angle [deg]",
-                                "iterations [1]", "cells [1]", "processor time [s]"})};
+  evidence::Table& table = add_table(
+      exhibit, "runs", "All runs",
+      "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run that grows by more than 1 % "
+      "is not steady, and the limit is what counts.",
+      {"a [depth]", "psi_i [deg]", "kappa [1]", "kappa' [1]", "h [depth]", "end [sqrt(depth/g)]", "a_i [depth]",
+       "a_w/a_i [1]", "growth [1]", "steady", "limit [1]", "uncertainty [1]", "a_r/a_i [1]", "psi_r [deg]",
+       "stem angle [deg]", "iterations [1]", "cells [1]", "processor time [s]"});
   const auto rounded = [](double value, double per_unit) { return std::round(value * per_unit) / per_unit; };
   for (const ReflectionSeries& one : series) {
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
@@ -234,7 +231,6 @@ void tabulate_reflections(evidence::Exhibit& exhibit, const std::vector<Reflecti
                             static_cast<double>(r.cells), rounded(r.seconds, 10)});
     }
   }
-  exhibit.table(std::move(table));
 }
 
 }  // namespace seiche::validation

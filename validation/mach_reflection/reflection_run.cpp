@@ -55,8 +55,7 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
   const double tau = end / static_cast<double>(steps);
   const long every = std::max(1L, std::lround(between_heights / tau));
   const long every_pattern = std::max(1L, 2 * steps / 5 / patterns);
-  std::vector<double> wall_x;
-  std::vector<double> stem_length;
+  std::vector<double> wall_x, stem_length;
   // The height that the nodes show changes as the crest passes between them: a mean over several steps.
   double heights = 0;
   double times = 0;

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "validation/instruments/oblique_wave.hpp"
-#include "validation/instruments/reflection_pattern.hpp"
-#include "validation/instruments/wall_history.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
+#include "validation/instruments/plan/reflection_pattern.hpp"
+#include "validation/instruments/plan/wall_history.hpp"
 #include "validation/mach_reflection/surface_part.hpp"
 
 namespace seiche::validation {

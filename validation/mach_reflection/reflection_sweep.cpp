@@ -51,8 +51,7 @@ double resonant_angle(double amplitude) {
 }
 
 AngleLaw angle_law(const ReflectionSeries& series, double last) {
-  std::vector<double> square;
-  std::vector<double> amplitude;
+  std::vector<double> square, amplitude;
   for (std::size_t k = 0; k < series.angles.size(); ++k) {
     const Reflection& reflection = series.reflections[k];
     if (series.angles[k] > last || !reflection.pattern.reflected) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "validation/case/study.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation {
@@ -24,9 +25,7 @@ struct ReflectionSeries {
   /// What is wanted of every reflection.
   template <class Get>
   [[nodiscard]] std::vector<double> all(Get get) const {
-    std::vector<double> values;
-    for (const Reflection& reflection : reflections) values.push_back(get(reflection));
-    return values;
+    return each(reflections, [&](const Reflection& reflection) { return get(reflection); });
   }
   /// The one whose wall amplitude, over the incident, is highest at the end.
   /// Throws std::out_of_range without reflections.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/evidence/figure.hpp"
-#include "validation/instruments/surface_lattice.hpp"
+#include "validation/instruments/plan/surface_lattice.hpp"
 
 namespace seiche::validation {
 

@@ -115,19 +115,17 @@ Results compute(const Run& run) {
   return results;
 }
 
-evidence::Table table_of(const std::vector<Computed>& computed) {
-  evidence::Table table{.id = "regimes",
-                        .title = "Sources at the critical speed",
-                        .caption = "Solitons ahead at the end and period at the source.",
-                        .columns = table_columns({"regime", "p0 [rho g H]", "w [H]", "time [(H/g)^(1/2)]",
-                                                  "solitons [1]", "highest ahead, ever [H]", "period [(H/g)^(1/2)]"})};
+void tabulate(evidence::Exhibit& exhibit, const std::vector<Computed>& computed) {
+  evidence::Table& table = add_table(exhibit, "regimes", "Sources at the critical speed",
+                                     "Solitons ahead at the end and period at the source.",
+                                     {"regime", "p0 [rho g H]", "w [H]", "time [(H/g)^(1/2)]", "solitons [1]",
+                                      "highest ahead, ever [H]", "period [(H/g)^(1/2)]"});
   for (const Computed& one : computed) {
     const PressureRegime& regime = one.regime;
     const PressureWaves& waves = one.waves;
     table.rows.push_back({regime.name, regime.source.pressure, regime.source.half_width, regime.time,
                           waves.soliton_count(soliton_threshold), waves.maximum_ahead_ever(), waves.period().length});
   }
-  return table;
 }
 
 void draw(evidence::Exhibit& exhibit, const std::vector<Computed>& computed) {
@@ -150,7 +148,7 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   for (const auto& [regime, waves] : results.regimes) {
     show_pressure_waves(exhibit, regime.id + "_", regime.id + "-leader", waves, soliton_threshold);
   }
-  exhibit.table(table_of(results.regimes));
+  tabulate(exhibit, results.regimes);
   draw(exhibit, results.regimes);
   if (results.fine) {
     show_pressure_waves(exhibit, "wide-suction_fine_", "wide-suction_fine-leader", *results.fine, soliton_threshold);

@@ -2,10 +2,173 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
 
 #include <fmt/format.h>
 
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
+
 namespace seiche::validation {
+namespace {
+
+namespace model = dispersive_shallow_water_1d;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double behind = 250;     // length of the channel behind the start of the source
+constexpr double room_ahead = 90;  // and beyond where the fastest soliton gets
+constexpr double fastest_soliton = 1.25;
+constexpr double sampling = 0.5;
+constexpr double ridge_window = 200;  // the last part of the run that is drawn
+constexpr int ridge_lines = 30;
+
+/// Lagrange's cubic through the four markers nearest to the place: a polyline would have a kink at every marker that
+/// passes the source.
+double smooth_elevation(const model::Flow& flow, double place) {
+  const auto x = flow.x();
+  const auto y = flow.y();
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin() + 2, x.end() - 2, place) - x.begin());
+  double sum = 0;
+  for (std::size_t i = above - 2; i < above + 2; ++i) {
+    double weight = 1;
+    for (std::size_t j = above - 2; j < above + 2; ++j) {
+      if (j != i) weight *= (place - x[j]) / (x[i] - x[j]);
+    }
+    sum += weight * y[i];
+  }
+  return sum;
+}
+
+PressureSurface surface_of(const model::Flow& flow, const PressureSource& source) {
+  PressureSurface surface{.time = flow.time(), .place = {}, .elevation = {flow.y().begin(), flow.y().end()}};
+  for (const double x : flow.x()) surface.place.push_back(x - source.speed * flow.time());
+  return surface;
+}
+
+PressureSurface ridge_of(const model::Flow& flow, const PressureSource& source) {
+  PressureSurface ridge{.time = flow.time(), .place = evenly(-70, 85, 311), .elevation = {}};
+  std::vector<double> x = each(ridge.place, [&](const double z) { return z + source.speed * flow.time(); });
+  ridge.elevation = flow.elevation_at(x);
+  return ridge;
+}
+
+double highest_beyond(std::span<const double> x, std::span<const double> elevation, double place) {
+  const auto first = std::upper_bound(x.begin(), x.end(), place) - x.begin();
+  return largest(elevation.subspan(static_cast<std::size_t>(first)));
+}
+
+}  // namespace
+
+double PressureSource::at(double x, double time) const {
+  const double z = x - speed * time;
+  if (std::abs(z) >= half_width) return 0;
+  const double cosine = std::cos(std::numbers::pi * z / (2 * half_width));
+  const double growth = time < ramp ? 0.5 * (1 - std::cos(std::numbers::pi * time / ramp)) : 1;
+  return pressure * growth * cosine * cosine;
+}
+
+std::string PressureSource::text() const {
+  return fmt::format("p = {:g}, w = {:g}", pressure, half_width);
+}
+
+std::string PressureRun::text() const {
+  return fmt::format("h = {:g}, tau = {:g}, t = {:g}", spacing, tau, time);
+}
+
+PressureWaves::PressureWaves(PressureSource source, PressureRun run, const std::function<void(double)>& progress)
+    : source_(source), run_(run) {
+  const double end = std::max(fastest_soliton, source.speed) * run.time + room_ahead;
+  model::Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+  const auto cells = static_cast<std::size_t>(std::lround((end + behind) / run.spacing));
+  model::Flow flow(channel, model::still_markers(channel, model::equal_labels(channel, -behind, end, cells)), {},
+                   {.surface_pressure = [source](double x, double time) { return source.at(x, time); }});
+  const auto samples = static_cast<long>(std::ceil(run.time / sampling));
+  const double first_ridge = std::max(0.0, run.time - ridge_window);
+  const double between_ridges = (run.time - first_ridge) / ridge_lines;
+  const auto sample = [&] {
+    time_.push_back(flow.time());
+    at_source_.push_back(smooth_elevation(flow, source.speed * flow.time()));
+    ahead_ever_.add(highest_beyond(flow.x(), flow.y(), source.speed * flow.time() + source.half_width));
+    at_wall_.add(flow.y().back());
+    const double next_ridge = first_ridge + between_ridges * static_cast<double>(ridges_.size());
+    if (flow.time() >= next_ridge) ridges_.push_back(ridge_of(flow, source));
+    if (flow.time() <= run.time - leader_time) earlier_ = surface_of(flow, source);
+  };
+  sample();
+  for (long k = 1; k <= samples; ++k) {
+    march(flow, run.time * static_cast<double>(k) / static_cast<double>(samples), stable_steps(flow, run.tau));
+    sample();
+    progress(static_cast<double>(k) / static_cast<double>(samples));
+  }
+  last_ = surface_of(flow, source);
+}
+
+PressureWaves::Extremes PressureWaves::range_at_source() const {
+  const auto half = std::span(at_source_).subspan(at_source_.size() / 2);
+  return {smallest(half), largest(half)};
+}
+
+std::vector<CurveCrest> PressureWaves::source_peaks() const {
+  const Extremes range = range_at_source();
+  return crests_above(0.5 * (range.lowest + range.highest), time_, at_source_);
+}
+
+Period PressureWaves::period() const {
+  const std::vector<CurveCrest> peaks = source_peaks();
+  if (peaks.empty()) return {unknown, unknown};
+  const auto first = std::lower_bound(time_.begin(), time_.end(), peaks.front().place) - time_.begin();
+  return period_of(std::span(at_source_).subspan(static_cast<std::size_t>(first)), time_[1] - time_[0]);
+}
+
+std::vector<CurveCrest> PressureWaves::solitons(const PressureSurface& surface, double threshold) const {
+  std::vector<CurveCrest> peaks = crests_above(threshold, surface.place, surface.elevation);
+  std::erase_if(peaks, [&](const CurveCrest& peak) { return peak.place <= source_.half_width; });
+  return peaks;
+}
+
+std::vector<CurveCrest> PressureWaves::forward_solitons(double threshold) const {
+  return solitons(last_, threshold);
+}
+
+double PressureWaves::soliton_count(double threshold) const {
+  return std::isnan(maximum_ahead()) ? unknown : static_cast<double>(forward_solitons(threshold).size());
+}
+
+double PressureWaves::maximum_ahead() const {
+  return highest_beyond(last_.place, last_.elevation, source_.half_width);
+}
+
+PressureWaves::Leader PressureWaves::leader(double threshold) const {
+  const std::vector<CurveCrest> before = solitons(earlier_, threshold);
+  const std::vector<CurveCrest> now = solitons(last_, threshold);
+  if (before.empty() || now.empty()) return {unknown, unknown, unknown};
+  const CurveCrest here = now.back();
+  return {.speed = source_.speed + (here.place - before.back().place) / (last_.time - earlier_.time),
+          .height = here.height,
+          .place = here.place};
+}
+
+void PressureWaves::draw_ridges(evidence::Figure& figure) const {
+  Largest highest;
+  highest.add(0.1);
+  for (const PressureSurface& ridge : ridges_) highest.add(largest(ridge.elevation));
+  // The highest wave is as high as four intervals between lines, rounded down to a number that can be read.
+  const double interval = (ridges_.back().time - ridges_.front().time) / (ridge_lines - 1);
+  const double scale = std::max(1.0, std::floor(4 * interval / highest.value() / 5) * 5);
+  auto& panel = figure.panel({.x = "x - U t", .y = fmt::format("t + {:g} elevation", scale), .title = source_.text()});
+  for (const PressureSurface& ridge : ridges_) {
+    std::vector<double> line =
+        each(ridge.elevation, [&](const double elevation) { return ridge.time + scale * elevation; });
+    panel.line("surface", ridge.place, line, Role::computed);
+  }
+}
+
+void PressureWaves::draw_at_source(evidence::Figure& figure) const {
+  figure.panel({.x = "t", .y = "elevation at the source", .title = source_.text()}).line("surface", time_, at_source_);
+}
 namespace {
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 3.3";
@@ -79,10 +242,8 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
 void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegime& regime, const PressureRun& run) {
   const Claims<PressureWaves> claims = all.at(run.text());
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{.id = regime.id + "-" + id,
-                           .text = fmt::format("{} ({})", text, regime.source.text()),
-                           .quantity = quantity,
-                           .source = source};
+    return evidence::Claim{regime.id + "-" + id, fmt::format("{} ({})", text, regime.source.text()), quantity, "1",
+                           source};
   };
   claims.check(
       regime.solitons ? claim("solitons", "Solitons run ahead of the source.", "forward solitons present")

@@ -183,11 +183,8 @@ void judge_reflection(evidence::Record& record, const Options& options, const Fi
   const validation::ObliqueWave wave = oblique_wave(options);
   const double decay = wave_number(options);
   const double coarse = decay * decay * options.spacing * options.spacing;
-  record.check({.id = "ahead",
-                .text = "The window keeps ahead of the wave: at its front water is at rest.",
-                .quantity = "height of the surface at the east side",
-                .unit = "depth",
-                .source = "validation/instruments/oblique_wave.hpp"},
+  record.check({"ahead", "The window keeps ahead of the wave: at its front water is at rest.",
+                "height of the surface at the east side", "depth", "validation/instruments/plan/oblique_wave.hpp"},
                {.value = findings.ahead, .resolution = resolution},
                evidence::Bound{.limit = 1e-5 * std::exp(4 * decay * std::cos(wave.angle()) * options.spacing),
                                .reason = "the incident wave two columns behind the place where it is 1e-5 high: the "

@@ -10,8 +10,8 @@
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
-#include "validation/instruments/island_flow.hpp"
-#include "validation/instruments/oblique_wave.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
 
 namespace seiche::parallel {
 
@@ -48,7 +48,7 @@ inline bool fits_itself(const Options& options) {
 /// A solitary wave that meets a wall at an angle, in a window that follows it (validation/mach_reflection).
 validation::ObliqueWave oblique_wave(const Options& options);
 validation::ReflectionWindow reflection_window(const Options& options);
-/// The conical island in 0.32 m of water (validation/instruments/island_flow.hpp).
+/// The conical island in 0.32 m of water (validation/instruments/plan/island_flow.hpp).
 validation::ConicalIsland::Settings island(const Options& options);
 
 /// In metres and seconds: what the options give in depths and sqrt(depth/g).

@@ -25,7 +25,7 @@
 #include "seiche/distributed/patches.hpp"
 #include "seiche/divergence.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/reflection_pattern.hpp"
+#include "validation/instruments/plan/reflection_pattern.hpp"
 #include "validation/parallel/flows.hpp"
 
 namespace {

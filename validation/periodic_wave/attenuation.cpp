@@ -7,6 +7,7 @@
 
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {
@@ -28,8 +29,8 @@ std::string exact_command(const StokesWave& wave, const std::string& grid) {
 
 /// Gauges along a flume.
 WantedTable wanted_gauges(const Wave& wave, const Values& values) {
-  std::vector<double> places;
-  for (const double way : ways(values.integer("periods"))) places.push_back(way * wave->wavelength());
+  const std::vector<double> places =
+      each(ways(values.integer("periods")), [&](const double way) { return way * wave->wavelength(); });
   const double last = seen_periods * period_of(*wave);
   return {
       .name = "gauges",
@@ -49,8 +50,7 @@ WantedTable wanted_gauges(const Wave& wave, const Values& values) {
 /// The submitted surface at as many points of a wavelength, through its period where it ends at centres of cells.
 std::vector<Point> surface_of(const SubmittedGroup& group, double length) {
   const std::vector<double>& eta = group.values.at("eta");
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   if (group.abscissa.back() - length < group.abscissa.front()) {
     x.push_back(group.abscissa.back() - length);
     y.push_back(eta.back());
@@ -107,8 +107,7 @@ double period_of(const StokesWave& wave) {
 }
 
 Rates rates_of(const std::vector<double>& way, const std::vector<Fundamental>& found) {
-  std::vector<double> logs;
-  std::vector<double> leads;
+  std::vector<double> logs, leads;
   for (const Fundamental& one : found) {
     logs.push_back(std::log(one.height));
     leads.push_back(leads.empty() ? one.lead : leads.back() + std::remainder(one.lead - leads.back(), 1.0));
@@ -120,9 +119,7 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
   const Wave wave([values] { return wave_of(values.real("height"), values.real("length")); });
   if (values.text("tank") == "flume") return {wanted_gauges(wave, values)};
   const Lazy<std::vector<double>> times([wave, values] {
-    std::vector<double> all;
-    for (const double way : ways(values.integer("periods"))) all.push_back(way * period_of(*wave));
-    return all;
+    return each(ways(values.integer("periods")), [&](const double way) { return way * period_of(*wave); });
   });
   return {{.name = "surface",
            .kind = WantedTable::Kind::profile,
@@ -169,17 +166,12 @@ void judge_waves(const Values& values, const Submitted& submitted, const SolverF
     resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
   }
   if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / way.back());
-  record.check({.id = "decay",
-                .text = "A wavelength takes next to nothing from the height.",
-                .quantity = "decay of the fundamental in a wavelength",
-                .source = attenuation_source},
+  record.check({"decay", "A wavelength takes next to nothing from the height.",
+                "decay of the fundamental in a wavelength", "1", attenuation_source},
                {.value = rates.decay, .resolution = resolution},
                Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
-  record.check({.id = "phase",
-                .text = "The speed of the wave agrees with the exact celerity.",
-                .quantity = "lead of the phase in a wavelength",
-                .unit = "wavelengths",
-                .source = attenuation_source},
+  record.check({"phase", "The speed of the wave agrees with the exact celerity.", "lead of the phase in a wavelength",
+                "wavelengths", attenuation_source},
                {.value = rates.lead, .resolution = resolution},
                Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
 }

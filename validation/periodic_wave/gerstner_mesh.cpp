@@ -130,8 +130,7 @@ std::vector<double> errors_of(const MeshAtEnd& result, const Wave& wave) {
   const Flow& flow = result.flow;
   const Mesh& mesh = result.labelled.mesh;
   double squares = 0;
-  Worst largest;
-  Worst shape;
+  Worst largest, shape;
   for (std::size_t j = 1; j <= mesh.rows; ++j) {
     for (std::size_t i = 1; i < mesh.columns; ++i) {
       const std::size_t k = mesh.node(i, j);

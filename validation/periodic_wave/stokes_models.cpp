@@ -190,16 +190,19 @@ void claim_orders(const Claims<Results>& all, const Values& values) {
 void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
   const auto ends = [&](const std::string& id, const std::string& text, const std::string& quantity,
                         const std::string& unit, std::vector<double> Ladder::*numbers, double expected) {
-    claims.check(
-        {.id = id, .text = text, .quantity = quantity, .unit = unit, .source = serre_source},
-        [numbers](const Results& r) -> Measurement {
-          const std::vector<double> values = reversed(r.dispersive.*numbers);
-          return {.value = values.front(), .uncertainty = fine_limit(reversed(r.dispersive.size), values).uncertainty};
-        },
-        Uncertainty{.expected = expected,
-                    .useful = 0.1 * std::abs(expected),
-                    .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
-                              "what the equations do"});
+    claims.from(serre_source)
+        .check(
+            id, text, fmt::format("{} [{}]", quantity, unit),
+            [numbers](const Results& r) -> Measurement {
+              const std::vector<double> values = reversed(r.dispersive.*numbers);
+              return {.value = values.front(),
+                      .uncertainty = fine_limit(reversed(r.dispersive.size), values).uncertainty};
+            },
+            Uncertainty{.expected = expected,
+                        .useful = 0.1 * std::abs(expected),
+                        .reason =
+                            "both exact waves are known to round-off; of use where the spacing matters a tenth of "
+                            "what the equations do"});
   };
   ends("dispersive-error",
        "The error of the dispersive model against the Euler equations converges to the error of its equations.",
@@ -252,26 +255,24 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 struct Shown {
-  std::string id, name, size;
+  std::string name, size;
   const Ladder& ladder;
   Role role;
 };
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const std::vector<Shown> models{
-      {"particles", "free particles", "cell", r.particles, Role::computed},
-      {"mesh", "Lagrangian mesh", "row", r.mesh, Role::peer},
-      {"dispersive", "dispersive shallow water", "marker spacing", r.dispersive, Role::data},
-      {"sph", "SPH", "particle spacing", r.sph, Role::guide}};
+  const std::vector<Shown> models{{"free particles", "cell", r.particles, Role::computed},
+                                  {"Lagrangian mesh", "row", r.mesh, Role::peer},
+                                  {"dispersive shallow water", "marker spacing", r.dispersive, Role::data},
+                                  {"SPH", "particle spacing", r.sph, Role::guide}};
   auto& cost = exhibit
                    .figure("cost", "Error against processor time",
                            "Rms error of the surface after one period, over the height; coarse to fine.")
                    .panel({.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
-  evidence::Table table{.id = "models",
-                        .title = "Error and processor time",
-                        .caption = "After one period; of the mesh, a third of the time for three waves.",
-                        .columns = table_columns({"model", "size of", "size [depth]", "rms error [height]",
-                                                  "phase [wavelengths]", "time [s]"})};
+  evidence::Table& table =
+      add_table(exhibit, "models", "Error and processor time",
+                "After one period; of the mesh, a third of the time for three waves.",
+                {"model", "size of", "size [depth]", "rms error [height]", "phase [wavelengths]", "time [s]"});
   for (const Shown& model : models) {
     const Ladder& ladder = model.ladder;
     cost.points(model.name, ladder.seconds, ladder.error, model.role);
@@ -279,19 +280,15 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       table.rows.push_back(
           {model.name, model.size, ladder.size[k], ladder.error[k], ladder.lead[k], ladder.seconds[k]});
     }
-    exhibit.measure(model.id + "_error", ladder.error.back());
-    exhibit.measure(model.id + "_phase", ladder.lead.back());
   }
   exhibit.measure("equations_apart", equations_apart(r.waves));
-  exhibit.table(std::move(table));
   auto& profile = exhibit.figure("profile", "The wave after one period", "The finest of each, and the exact wave.")
                       .panel({.x = "(x - c t)/L", .y = "elevation"});
   const std::vector<double> at = evenly(-0.5, 0.5, 401);
   std::vector<double> exact = each(at, [&](const double x) { return r.waves.euler.elevation(x * r.waves.length()); });
   profile.line("exact", at, exact, Role::exact);
   for (const Shown& model : models) {
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (const Point& point : model.ladder.surface) {
       const double place = point.x / r.waves.length() - 1;
       if (std::abs(place) > 0.5) continue;

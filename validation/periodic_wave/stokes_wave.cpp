@@ -53,9 +53,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("crest_velocity", wave.crest_velocity());
 
   const std::vector<double> x = evenly(-wave.wavelength(), wave.wavelength(), 401);
-  std::vector<double> surface;
-  std::vector<double> linear;
-  std::vector<double> velocity;
+  std::vector<double> surface, linear, velocity;
   for (const double at : x) {
     surface.push_back(wave.elevation(at));
     linear.push_back(wave.amplitude() * std::cos(wave.wavenumber() * at));

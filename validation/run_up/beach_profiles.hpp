@@ -21,8 +21,7 @@ inline constexpr double beach_cot_slope = 19.85;
 inline constexpr double beach_theory_amplitude = 0.019;
 
 struct Surface {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
 };
 using Profiles = std::map<double, Surface>;  ///< by time; gauges by place, with times for x
 

@@ -45,8 +45,7 @@ std::vector<double> times_of(const Values& values, const exact::SolitaryRunup& w
 struct Results {
   exact::SolitaryRunup wave;
   exact::SelfTest identities;
-  std::vector<double> time;
-  std::vector<double> elevation;
+  std::vector<double> time, elevation;
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {

@@ -43,7 +43,7 @@ high at the sides as the water of the experiment.
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 
 namespace seiche::validation::cases::conical_island {
 namespace {
@@ -191,10 +191,9 @@ bool resolves_breaking(double spacing) {
 
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const Measured& data) {
   const evidence::Claim runup{
-      .id = "runup-" + wave.name,
-      .text = fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
-      .quantity = "rms of R/R_measured - 1, of all nine angles",
-      .source = source};
+      "runup-" + wave.name,
+      fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
+      "rms of R/R_measured - 1, of all nine angles", "1", source};
   const Uncertainty criterion{
       .data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
       .useful = 0.25,
@@ -206,62 +205,50 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
     claims.only_if(wave.name == "A" || spacing < 0.3, "columns 0.35 and 0.7 m apart differ by more than decides")
         .check(runup, off, criterion);
   } else {
-    const auto rms = [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); };
-    const Bound limit{.limit = 0.2,
-                      .reason =
-                          "twice the 10 % of the measurements; the model's own is not of first order where the wave "
-                          "breaks, so that two spacings do not tell it"};
-    if (resolves_breaking(spacing)) {
-      claims.check(runup, rms, limit);
-    } else {
-      claims.known_failure(runup, rms, limit,
-                           {.width = std::numeric_limits<double>::infinity(),
-                            .reason = "the wave breaks at the sides of the island, where the water of the experiment "
-                                      "climbs less high than the model's; finer columns come nearer"});
-    }
+    claims
+        .fails({.width = std::numeric_limits<double>::infinity(),
+                .reason = "the wave breaks at the sides of the island, where the water of the experiment "
+                          "climbs less high than the model's; finer columns come nearer"},
+               !resolves_breaking(spacing))
+        .check(
+            runup, [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); },
+            Bound{.limit = 0.2,
+                  .reason = "twice the 10 % of the measurements; the model's own is not of first order where the wave "
+                            "breaks, so that two spacings do not tell it"});
   }
-  const evidence::Claim climbed{
-      .id = "climbed-" + wave.name,
-      .text = fmt::format("Case {}: all around the island the run-up is over before the grid tangles.", wave.name),
-      .quantity = "measured angles where it is not",
-      .source = source};
-  const auto missed = [data](const std::vector<Passed>& spacings) {
-    return static_cast<double>(
-        std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
-  };
-  const Bound none{.limit = 0, .reason = "none"};
-  if (wave.name == "C" && resolves_breaking(spacing)) {
-    claims.known_failure(climbed, missed, none,
-                         {.value = 1,
-                          .width = 0,
-                          .reason = "directly behind the island, where the two fronts meet, the lattice folds within "
-                                    "0.25 s after the water was highest"});
-  } else {
-    claims.check(climbed, missed, none);
-  }
+  claims
+      .fails({.value = 1,
+              .width = 0,
+              .reason = "directly behind the island, where the two fronts meet, the lattice folds within "
+                        "0.25 s after the water was highest"},
+             wave.name == "C" && resolves_breaking(spacing))
+      .check(
+          "climbed-" + wave.name,
+          fmt::format("Case {}: all around the island the run-up is over before the grid tangles.", wave.name),
+          "measured angles where it is not",
+          [data](const std::vector<Passed>& spacings) {
+            return static_cast<double>(
+                std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
+          },
+          Bound{.limit = 0, .reason = "none"});
 }
 
 void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
-  const evidence::Claim whole{.id = "whole-" + wave.name,
-                              .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
-                              .quantity = "wave fronts met behind the island, lattice sound",
-                              .source = source};
-  const auto sound = [](const std::vector<Passed>& spacings) {
-    return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
-  };
-  const Qualitative criterion{
-      .detector = "no cell folds until 6 s after the crest would pass the middle, at either spacing",
-      .reason = "the water behind the island has run up and down by then"};
-  if (wave.name == "C" && resolves_breaking(spacing)) {
-    claims.known_failure(
-        whole, sound, criterion,
-        {.value = 0,
-         .width = 0,
-         .reason =
-             "the two fronts have met behind the island and run back, where columns beside the shoreline fall dry"});
-  } else {
-    claims.check(whole, sound, criterion);
-  }
+  claims
+      .fails(
+          {.value = 0,
+           .width = 0,
+           .reason =
+               "the two fronts have met behind the island and run back, where columns beside the shoreline fall dry"},
+          wave.name == "C" && resolves_breaking(spacing))
+      .check(
+          "whole-" + wave.name, fmt::format("Case {}: the wave passes the island entirely.", wave.name),
+          "wave fronts met behind the island, lattice sound",
+          [](const std::vector<Passed>& spacings) {
+            return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
+          },
+          Qualitative{.detector = "no cell folds until 6 s after the crest would pass the middle, at either spacing",
+                      .reason = "the water behind the island has run up and down by then"});
 }
 
 void claim_lee(const Claims<Passed>& claims) {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "validation/case/reference_source.hpp"
-#include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -62,8 +61,7 @@ double runup_spacing(std::size_t level) {
   return 0.25 / std::pow(2.0, static_cast<double>(level));
 }
 
-double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level) {
-  const double begin = processor_seconds();
+void compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level) {
   for (ComputedRunup& row : rows) {
     SolitaryClimb climb = climb_from(values, row.cot_slope, row.amplitude);
     climb.spacing = runup_spacing(level);
@@ -71,7 +69,6 @@ double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, st
     climb.kinetics = runup_variants[variant].kinetics;
     row.computed[variant].push_back(run_up(climb).height);
   }
-  return processor_seconds() - begin;
 }
 
 }  // namespace seiche::validation

@@ -45,7 +45,7 @@ struct ComputedRunup : FrankRunup {
 
 std::vector<ComputedRunup> runup_rows(const Values& values);
 double runup_spacing(std::size_t level);
-/// Appends a level to all rows of a variant, with the steps that the values say; returns the processor time used [s].
-double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level);
+/// Appends a level to all rows of a variant, with the steps that the values say.
+void compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level);
 
 }  // namespace seiche::validation

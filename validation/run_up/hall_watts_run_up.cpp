@@ -17,6 +17,7 @@ more closely.
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::hall_watts_run_up {
 namespace {
@@ -44,8 +45,7 @@ Results compute(const Run& run) {
 void show(const Results& /*results*/, const Values& values, evidence::Exhibit& exhibit) {
   const HallWatts law = law_of(values);
   const std::vector<double> a = evenly(0.05, 0.3, 51);
-  std::vector<double> runup;
-  for (const double amplitude : a) runup.push_back(law.runup(amplitude));
+  const std::vector<double> runup = each(a, [&](const double amplitude) { return law.runup(amplitude); });
   auto& panel = exhibit
                     .figure("runup", "Run-up of solitary waves on a plane beach",
                             fmt::format("The law on the slope 1 : {:g}, and what Frank read off the measurements on "

@@ -92,10 +92,7 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
   Flow& flow = run.flow;
   if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();
-  Peak level;
-  Peak still;
-  Peak bottom;
-  Peak force;
+  Peak level, still, bottom, force;
   bool fallen = false;  // loads count while the wave is at the wall
   const auto observe = [&] {
     const double contact = flow.surface_y().back();

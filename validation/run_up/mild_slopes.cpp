@@ -90,8 +90,7 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
           "energy as by the Euler equations.",
           "rms of R/R_Euler - 1",
           [](const MildSlopes& r) -> Measurement {
-            Mean off;
-            Mean uncertain;
+            Mean off, uncertain;
             for (const EulerRunup& one : r.euler) {
               off.add(one.green_naghdi / one.runup - 1);
               uncertain.add(one.uncertainty / one.runup);
@@ -122,14 +121,12 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
 }
 
 void show_mild_slopes(const MildSlopes& mild, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "mild",
-                        .title = "Without friction on mild slopes",
-                        .caption =
-                            "Waves that do not break on their way up: measured by Hall and Watts; by the Euler "
-                            "equations on the Lagrangian mesh, extrapolated, with what the last halving changes; by "
-                            "the one-dimensional model with the kinetic energy of Green and Naghdi.",
-                        .columns = table_columns({"cot [1]", "A [depth]", "measured [depth]", "Euler [depth]",
-                                                  "+- [depth]", "Green-Naghdi [depth]"})};
+  evidence::Table& table =
+      add_table(exhibit, "mild", "Without friction on mild slopes",
+                "Waves that do not break on their way up: measured by Hall and Watts; by the Euler "
+                "equations on the Lagrangian mesh, extrapolated, with what the last halving changes; by "
+                "the one-dimensional model with the kinetic energy of Green and Naghdi.",
+                {"cot [1]", "A [depth]", "measured [depth]", "Euler [depth]", "+- [depth]", "Green-Naghdi [depth]"});
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   Mean off;
   for (const EulerRunup& one : mild.euler) {
@@ -137,7 +134,6 @@ void show_mild_slopes(const MildSlopes& mild, evidence::Exhibit& exhibit) {
                           rounded(one.green_naghdi)});
     off.add(one.runup / one.measured - 1);
   }
-  exhibit.table(std::move(table));
   exhibit.measure("measured_rms_mild_euler", off.rms());
 }
 

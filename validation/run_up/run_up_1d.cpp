@@ -9,9 +9,8 @@ but $10^{-4}$ of its height is before the toe. Gravity is 1. The step is $\tau =
 shallow that this would be more than $0.3$ of the longest stable step. The run-up is the first maximum of the
 shoreline, from a parabola through the three highest steps.
 
-**What is compared.** The energy of the water while the wave climbs. The run-up with Synolakis' law
-$R = 2.831\sqrt{\cot\beta}\,A^{5/4}$, where that law holds: the wave does not break on its way up,
-$A < 0.8183 (\cot\beta)^{-10/9}$, and the beach is long, $A \gg (0.288 \tan\beta)^2$.
+**What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$, where that law holds: the
+wave does not break on its way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and the beach is long, $A \gg (0.288 \tan\beta)^2$.
 
 **What to look at.** The shoreline of the shallow-water equations beside that of the model, which comes a little later
 and, with finer markers, rises a little less: what dispersion does.
@@ -25,7 +24,6 @@ and, with finer markers, rises a little less: what dispersion does.
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/processor_time.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_1d {
@@ -49,14 +47,12 @@ SetUp set_up(const Values& values) {
 }
 
 struct History {
-  std::vector<double> time;
-  std::vector<double> shoreline;
+  std::vector<double> time, shoreline;
 };
 
 struct Surface {
   double time = 0;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
 };
 
 Surface surface_of(const Flow& flow) {
@@ -77,8 +73,7 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
   const std::span shown_time = std::span(history.time).subspan(static_cast<std::size_t>(first));
   panel.line("model", shown_time, std::span(history.shoreline).subspan(static_cast<std::size_t>(first)),
              Role::computed);
-  std::vector<double> time;
-  std::vector<double> elevation;
+  std::vector<double> time, elevation;
   const double end = std::min(shown_time.back(), 0.999 * theory.breaking_time());
   for (const double t : evenly(shown_time.front(), end, 201)) {
     time.push_back(t);
@@ -95,8 +90,7 @@ void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfa
     const double lowest = -0.3;
     auto& panel = figure.panel(
         {.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:.1f}", one.time), .y_min = lowest});
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       if (one.x[i] < -2 * cot_slope - 5) continue;
       x.push_back(one.x[i]);
@@ -114,12 +108,10 @@ struct Results {
   History history;
   std::vector<Surface> surfaces;
   RunUp up;
-  double seconds = 0;
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto& [climb, theory] = set_up(values);
-  claim_energy(claims.of(&Results::up), climb);
   claims.at(climb.resolution())
       .only_if(theory.nonbreaking(), "the wave breaks on its way up")
       .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
@@ -147,9 +139,7 @@ Results compute(const Run& run) {
     r.history.shoreline.push_back(shoreline);
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
-  const double begin = processor_seconds();
-  r.up = run_up(climb, {.ledger = true, .after_step = note, .latest = run.real("time")});
-  r.seconds = processor_seconds() - begin;
+  r.up = run_up(climb, {.after_step = note, .latest = run.real("time")});
   return r;
 }
 
@@ -160,11 +150,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("time_of_maximum_after_toe", r.up.time - climb.time_to(-climb.cot_slope));
   exhibit.measure("runup_law", theory.law());
   exhibit.measure("runup_of_shallow_water_equations", theory.highest().elevation);
-  exhibit.measure("markers", static_cast<double>(r.up.markers));
-  exhibit.measure("steps", static_cast<double>(r.up.steps));
-  exhibit.measure("seconds", r.seconds);
   exhibit.measure("amplitude_over_backwash_limit", climb.amplitude / backwash_limit(climb.cot_slope));
-  show_energy(r.up, exhibit);
   draw_shoreline(exhibit, r.history, theory, theory.law());
   draw_profiles(exhibit, r.surfaces, climb.cot_slope);
 }

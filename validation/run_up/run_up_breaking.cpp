@@ -17,16 +17,86 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "seiche/divergence.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/run_up/run_down.hpp"
+#include "validation/instruments/peak.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_breaking {
 namespace {
+
+// What becomes of a solitary wave that has climbed a slope and runs back, until the reflected wave has left or the run
+// fails.
+
+struct RunDown {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  double runup = none;         ///< first maximum; NaN where it was not passed
+  double runup_time = none;    ///< of the highest shoreline, since the start
+  bool fell = false;           ///< that maximum was passed
+  double lowest = none;        ///< of the shoreline after it
+  double later = none;         ///< highest of the shoreline from then on
+  double energy = none;        ///< at the end, over that of the start
+  std::string failure;         ///< empty if the run went through
+  double failure_time = none;  ///< since the start
+  double failure_place = none;
+  bool sound = true;  ///< the state before the failure is finite, and the place of failure in its water
+
+  [[nodiscard]] bool through() const { return failure.empty(); }
+};
+
+bool in_the_water(const dispersive::Flow& flow, double place) {
+  const auto finite = [](std::span<const double> values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  };
+  const double cell = flow.x()[1] - flow.x()[0];
+  return finite(flow.x()) && finite(flow.y()) && finite(flow.p()) && finite(flow.r()) &&
+         place >= flow.x().front() - cell && place <= largest(flow.x()) + cell;
+}
+
+/// Follows a wave up and down the slope until the reflected wave is away; a Divergence becomes the result's failure.
+RunDown run_down(const SolitaryClimb& climb) {
+  constexpr double fallen = 0.9;
+  const double end = climb.time_to(-climb.cot_slope) + 5 * climb.cot_slope + 20;  // up, down and away
+  RunDown fate;
+  dispersive::Flow flow = climb.start();
+  const double energy = flow.energy();
+  Peak edge;
+  Smallest lowest;
+  Largest later;  // from the lowest on
+  try {
+    while (flow.time() < end) {
+      flow.advance(climb.step(flow));
+      const double shoreline = flow.y().back();
+      if (!fate.fell) {
+        edge.add(flow.time(), shoreline);
+        fate.fell = edge.value() > climb.amplitude && shoreline < fallen * edge.value();
+      } else if (lowest.count() == 0 || shoreline < lowest.value()) {
+        lowest.add(shoreline);
+        later = {};
+      }
+      if (lowest.count() > 0) later.add(shoreline);
+    }
+  } catch (const Divergence& failure) {
+    fate.failure = failure.what();
+    fate.failure_time = failure.time();
+    fate.failure_place = failure.place();
+    fate.sound = std::isfinite(failure.time()) && in_the_water(flow, failure.place());
+  }
+  if (fate.fell) fate.runup = edge.value();
+  fate.runup_time = edge.time();
+  fate.lowest = lowest.value();
+  fate.later = later.value();
+  fate.energy = flow.energy() / energy;
+  return fate;
+}
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const std::string source = "Synolakis (1987); Frank (1994), chapter 3";
@@ -100,14 +170,12 @@ struct Results {
 };
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
-  evidence::Table table{
-      .id = "fates",
-      .title = "Run-down of solitary waves, below and above the limit",
-      .caption =
-          "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over that of the "
-          "start; how the run ended, time since the largest run-up. Above the limit only the run-up is to be used.",
-      .columns = table_columns({"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]",
-                                "later [depth]", "energy [1]", "end"})};
+  evidence::Table& table = add_table(
+      exhibit, "fates", "Run-down of solitary waves, below and above the limit",
+      "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over that of the "
+      "start; how the run ended, time since the largest run-up. Above the limit only the run-up is to be used.",
+      {"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]", "later [depth]",
+       "energy [1]", "end"});
   using Cell = std::variant<double, std::string>;
   const auto rounded = [](double value) -> Cell {
     if (!std::isfinite(value)) return std::string();
@@ -122,7 +190,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
                                          : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
                                                        fate.failure_time - fate.runup_time, fate.failure_place)});
   }
-  exhibit.table(std::move(table));
 }
 
 bool below(const Wave& wave) {
@@ -177,18 +244,21 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
       "largest later height of the shoreline over the run-up",
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
       Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
-  claims.known_failure(
-      "later-above", "Above the limiting amplitude, the shoreline never rises above its first run-up maximum.",
-      "runs whose shoreline later stands above the run-up",
-      [](const Results& r) {
-        return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
-      },
-      Bound{.limit = 0, .reason = "the wave came once; what returns has lost energy to the reflected wave"},
-      {.value = quick ? 6.0 : 3.0,
-       .width = 1,
-       .reason = "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; such "
-                 "runs may even go through: above the limit nothing after the first run-up is to be used. With finer "
-                 "markers more of them stop before"});
+  claims
+      .fails(
+          {.value = quick ? 6.0 : 3.0,
+           .width = 1,
+           .reason =
+               "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; such "
+               "runs may even go through: above the limit nothing after the first run-up is to be used. With finer "
+               "markers more of them stop before"})
+      .check(
+          "later-above", "Above the limiting amplitude, the shoreline never rises above its first run-up maximum.",
+          "runs whose shoreline later stands above the run-up",
+          [](const Results& r) {
+            return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
+          },
+          Bound{.limit = 0, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -220,8 +290,7 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
                             "Runs through run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and "
                             "of run-up, 0.8183 cot^(-10/9).")
                     .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
-  std::vector<double> limit;
-  std::vector<double> up_limit;
+  std::vector<double> limit, up_limit;
   for (const double cot_slope : mapped_slopes) {
     limit.push_back(backwash_limit(cot_slope));
     up_limit.push_back(0.8183 / 0.479 * limit.back());
@@ -229,8 +298,7 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
   panel.line("breaks running back", mapped_slopes, limit, Role::exact);
   panel.line("breaks running up", mapped_slopes, up_limit, Role::guide);
   const auto points = [&](const std::string& label, Role role, const auto& is) {
-    std::vector<double> cot_slope;
-    std::vector<double> amplitude;
+    std::vector<double> cot_slope, amplitude;
     for (const Mapped& one : map) {
       if (!is(one.fate)) continue;
       cot_slope.push_back(one.wave.cot_slope);

@@ -12,14 +12,14 @@ nodes go to their parts of its length, and what they carried is carried over.
 solitary wave starts 12 depths from wall or toe, columns are twice as wide as rows are high. The mesh is rezoned when a
 node is farther from its place than a fifth of its cell.
 
-**What is compared.** Run-up, pressures and force with the exact values of the Euler equations
-(`seiche exact wall_runup`, `wall_load`, `slope_runup`), on four meshes; whether the mesh holds to the end; the energy,
-with what rezoning takes booked.
+**What is compared.** The run-up with the exact values of the Euler equations (`seiche exact wall_runup`,
+`slope_runup`), on four meshes; whether the mesh holds to the end; the energy, with what rezoning takes booked. Loads on
+the wall are compared in `wall_run_up_mesh_figures`.
 
 **What to look at.** Nothing folds, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up, nor
 at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second order
-as without rezoning, on slopes with the first. Loads are right to a few tenths of a per cent. Rezoning takes less than a
-thousandth of the energy, at the wall half of it while the sheet falls.
+as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall half of
+it while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>
@@ -67,25 +67,15 @@ struct Climb {
 };
 constexpr std::array<Climb, 6> climbs{{{0, 0.5}, {0, 0.6}, {1, 0.41}, {1, 0.5}, {2, 0.41}, {2, 0.5}}};
 
-struct Load {
-  std::string id, column, name, unit;
-  double MeshWallRun::*value;
-};
-const std::vector<Load> loads{
-    {"still", "p_still", "pressure at y = 0", "rho g depth", &MeshWallRun::pressure_still},
-    {"bottom", "p_bottom", "pressure at the bottom", "rho g depth", &MeshWallRun::pressure_bottom},
-    {"force", "F", "force", "rho g depth^2", &MeshWallRun::force}};
-
 /// One wave on one mesh.
 struct Reached {
   double spacing = 0;
   double runup = 0;  ///< NaN unless the water fell after it
   std::optional<double> fold;
-  std::vector<double> loads;  ///< at the wall
-  Worst unbooked;             ///< change of the energy less what rezoning took, over the wave's energy
-  double taken = 0;           ///< by rezoning, over the wave's energy
-  double rezoned = 0;         ///< times
-  std::vector<double> x, y;   ///< of the nodes at the largest run-up
+  Worst unbooked;            ///< change of the energy less what rezoning took, over the wave's energy
+  double taken = 0;          ///< by rezoning, over the wave's energy
+  double rezoned = 0;        ///< times
+  std::vector<double> x, y;  ///< of the nodes at the largest run-up
 };
 
 struct Climbed {
@@ -178,25 +168,6 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
                     "next term is smaller by a factor h1 only: 2 h1 for the coarsest of these meshes, half an order"});
 }
 
-void claim_loads(const Climb& climb, const io::Table& table, const Claims<Results>& claims) {
-  for (std::size_t k = 0; k < loads.size(); ++k) {
-    const double exact = entry(table, "A", loads[k].column, climb);
-    claims.check(
-        {.id = loads[k].id + "-" + climb.id(),
-         .text = fmt::format("{}: the largest {} agrees with the Euler equations.", climb.title(), loads[k].name),
-         .quantity = loads[k].name,
-         .unit = loads[k].unit,
-         .source = source},
-        [climb, k](const Results& all) {
-          return find(all, climb.id()).finest([k](const Reached& one) { return one.loads.at(k); }, 2);
-        },
-        Uncertainty{.expected = exact,
-                    .data = 1e-9,
-                    .useful = 0.05 * exact,
-                    .reason = "from the change from mesh to mesh, of use up to 5 % of the load"});
-  }
-}
-
 void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims) {
   const exact::SolitaryWave wave(climb.amplitude);
   claims.from("Frank (1994), section 1.2")
@@ -218,7 +189,6 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (const Climb& climb : climbs) {
     claim_whole(climb, claims);
     claim_runup(climb, exact_runup(values, climb), rows, claims);
-    if (climb.wall()) claim_loads(climb, values.table("wall_load_exact"), claims);
     claim_energy(climb, 0.2 / static_cast<double>(rows), claims);
   }
 }
@@ -256,7 +226,6 @@ Reached reach(const Climb& climb, const exact::SolitaryWave& wave, long rows, do
     const MeshWallRun run = climb_wall(wall, [&](const Flow& flow) { watch(flow); });
     reached.runup = run.runup();
     if (run.fold) reached.fold = run.fold->time;
-    for (const Load& load : loads) reached.loads.push_back(run.*load.value);
     return reached;
   }
   const MeshSlopeRun run = climb_slope({.wave = wave,
@@ -286,12 +255,11 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "runup",
-                        .title = "Run-up on rezoned meshes",
-                        .caption =
-                            "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned and "
-                            "what part of the wave's energy that took.",
-                        .columns = table_columns({"wave"})};
+  evidence::Table& table =
+      add_table(exhibit, "runup", "Run-up on rezoned meshes",
+                "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned and "
+                "what part of the wave's energy that took.",
+                {"wave"});
   for (const long part : parts) {
     table.columns.emplace_back(fmt::format("{} rows", values.integer("rows") * part / parts.back()), "depth");
   }
@@ -307,7 +275,6 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
     row.emplace_back(rounded(one.on.back().taken, 1e6));
     table.rows.push_back(std::move(row));
   }
-  exhibit.table(std::move(table));
 }
 
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
@@ -336,8 +303,6 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
     panel.points(one.climb.title(), one.spacings(),
                  one.each([&](const Reached& on) { return std::abs(on.runup / exact - 1); }),
                  one.climb.wall() ? Role::computed : Role::peer);
-    exhibit.measure("runup_" + one.climb.id(), one.on.back().runup);
-    exhibit.measure("taken_" + one.climb.id(), one.on.back().taken);
   }
   slope_guide(panel, 2, all.front().spacings(),
               std::abs(all.front().on.back().runup / exact_runup(values, all.front().climb) - 1));

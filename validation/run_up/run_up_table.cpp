@@ -61,7 +61,6 @@ double rms(const Rows& rows, const Of& of) {
 struct Results {
   std::vector<Row> rows;
   MildSlopes mild;
-  double seconds = 0;  ///< for the table with h = 1/4 and the V/4 tip
 };
 
 std::size_t levels_of(const Values& values) {
@@ -140,8 +139,7 @@ bool measured(const Row& row) {
 
 /// rms of R/R_measured - 1 with the finest spacing; the shoreline makes its numerical error one of first order.
 Measurement off_measured(const std::vector<Row>& rows, std::size_t variant, bool on_steep) {
-  std::vector<double> spacing;
-  std::vector<double> distance;
+  std::vector<double> spacing, distance;
   for (std::size_t level = rows.front().computed[variant].size(); level-- > 0;) {
     spacing.push_back(runup_spacing(level));
     distance.push_back(rms(
@@ -156,12 +154,8 @@ double off_other_authors(const std::vector<Row>& rows, std::size_t variant) {
 }
 
 void claim_measurements(const Claims<Results>& claims) {
-  const auto claim = [](const std::string& id, const std::string& text) -> evidence::Claim {
-    return {.id = id,
-            .text = text,
-            .quantity = "rms of R/R_measured - 1",
-            .source = "Hall and Watts (1953), in Frank (1994)"};
-  };
+  const auto measured_at = claims.from("Hall and Watts (1953), in Frank (1994)");
+  const std::string quantity = "rms of R/R_measured - 1";
   const auto off = [](std::size_t variant, bool on_steep) {
     return [variant, on_steep](const Results& r) { return off_measured(r.rows, variant, on_steep); };
   };
@@ -170,29 +164,30 @@ void claim_measurements(const Claims<Results>& claims) {
       .useful = 0.15,
       .reason =
           "scatter of such experiments and of their interpolation, 5 % (assumed); the model's own from the spacings"};
-  claims.check(claim("measurements-green-naghdi",
-                     "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with the "
-                     "measurements."),
-               off(green_naghdi, true), scatter);
-  claims.known_failure(
-      claim("measurements",
-            "With the kinetic energy of Frank (1994), maximum run-up on steep slopes agrees with the measurements."),
-      off(consistent, true), scatter,
-      {.value = 0.122,
-       .width = 0.005,
-       .reason = "it stays below the measurements, the more the higher the wave, at last by a "
-                 "quarter, as the thesis's own column does"});
-  claims.check(claim("measurements-mild",
-                     "On milder slopes the model with the thesis's kinetic energy agrees with the measurements."),
-               off(consistent, false), scatter);
-  claims.known_failure(
-      claim("measurements-mild-green-naghdi",
-            "With the Green-Naghdi kinetic energy, maximum run-up on milder slopes agrees with the measurements."),
-      off(green_naghdi, false), scatter,
-      {.value = 0.111,
-       .width = 0.001,
-       .reason = "no friction: the Euler equations, which have none either, lie as far above the measurements (claims "
-                 "mild-euler and mild-friction), and the two waves that break on their way up lose energy besides"});
+  measured_at.check("measurements-green-naghdi",
+                    "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with the "
+                    "measurements.",
+                    quantity, off(green_naghdi, true), scatter);
+  measured_at
+      .fails({.value = 0.122,
+              .width = 0.005,
+              .reason = "it stays below the measurements, the more the higher the wave, at last by a "
+                        "quarter, as the thesis's own column does"})
+      .check("measurements",
+             "With the kinetic energy of Frank (1994), maximum run-up on steep slopes agrees with the measurements.",
+             quantity, off(consistent, true), scatter);
+  measured_at.check("measurements-mild",
+                    "On milder slopes the model with the thesis's kinetic energy agrees with the measurements.",
+                    quantity, off(consistent, false), scatter);
+  measured_at
+      .fails({.value = 0.111,
+              .width = 0.001,
+              .reason =
+                  "no friction: the Euler equations, which have none either, lie as far above the measurements (claims "
+                  "mild-euler and mild-friction), and the two waves that break on their way up lose energy besides"})
+      .check("measurements-mild-green-naghdi",
+             "With the Green-Naghdi kinetic energy, maximum run-up on milder slopes agrees with the measurements.",
+             quantity, off(green_naghdi, false), scatter);
   claims.check(
       "other-authors",
       "Over the whole table Green and Naghdi's kinetic energy brings the model nearer to the other computations.",
@@ -207,27 +202,15 @@ std::variant<double, std::string> cell(double value) {
 }
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::size_t levels) {
-  evidence::Table table{
-      .id = "runup",
-      .title = "Run-up on plane slopes",
-      .caption =
-          "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
-          "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
-          "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
-      .columns = {{"cot", "1"},
-                  {"A", "depth"},
-                  {"thesis", "depth"},
-                  {"halved", "depth"},
-                  {"V/4, h = 1/4", "depth"},
-                  {"off the thesis", "%"},
-                  {fmt::format("V/4, h = 1/{:g}", 1 / runup_spacing(levels - 1)), "depth"},
-                  {"V/6", "depth"},
-                  {"Green-Naghdi", "depth"},
-                  {"measured", "depth"},
-                  {"law", "depth"},
-                  {"others", "depth"},
-                  {"by", ""}},
-      .atlas = {"frank-table-runup"}};
+  evidence::Table& table = add_table(
+      exhibit, "runup", "Run-up on plane slopes",
+      "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
+      "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
+      "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
+      {"cot [1]", "A [depth]", "thesis [depth]", "halved [depth]", "V/4, h = 1/4 [depth]", "off the thesis [%]",
+       fmt::format("V/4, h = 1/{:g} [depth]", 1 / runup_spacing(levels - 1)), "V/6 [depth]", "Green-Naghdi [depth]",
+       "measured [depth]", "law [depth]", "others [depth]", "by"},
+      {"frank-table-runup"});
   for (const Row& row : rows) {
     const double value = row.computed[as_in_thesis][0];
     table.rows.push_back({row.cot_slope, row.amplitude, row.printed, cell(row.printed_half), cell(value),
@@ -235,7 +218,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::siz
                           cell(row.computed[consistent].back()), cell(row.computed[green_naghdi].back()),
                           cell(row.measured), row.law, row.calculated, row.calculated_by});
   }
-  exhibit.table(std::move(table));
 }
 
 struct Series {
@@ -256,8 +238,7 @@ const std::vector<Series> computed_series{
 const Series law_series{"run-up law", Role::peer, [](const Row& row) { return row.law; }};
 
 struct Points {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
 };
 /// R/A of a series where it has entries.
 template <class Abscissa>
@@ -334,10 +315,9 @@ Results compute(const Run& run) {
   double done = 0;
   for (std::size_t level = 0; level < levels; ++level) {
     for (std::size_t variant = 0; variant < runup_variants.size(); ++variant) {
-      const double seconds = compute_runups(r.rows, run, variant, level);
+      compute_runups(r.rows, run, variant, level);
       done += std::pow(4.0, level) / static_cast<double>(runup_variants.size());
       run.progress(done / whole);
-      if (level == 0 && variant == as_in_thesis) r.seconds = seconds;
     }
   }
   r.mild = {.small = small_waves(run, runup_spacing(0)), .euler = euler_runups(r.rows)};
@@ -346,7 +326,6 @@ Results compute(const Run& run) {
 
 void show_numbers(const Results& r, evidence::Exhibit& exhibit, std::size_t levels) {
   const Printed thesis_values = printed(r.rows);
-  exhibit.measure("seconds_of_the_table_at_h_1_4", r.seconds);
   exhibit.measure("thesis_printing_rms", thesis_values.decimals);
   exhibit.measure("thesis_change_by_halving_rms", thesis_values.change);
   exhibit.measure("own_change_by_halving_rms", own_change(r.rows));
@@ -359,9 +338,6 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit, std::size_t leve
   }
   for (std::size_t variant = 0; variant < runup_variants.size(); ++variant) {
     const std::string& id = runup_variants[variant].id;
-    exhibit.measure("measured_rms_steep_" + id, off_measured(r.rows, variant, true).value);
-    exhibit.measure("measured_rms_mild_" + id, off_measured(r.rows, variant, false).value);
-    exhibit.measure("other_authors_rms_" + id, off_other_authors(r.rows, variant));
     for (std::size_t level = 0; level < levels; ++level) {
       evidence::Array array{.name = fmt::format("runup_{}_h_1_{:g}", id, 1 / runup_spacing(level)),
                             .unit = "depth",

@@ -26,25 +26,152 @@ eighth wide, a few tenths of a per cent of most.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/solitary_runup.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
-#include "validation/run_up/slope_run_ups.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::slope_run_up_mesh {
 namespace {
 
-using slope_run_ups::Climbed;
-using slope_run_ups::compared;
-using slope_run_ups::meshes;
-using slope_run_ups::Row;
+// The run-ups on plane slopes that the two-dimensional Lagrangian mesh is judged by, and its own, on a sequence of
+// meshes.
+//
+// Units: depth and gravity are 1.
+
+struct MeshSize {
+  double spacing;
+  long rows;
+  double tau;
+};
+
+constexpr std::array<MeshSize, 4> meshes{{{1, 2, 0.05}, {0.5, 4, 0.05}, {0.25, 8, 0.025}, {0.125, 16, 0.0125}}};
+
+constexpr std::size_t compared = 3;  // meshes of all tiers
+
+/// A row of the comparison, with what is known of it.
+struct Row {
+  double cot_slope = 0;
+  double amplitude = 0;
+  double thesis = std::numeric_limits<double>::quiet_NaN();
+  double exact = std::numeric_limits<double>::quiet_NaN();
+
+  [[nodiscard]] double formula() const;  ///< of Hall and Watts
+};
+
+struct Climbed : Row {
+  std::vector<double> runup;        ///< on the meshes
+  std::optional<double> fold_time;  ///< first fold on the finest mesh with one before the largest run-up
+  std::vector<double> sliding;      ///< run-up with a toe that slides, on the meshes
+  Count sliding_folds;              ///< of them those with a fold before it
+  Worst sliding_energy;             ///< largest change over the wave's energy
+
+  /// To zero spacing, first order; from the two finest meshes but `coarser`.
+  [[nodiscard]] double extrapolated(std::size_t coarser = 0) const;
+  /// What the sliding toe changes on the finest mesh, over what the last halving of the cells changes with either toe.
+  [[nodiscard]] double toe_matters() const;
+  /// Of the finest mesh's run-up; infinite where the meshes do not tell.
+  [[nodiscard]] double mesh_uncertainty() const;
+  /// Of the difference from the exact run-up, from the last halving.
+  [[nodiscard]] double order_of_error() const;
+  /// From the last two halvings.
+  [[nodiscard]] double order() const;
+};
+
+/// The number of a table at a slope and an amplitude; NaN where there is none.
+double entry(const io::Table& table, const std::string& column, const Row& row) {
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (table.column("cot_slope")[k] == row.cot_slope && table.column("A")[k] == row.amplitude) {
+      return table.column(column)[k];
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Before the largest run-up.
+bool folds(const MeshSlopeRun& run) {
+  return run.fold && run.fold->time < run.time;
+}
+
+MeshSlopeClimb with_sliding_toe(MeshSlopeClimb climb) {
+  climb.rounding = 1;
+  climb.hourglass = 0.1;
+  climb.scheme.stepping = mechanics::Stepping::conservative;
+  return climb;
+}
+
+double Row::formula() const {
+  return exact::HallWatts(1, 1 / cot_slope).runup(amplitude);
+}
+
+/// Of the tables that the case declares.
+std::vector<Row> rows_of(const Values& values) {
+  const io::Table thesis = values.table("frank_1994_runup");
+  const io::Table exact = values.table("slope_runup_exact");
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < exact.rows(); ++k) {
+    Row& row = rows.emplace_back(Row{
+        .cot_slope = exact.column("cot_slope")[k], .amplitude = exact.column("A")[k], .exact = exact.column("R")[k]});
+    row.thesis = entry(thesis, "R_calc", row);
+  }
+  return rows;
+}
+
+double Climbed::extrapolated(std::size_t coarser) const {
+  const std::size_t n = runup.size() - coarser;
+  return 2 * runup[n - 1] - runup[n - 2];
+}
+
+double Climbed::toe_matters() const {
+  const std::size_t n = runup.size();
+  const double left = std::abs(runup[n - 1] - runup[n - 2]) + std::abs(sliding[n - 1] - sliding[n - 2]);
+  return (sliding[n - 1] - runup[n - 1]) / left;
+}
+
+double Climbed::mesh_uncertainty() const {
+  std::vector<double> spacings;
+  for (std::size_t m = 0; m < runup.size(); ++m) spacings.push_back(meshes[m].spacing);
+  return evidence::grid_convergence(spacings, runup, 1).uncertainty;
+}
+
+double Climbed::order_of_error() const {
+  return std::log2(std::abs(runup[runup.size() - 2] - exact) / std::abs(runup.back() - exact));
+}
+
+double Climbed::order() const {
+  const std::size_t n = runup.size();
+  return std::log2((runup[n - 2] - runup[n - 3]) / (runup[n - 1] - runup[n - 2]));
+}
+
+/// Climbs the slope on as many of the meshes, with a toe that stays and with one that slides.
+Climbed climb_row(const Row& row, std::size_t levels) {
+  const exact::SolitaryWave wave(row.amplitude);
+  Climbed climbed{row, {}, {}, {}, {}, {}};
+  for (std::size_t level = 0; level < levels; ++level) {
+    const MeshSize& mesh = meshes[level];
+    const MeshSlopeClimb climb{
+        .wave = wave, .tan_slope = 1 / row.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
+    const MeshSlopeRun result = climb_slope(climb);
+    climbed.runup.push_back(result.runup);
+    if (folds(result)) climbed.fold_time = result.fold->time;
+    const MeshSlopeRun sliding = climb_slope(with_sliding_toe(climb));
+    climbed.sliding.push_back(sliding.runup);
+    climbed.sliding_folds.add(sliding.runup, [&](double) { return folds(sliding); });
+    climbed.sliding_energy.add(sliding.energy_defect.value());
+  }
+  return climbed;
+}
 
 const std::string source = "Frank (1994), section 2.2 and table of chapter 3";
 
@@ -232,7 +359,7 @@ Climb climb_one(const Values& values) {
 Results compute(const Run& run) {
   Results r{.one = climb_one(run), .all = {}};
   run.progress(0.1);
-  const std::vector<Row> rows = slope_run_ups::rows_of(run);
+  const std::vector<Row> rows = rows_of(run);
   for (const Row& row : rows) {
     r.all.push_back(climb_row(row, levels(run)));
     run.progress(0.1 + 0.9 * static_cast<double>(r.all.size()) / static_cast<double>(rows.size()));
@@ -241,17 +368,14 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
-  evidence::Table table{
-      .id = "runup",
-      .title = "Run-up on slopes",
-      .caption =
-          "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the finest with a toe that "
-          "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell "
-          "folds first on the finest mesh that does, before the largest run-up.",
-      .columns = table_columns({"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]",
-                                "extrapolated [depth]", "sliding toe [depth]", "exact [depth]", "thesis [depth]",
-                                "Hall-Watts [depth]", "fold [sqrt(depth/g)]"}),
-      .atlas = {"frank-slopes-2d"}};
+  evidence::Table& table = add_table(
+      exhibit, "runup", "Run-up on slopes",
+      "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the finest with a toe that "
+      "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell "
+      "folds first on the finest mesh that does, before the largest run-up.",
+      {"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]", "extrapolated [depth]",
+       "sliding toe [depth]", "exact [depth]", "thesis [depth]", "Hall-Watts [depth]", "fold [sqrt(depth/g)]"},
+      {"frank-slopes-2d"});
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Climbed& one : all) {
     std::vector<std::variant<double, std::string>> cells{1 / one.cot_slope, one.amplitude};
@@ -264,7 +388,6 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
     cells.emplace_back(one.fold_time ? rounded(*one.fold_time) : std::variant<double, std::string>(""));
     table.rows.push_back(std::move(cells));
   }
-  exhibit.table(std::move(table));
 }
 
 void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {

@@ -21,12 +21,6 @@ constexpr double margin = 1e-4;      // of the wave's height, beyond the toe and
 constexpr double highest_land = 20;  // as far as the slope goes
 constexpr double courant = 0.3;      // of the longest stable step
 constexpr double fallen = 0.9;       // of the highest: it was the maximum
-constexpr double most_steps = 1e9;   // more than any run takes
-
-double energy_defect(const RunUp& run) {
-  const mechanics::InvariantsLedger::Entry& energy = run.ledger.entry("energy");
-  return energy.largest_defect / energy.initial;
-}
 
 }  // namespace
 
@@ -79,46 +73,14 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
   while (flow.time() < watch.latest && !fell()) {
     flow.advance(climb.step(flow));
     edge.add(flow.time(), flow.y().back());
-    if (watch.ledger) flow.observe();
     if (watch.after_step) watch.after_step(flow);
   }
-  RunUp run{.steps = flow.steps(), .markers = flow.x().size()};
+  RunUp run;
   if (fell()) {
     run.height = edge.value();
     run.time = edge.time();
   }
-  if (watch.ledger) run.ledger = flow.ledger();
   return run;
-}
-
-void claim_energy(const Claims<RunUp>& claims, const SolitaryClimb& climb) {
-  const evidence::Claim claim{.id = "energy",
-                              .text = "Energy is kept while the wave climbs.",
-                              .quantity = "largest change over the energy of the wave",
-                              .source = "Frank (1994), section 1.2"};
-  if (climb.scheme.stepping == dispersive::Stepping::conservative) {
-    claims.check(
-        claim,
-        [resolution = climb.resolution()](const RunUp& run) -> Measurement {
-          return {.value = energy_defect(run),
-                  .resolution = resolution,
-                  .told = {.operations = static_cast<double>(run.steps)}};
-        },
-        Roundoff{.operations = Amount::told_by_run(most_steps),
-                 .reason = "the discrete gradients are exact: one rounded energy per step"});
-    return;
-  }
-  const double omega = 2 * std::sqrt(0.75 * climb.amplitude) * exact::SerreSolitary(climb.amplitude).speed();
-  claims.at(climb.resolution())
-      .check(claim, energy_defect,
-             Bound{.limit = std::pow(omega * climb.tau_over_spacing * climb.spacing, 2) / 4,
-                   .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega = 2 c sqrt(3A/4), the "
-                             "rate at which the wave passes"});
-}
-
-void show_energy(const RunUp& run, evidence::Exhibit& exhibit) {
-  exhibit.measure("energy_defect", energy_defect(run));
-  exhibit.measure("worst_cell_volume_defect", run.ledger.entry("volume_worst").largest_defect);
 }
 
 std::vector<Parameter> step_parameters() {

@@ -51,23 +51,15 @@ struct RunUp {
   /// Highest the water's edge gets before it falls again, and when, since the start; NaN if it was still rising.
   double height = std::numeric_limits<double>::quiet_NaN();
   double time = std::numeric_limits<double>::quiet_NaN();
-  long steps = 0;
-  std::size_t markers = 0;
-  mechanics::InvariantsLedger ledger;  ///< empty unless it was asked for
 };
 
 struct ClimbWatch {
-  bool ledger = false;  ///< costs as much as the run itself
   std::function<void(const dispersive::Flow&)> after_step = {};
   double latest = 1e4;  ///< the run ends then at the latest
 };
 
 /// Runs until the water's edge has fallen to 0.9 of its highest. Throws Divergence.
 RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch = {});
-
-/// Claim that energy is kept: to round-off by the conservative scheme, to O(tau^2) by the others. Needs the ledger.
-void claim_energy(const Claims<RunUp>& claims, const SolitaryClimb& climb);
-void show_energy(const RunUp& run, evidence::Exhibit& exhibit);
 
 /// Parameters that choose the method: spacing and, of the steps, tau_over_spacing and scheme; over slopes tip_mass and
 /// kinetics.

@@ -121,10 +121,8 @@ void judge(const Values& values, const Submitted& submitted, const SolverFacts& 
     for (const BeachClaim& one : {all_profiles(), each_profile()})
       record.leave_out({one.claim, "the table was not submitted"});
   }
-  BeachClaim gauges{{.id = "gauges",
-                     .text = "The gauges show the exact solution's records.",
-                     .quantity = "largest rms difference over the rms of the record",
-                     .source = each_profile().claim.source},
+  BeachClaim gauges{{"gauges", "The gauges show the exact solution's records.",
+                     "largest rms difference over the rms of the record", "1", each_profile().claim.source},
                     shared()};
   if (const auto found = submitted.find("gauges"); found != submitted.end()) {
     const Worst worst = gauge_distance(submitted_curves(found->second, "gauge_over_d", "t"), exact_gauges(values));

@@ -52,8 +52,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   std::vector<double> ratio;
   for (std::size_t k = 0; k < a.size(); ++k) ratio.push_back(table.column("R")[k] / a[k]);
   const std::vector<double> fine = evenly(0.05, a.back(), 101);
-  std::vector<double> su_mirie;
-  std::vector<double> byatt_smith;
+  std::vector<double> su_mirie, byatt_smith;
   for (const double at : fine) {
     su_mirie.push_back(exact::WallRunup::su_mirie(at) / at);
     byatt_smith.push_back(exact::WallRunup::byatt_smith(at) / at);

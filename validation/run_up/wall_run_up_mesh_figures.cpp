@@ -121,8 +121,7 @@ Results compute(const Run& run) {
 
 /// Of the values that all meshes give for one wave, as half-width for the finest; NaN where one of them folds.
 double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member) {
-  std::vector<double> size;
-  std::vector<double> value;
+  std::vector<double> size, value;
   for (const Curve& curve : curves) {
     size.push_back(1 / static_cast<double>(curve.rows));
     value.push_back(curve.value(amplitude, member));
@@ -223,39 +222,12 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_loads(finest, values.table("wall_load_exact"));
 }
 
-/// Numbers that no claim is about, wave by wave.
-void show_numbers(const std::vector<Curve>& curves, const Values& values, evidence::Exhibit& exhibit) {
-  for (const Curve& curve : curves) {
-    for (const Climbed& point : curve.points) {
-      exhibit.measure(fmt::format("runup_rows_{}_a_{:.2f}", curve.rows, point.amplitude), point.runup);
-    }
-  }
-  const io::Table exact = values.table("wall_runup_exact");
-  for (std::size_t k = 0; k < exact.rows(); ++k) {
-    const double amplitude = exact.column("a")[k];
-    const Climbed* point = curves.back().at(amplitude);
-    if (point == nullptr || amplitude > highest_claimed + 1e-9) continue;
-    exhibit.measure(fmt::format("runup_a_{:g}_less_exact", amplitude), point->runup - exact.column("R")[k]);
-  }
-  const io::Table exact_loads = values.table("wall_load_exact");
-  for (const Load& load : compared_loads) {
-    for (std::size_t k = 0; k < exact_loads.rows(); ++k) {
-      const double amplitude = exact_loads.column("A")[k];
-      const double value = curves.back().value(amplitude, load.member);
-      if (std::isnan(value)) continue;
-      exhibit.measure(fmt::format("{}_a_{:.2f}_less_exact", load.id, amplitude),
-                      value - exact_loads.column(load.column)[k]);
-    }
-  }
-}
-
 void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "runup",
-                        .title = "Largest run-up on a vertical wall",
-                        .caption =
-                            "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
-                            "2A + A^2/2 + 3A^3/4.",
-                        .columns = table_columns({"A [depth]"})};
+  evidence::Table& table =
+      add_table(exhibit, "runup", "Largest run-up on a vertical wall",
+                "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
+                "2A + A^2/2 + 3A^3/4.",
+                {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.emplace_back("exact", "depth");
   table.columns.emplace_back("series", "depth");
@@ -275,7 +247,6 @@ void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence
     row.emplace_back(rounded(exact::WallRunup::su_mirie(amplitude)));
     table.rows.push_back(std::move(row));
   }
-  exhibit.table(std::move(table));
 }
 
 void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Table& exact_loads,
@@ -314,8 +285,7 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
                  Role::exact);
     curves_on(panel, compared_loads[load].member);
   };
-  std::vector<double> still_series;
-  for (const double a : fine) still_series.push_back(exact::WallLoad::still_series(a));
+  const std::vector<double> still_series = each(fine, [&](const double a) { return exact::WallLoad::still_series(a); });
   auto& loads = exhibit.figure("pressure", "Largest pressure on the wall",
                                "At y = 0, taken as the still-water level, and at the bottom, where it is 1 at rest; "
                                "exact values of the Euler equations.",
@@ -329,7 +299,6 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  show_numbers(r.curves, values, exhibit);
   const io::Table exact = values.table("wall_runup_exact");
   std::vector<Curve> shown = r.curves;
   shown.push_back(r.rezoned.back());

@@ -66,4 +66,17 @@ std::vector<Since> changes_since(const evidence::Summary& before, const evidence
   return all;
 }
 
+std::string unlike(const evidence::Summary& before, const evidence::Record& record) {
+  if (!before.error.empty()) return before.error;
+  for (const auto& [name, p] : record.parameters) {
+    const auto was = before.parameters.find(name);
+    if (was != before.parameters.end() && was->second == p.value) continue;
+    const auto in_words = [](const auto& value) { return fmt::format("{}", value); };
+    return fmt::format("scored with {} = {}, not {}", name,
+                       was == before.parameters.end() ? "none" : std::visit(in_words, was->second),
+                       std::visit(in_words, p.value));
+  }
+  return {};
+}
+
 }  // namespace seiche::validation

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/evidence/record.hpp"
 #include "reports/evidence/record_files.hpp"
 
 namespace seiche::validation {
@@ -26,5 +27,9 @@ struct Since {
 /// round-off that was kept and is not, and a claim that is gone. A verdict that changes while the error stays within
 /// the uncertainties is shown and is not worse. An unexpected pass is a claim that the earlier score did not meet.
 std::vector<Since> changes_since(const evidence::Summary& before, const evidence::Summary& after);
+
+/// Why the numbers of a baseline are none to compare with a record's: other parameters, or none at all. Empty where
+/// they are.
+std::string unlike(const evidence::Summary& before, const evidence::Record& record);
 
 }  // namespace seiche::validation

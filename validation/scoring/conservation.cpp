@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -91,8 +92,8 @@ void draw(const History& history, evidence::Record& record) {
   const std::vector<double>& t = history.at("t");
   for (const std::string& name : conserved_names()) {
     if (!shown(name)) continue;
-    std::vector<double> change;
-    for (const double value : history.at(name)) change.push_back(value / history.at(name).front() - 1);
+    const std::vector<double> change =
+        each(history.at(name), [&](const double value) { return value / history.at(name).front() - 1; });
     panel.line(name, t, change);
   }
 }
@@ -172,12 +173,11 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
       throw std::invalid_argument(fmt::format(
           "column {}: is 0 at t = {:g}, must not be: changes are relative to the first value", name, t.front()));
     }
-    evidence::Claim claim{
-        .id = "conserved-" + name,
-        .text = limits != nullptr ? limits->text : fmt::format("The {} is conserved within its limit.", name),
-        .quantity = fmt::format("largest {} of the {} over its first value",
-                                limits != nullptr && limits->growth_alone ? "growth" : "change", name),
-        .source = source};
+    evidence::Claim claim{"conserved-" + name,
+                          limits != nullptr ? limits->text : fmt::format("The {} is conserved within its limit.", name),
+                          fmt::format("largest {} of the {} over its first value",
+                                      limits != nullptr && limits->growth_alone ? "growth" : "change", name),
+                          "1", source};
     if (limits == nullptr) {
       record.leave_out({claim, std::get<std::string>(verdict)});
       continue;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/case/claims.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/scoring/misreading.hpp"
 #include "validation/scoring/units.hpp"
@@ -159,16 +160,12 @@ std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Sub
 
 void show_diagnosis(const std::vector<Finding>& findings, evidence::Exhibit& exhibit) {
   if (findings.empty()) return;
-  evidence::Table table{.id = "diagnosis",
-                        .title = "What the difference looks like",
-                        .caption =
-                            "A single change of what was submitted that would explain by how much it misses the "
-                            "reference. Nothing was changed: the verdicts are of the values as they stand.",
-                        .columns = {{"where", "1"}, {"what was submitted", "1"}, {"left of the misfit", "1"}},
-                        .rows = {},
-                        .atlas = {}};
+  evidence::Table& table =
+      add_table(exhibit, "diagnosis", "What the difference looks like",
+                "A single change of what was submitted that would explain by how much it misses the "
+                "reference. Nothing was changed: the verdicts are of the values as they stand.",
+                {"where [1]", "what was submitted [1]", "left of the misfit [1]"});
   for (const Finding& one : findings) table.rows.push_back({one.where, one.words, one.left});
-  exhibit.table(std::move(table));
 }
 
 }  // namespace seiche::validation

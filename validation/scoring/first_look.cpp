@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "seiche/samples.hpp"
+#include "validation/case/claims.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -63,8 +64,8 @@ std::string one_line(const JudgedClaim& claim) {
   const std::string unit = after_number(claim.claim.unit);
   const double off = j.measured - j.expected;
   return fmt::format("{} {} ({}: {}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict), claim.claim.id,
-                     std::isfinite(off) ? fmt::format("error {:.3g}{}", off, unit) : "not found in the result",
-                     j.limit, unit);
+                     std::isfinite(off) ? fmt::format("error {:.3g}{}", off, unit) : "not found in the result", j.limit,
+                     unit);
 }
 
 /// The curve that misses its reference by most, over the reference.
@@ -260,14 +261,9 @@ FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& su
 }
 
 void show_first_look(const FirstLook& look, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "first-look",
-                        .title = "Summary",
-                        .caption = "Result, largest error, likely cause and next step.",
-                        .columns = {{"question", ""}, {"answer", ""}},
-                        .rows = {},
-                        .atlas = {}};
+  evidence::Table& table = add_table(exhibit, "first-look", "Summary",
+                                     "Result, largest error, likely cause and next step.", {"question", "answer"});
   for (const auto& [question, answer] : look) table.rows.push_back({question, answer});
-  exhibit.table(std::move(table));
 }
 
 }  // namespace seiche::validation

@@ -12,6 +12,7 @@
 #include "reports/evidence/order_of_few.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/claims.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/scoring/units.hpp"
 
@@ -113,25 +114,13 @@ bool stays(const LadderQuantity& q) {
   return q.exact && q.tends.extrapolated > q.tends.uncertainty;
 }
 
-evidence::Table results_table(const Ladder& ladder) {
-  evidence::Table table{.id = "ladder-orders",
-                        .title = "How fast your solver converges",
-                        .caption =
-                            "Order with its 95 % interval: of the error where the reference is exact, else of "
-                            "the distance from your own limit. Errors are relative to the reference.",
-                        .columns = {{"quantity", ""},
-                                    {"order", ""},
-                                    {"from", ""},
-                                    {"to", ""},
-                                    {"error of the finest", "1"},
-                                    {"numerical, 95 %", "1"},
-                                    {"error tends to", "1"},
-                                    {"size for 1 %", ""},
-                                    {"at least", ""},
-                                    {"at most", ""},
-                                    {"time for 1 %", "s"}},
-                        .rows = {},
-                        .atlas = {}};
+void tabulate_results(const Ladder& ladder, evidence::Exhibit& exhibit) {
+  evidence::Table& table = add_table(
+      exhibit, "ladder-orders", "How fast your solver converges",
+      "Order with its 95 % interval: of the error where the reference is exact, else of the distance from your "
+      "own limit. Errors are relative to the reference.",
+      {"quantity", "order", "from", "to", "error of the finest [1]", "numerical, 95 % [1]", "error tends to [1]",
+       "size for 1 %", "at least", "at most", "time for 1 % [s]"});
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const LadderQuantity& q : ladder.quantities) {
     const std::optional<Reach> reach = ladder.reach(q, ladder_target);
@@ -140,16 +129,12 @@ evidence::Table results_table(const Ladder& ladder) {
                           reach ? reach->least : none, reach ? reach->most : none,
                           reach && reach->seconds ? *reach->seconds : none});
   }
-  return table;
 }
 
-evidence::Table errors_table(const Ladder& ladder) {
-  evidence::Table table{.id = "ladder",
-                        .title = "Error on every size",
-                        .caption = "Of each quantity, over all reference points that every size covers.",
-                        .columns = {{"size", "m"}},
-                        .rows = {},
-                        .atlas = {}};
+void tabulate_errors(const Ladder& ladder, evidence::Exhibit& exhibit) {
+  evidence::Table& table =
+      add_table(exhibit, "ladder", "Error on every size",
+                "Of each quantity, over all reference points that every size covers.", {"size [m]"});
   for (const LadderQuantity& q : ladder.quantities) table.columns.emplace_back(q.name, q.relative ? "1" : q.unit);
   if (!ladder.seconds.empty()) table.columns.emplace_back("time", "s");
   for (std::size_t k = 0; k < ladder.size.size(); ++k) {
@@ -158,7 +143,6 @@ evidence::Table errors_table(const Ladder& ladder) {
     for (const LadderQuantity& q : ladder.quantities) row.emplace_back(q.error[k]);
     if (!ladder.seconds.empty()) row.emplace_back(ladder.seconds[k]);
   }
-  return table;
 }
 
 }  // namespace
@@ -244,8 +228,8 @@ void show_ladder(const Ladder& ladder, evidence::Exhibit& exhibit) {
     auto& cost = figure.panel({.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
     for (const LadderQuantity& q : ladder.quantities) cost.points(q.name, ladder.seconds, q.converging());
   }
-  exhibit.table(results_table(ladder));
-  exhibit.table(errors_table(ladder));
+  tabulate_results(ladder, exhibit);
+  tabulate_errors(ladder, exhibit);
 }
 
 void add_numerical(const Ladder& ladder, std::map<std::string, StatedUncertainty>& uncertainty) {

@@ -29,8 +29,7 @@ constexpr std::array clocks{1000.0, 100.0, 60.0};
 using Changed = std::function<double(double x)>;
 
 struct Compared {
-  std::vector<double> x;
-  std::vector<double> r;
+  std::vector<double> x, r;
 
   /// Root mean square over the points that are known after the change; NaN for less than `needed` of them.
   [[nodiscard]] double rms(const Changed& changed, std::size_t needed) const {

@@ -8,17 +8,75 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/evidence/record.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/submission.hpp"
 #include "validation/instruments/agreement.hpp"
-#include "validation/scoring/score_figures.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
+
+constexpr std::size_t most_panels = 6;
+
+void draw(evidence::Panel& panel, const WantedTable& wanted, const WantedQuantity& quantity,
+          const SubmittedGroup& group) {
+  std::vector<double> x = wanted.points(group.value);
+  const bool exact = wanted.reference_role == evidence::Role::exact;
+  if (exact) {  // known between the points as well
+    const double from = x.front();
+    const double to = x.back();
+    constexpr int samples = 600;
+    for (int k = 0; k <= samples; ++k) x.push_back(std::lerp(from, to, static_cast<double>(k) / samples));
+    std::sort(x.begin(), x.end());
+  }
+  std::vector<double> known, y;
+  for (const double at : x) {
+    const double value = quantity.reference({group.value, at});
+    if (std::isnan(value)) continue;
+    known.push_back(at);
+    y.push_back(value);
+  }
+  if (exact) {
+    panel.line("reference", known, y, wanted.reference_role);
+  } else {
+    panel.points("reference", known, y, wanted.reference_role);
+  }
+  panel.points("submitted", group.abscissa, group.values.at(quantity.column.name), evidence::Role::computed);
+}
+
+/// Draws a submitted profile or series with its reference: a figure with a panel per quantity, or, where there are
+/// several groups, a figure per quantity with a panel for each of the first six groups.
+void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>& groups, evidence::Exhibit& exhibit) {
+  const auto label = [](const Column& column) {
+    return fmt::format("{} {} [{}]", column.meaning, column.name, column.unit);
+  };
+  const std::string x_label = fmt::format("{} [{}]", wanted.abscissa->name, wanted.abscissa->unit);
+  if (!wanted.group) {
+    auto& figure = exhibit.figure(wanted.name, fmt::format("The submitted {}", wanted.name),
+                                  "The points that were submitted, with the reference.");
+    for (const WantedQuantity& q : wanted.quantities) {
+      draw(figure.panel({.x = x_label, .y = label(q.column)}), wanted, q, groups.front());
+    }
+    return;
+  }
+  for (const WantedQuantity& q : wanted.quantities) {
+    auto& figure = exhibit.figure(wanted.name + "-" + q.column.name,
+                                  fmt::format("The submitted {}: {}", wanted.name, q.column.meaning),
+                                  "The points that were submitted, with the reference.");
+    for (std::size_t k = 0; k < std::min(groups.size(), most_panels); ++k) {
+      const std::string title =
+          fmt::format("{} = {:g}{}", wanted.group->name, groups[k].value, after_number(wanted.group->unit));
+      draw(figure.panel({.x = x_label, .y = label(q.column), .title = title}), wanted, q, groups[k]);
+    }
+  }
+}
 
 struct MeasureText {
   Measure measure;
@@ -59,13 +117,12 @@ std::optional<double> times(double factor, std::optional<double> uncertainty) {
 
 evidence::Claim claim_of(const WantedTable& table, const WantedQuantity& quantity, const Requirement& requirement) {
   const MeasureText& text = wording_of(requirement.measure);
-  return {.id = quantity.column.name + "-" + text.id,
-          .text = requirement.text,
-          .quantity = fmt::format("{} of {}", text.name, quantity.column.name),
-          .unit = *text.unit == '\0'  ? quantity.column.unit
-                  : *text.unit == 'x' ? table.abscissa->unit
-                                      : text.unit,
-          .source = requirement.source};
+  return {quantity.column.name + "-" + text.id, requirement.text,
+          fmt::format("{} of {}", text.name, quantity.column.name),
+          *text.unit == '\0'  ? quantity.column.unit
+          : *text.unit == 'x' ? table.abscissa->unit
+                              : text.unit,
+          requirement.source};
 }
 
 /// Judges one quantity in one group.
@@ -94,10 +151,8 @@ class QuantityScore {
 
   void claim(evidence::Record& record) const {
     if (table_.kind != WantedTable::Kind::scalars) {
-      record.check({.id = table_.name + "-coverage",
-                    .text = fmt::format("The reference points of the {} are covered.", table_.name),
-                    .quantity = "share of the reference points within the submitted ones",
-                    .source = "what the case asks for"},
+      record.check({table_.name + "-coverage", fmt::format("The reference points of the {} are covered.", table_.name),
+                    "share of the reference points within the submitted ones", "1", "what the case asks for"},
                    {.value = coverage_, .resolution = resolution()},
                    evidence::Bound{.limit = 1 - table_.least_coverage,
                                    .reason = "N cell centres leave half a cell out at either end, 1/N of the points",
@@ -160,8 +215,7 @@ class QuantityScore {
 
   void measure_curve() {
     const std::vector<double> x = table_.points(group_.value);
-    std::vector<double> y;
-    for (const double at : x) y.push_back(quantity_.reference({group_.value, at}));
+    std::vector<double> y = each(x, [&](const double at) { return quantity_.reference({group_.value, at}); });
     leave_gaps_out(x, y);
     const Curve submitted{group_.abscissa, group_.values.at(quantity_.column.name)};
     try {
@@ -287,10 +341,8 @@ evidence::Table blank_table(const WantedTable& wanted) {
 void claim_absent(const WantedTable& table, evidence::Record& record) {
   std::vector<std::string> columns;
   for (const WantedQuantity& quantity : table.quantities) columns.push_back(quantity.column.name);
-  record.check({.id = table.name + "-coverage",
-                .text = fmt::format("The table {} is part of the submission.", table.name),
-                .quantity = "share of the reference points within the submitted ones",
-                .source = "what the case asks for"},
+  record.check({table.name + "-coverage", fmt::format("The table {} is part of the submission.", table.name),
+                "share of the reference points within the submitted ones", "1", "what the case asks for"},
                {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},
                evidence::Bound{.limit = 1 - table.least_coverage,
                                .reason = "a part of the result is scored alone only with --table",
@@ -307,10 +359,8 @@ void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& g
   }
   const std::string& name = table.group->name;
   record.check(
-      {.id = table.name + "-given",
-       .text = fmt::format("Every {} of the table {} is submitted.", name, table.name),
-       .quantity = "share of the groups that were submitted",
-       .source = "what the case asks for"},
+      {table.name + "-given", fmt::format("Every {} of the table {} is submitted.", name, table.name),
+       "share of the groups that were submitted", "1", "what the case asks for"},
       {.value = static_cast<double>(given.size()) / static_cast<double>(table.groups->size()),
        .resolution = fmt::format("{} of {} given, without {} = {}", given.size(), table.groups->size(), name,
                                  fmt::join(missing, ", "))},

@@ -26,6 +26,10 @@ struct Understanding {
 /// The columns of a table in the order of the template.
 std::vector<Column> columns_of(const WantedTable& wanted);
 
+/// Names that solvers give to a column that is called so here, in small letters; a name in that form.
+const std::vector<std::string>& other_names(const std::string& wanted);
+std::string plain_name(std::string name);
+
 /// Names, in the file, of all columns that the tables ask for.
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed);
 

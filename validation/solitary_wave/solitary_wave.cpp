@@ -52,8 +52,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
   const double depth = wave.depth();
   const std::vector<double> x = evenly(-8 * depth, 8 * depth, 401);
-  std::vector<double> surface;
-  std::vector<double> serre;
+  std::vector<double> surface, serre;
   const exact::SerreSolitary model(wave.amplitude(), depth, wave.gravity());
   for (const double at : x) {
     surface.push_back(wave.elevation(at));

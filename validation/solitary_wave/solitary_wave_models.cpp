@@ -58,30 +58,12 @@ double room(const SolitaryWave& wave) {
 TankWave tank_of(const SolitaryWave& wave, double way) {
   const double start = room(wave);
   const double length = 2 * start + std::ceil(way);
-  const auto velocity = [wave, start](Point at) {
-    // The surface itself is the end of the exact field: points above it are put on it.
-    const auto v = wave.velocity(at.x - start, std::min(at.y, wave.elevation(at.x - start) - 1e-13));
-    return Point{v.u, v.v};
+  TankWave tank = solitary_tank(wave, start, length, length);
+  tank.part = [start, c = wave.speed()](double t) {
+    const double crest = start + c * t;
+    return TankWave::Part{crest - reach, crest + reach};
   };
-  return {.length = length,
-          .water = {.period = length,
-                    .highest = 2 * wave.amplitude(),
-                    .elevation = [wave, start](double x) { return wave.elevation(x - start); },
-                    .velocity = velocity,
-                    .pressure =
-                        [wave, velocity](Point at) {
-                          const Point v = velocity(at);
-                          const double c = wave.speed();
-                          return 0.5 * (c * c - (v.x - c) * (v.x - c) - v.y * v.y) - at.y;
-                        }},
-          .speed = wave.speed(),
-          .amplitude = wave.amplitude(),
-          .surface = [wave, start](double x, double t) { return wave.elevation(x - start, t); },
-          .part =
-              [start, c = wave.speed()](double t) {
-                const double crest = start + c * t;
-                return TankWave::Part{crest - reach, crest + reach};
-              }};
+  return tank;
 }
 
 Trial trial_of(const Values& values) {

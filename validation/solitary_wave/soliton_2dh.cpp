@@ -27,7 +27,7 @@ fold there in the end, long after the wave has gone, and the runs of two and thr
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/instruments/plan_soliton.hpp"
+#include "validation/instruments/plan/plan_soliton.hpp"
 
 namespace seiche::validation::cases::soliton_2dh {
 namespace {
@@ -106,8 +106,7 @@ Bound energy_bound(const Travel& travel) {
 
 void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
   const auto claim = [&](const std::string& what, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{
-        .id = travel.id + "-" + what, .text = travel.name + ": " + text, .quantity = quantity, .source = frank};
+    return evidence::Claim{travel.id + "-" + what, travel.name + ": " + text, quantity, "1", frank};
   };
   const PlanSolitonRun& run = travel.run;
   const Bound unseen = travel.layers == 0 ? Bound{0.01 * run.spacing * run.spacing,
@@ -197,24 +196,19 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                      "Height of the crest in time: 2DH model, and hexahedral mesh of h = 0.5.", {"frank-soliton-plan"});
   auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "2DH model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
-  evidence::Table table{
-      .id = "travels",
-      .title = "Solitary waves on coarse grids",
-      .caption =
-          "Mean height, its band and speed once the wave has settled; speed against that of the equations for this "
-          "height; largest relative defect of the energy.",
-      .columns = table_columns({"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]",
-                                "speed [sqrt(gH)]", "speed error", "energy defect"})};
+  evidence::Table& table = add_table(
+      exhibit, "travels", "Solitary waves on coarse grids",
+      "Mean height, its band and speed once the wave has settled; speed against that of the equations for this "
+      "height; largest relative defect of the energy.",
+      {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]", "speed [sqrt(gH)]", "speed error",
+       "energy defect"});
   for (const Travel& travel : r.travels) {
     const SolitonTravel& found = travel.found;
     (travel.layers == 0 ? plan : mesh).line(travel.name, found.time, found.height);
     table.rows.push_back({travel.name, travel.run.spacing, fmt::format("{:.5f}", found.mean_height()),
                           fmt::format("{:.5f}", found.lowest()), fmt::format("{:.5f}", found.highest()),
                           fmt::format("{:.6f}", found.speed()), travel.speed_error(), found.energy_defect});
-    exhibit.measure("height_" + travel.id, found.mean_height());
-    exhibit.measure("speed_" + travel.id, found.speed());
   }
-  exhibit.table(std::move(table));
   draw_waves(exhibit, r);
 }
 

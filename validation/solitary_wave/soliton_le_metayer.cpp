@@ -23,17 +23,22 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
+#include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/mechanics/scheme.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/processor_time.hpp"
-#include "validation/solitary_wave/serre_wave.hpp"
 
 namespace seiche::validation::cases::soliton_le_metayer {
 namespace {
@@ -42,6 +47,93 @@ using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
 using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::TimeComposition;
+
+// Serre's solitary wave over a level bottom, followed with the discrete dispersive model and compared with itself.
+
+/// A channel of constant depth with the wave in it.
+struct SerreWave {
+  double amplitude = 0.2;  ///< [m]
+  double depth = 1;        ///< [m]
+  double gravity = 1;      ///< [m/s^2]
+  double alpha = 1.0 / 3;  ///< factor of the vertical kinetic energy
+  double begin = -200;     ///< ends of the channel [m]
+  double end = 500;
+  double time = 20;  ///< how long it is followed, from x = 0 [s]
+
+  [[nodiscard]] exact::SerreSolitary exact() const { return exact::SerreSolitary(amplitude, depth, gravity, alpha); }
+  [[nodiscard]] double length() const { return end - begin; }
+  /// Width at rest of so many cells of equal volume [m]: the channel's length and what the wave adds to it.
+  [[nodiscard]] double spacing(long cells) const;
+};
+
+using dispersive_shallow_water_1d::Channel;
+using dispersive_shallow_water_1d::End;
+
+double SerreWave::spacing(long cells) const {
+  const exact::SerreSolitary wave = exact();
+  const double excess = wave.excess_up_to(end) - wave.excess_up_to(begin);
+  return (length() + excess / depth) / static_cast<double>(cells);
+}
+
+/// The wave on markers `spacing` apart when at rest.
+Flow start(const SerreWave& wave, double spacing, Scheme scheme) {
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(wave.depth),
+                        .left = End::wall,
+                        .right = End::wall,
+                        .gravity = wave.gravity,
+                        .alpha = wave.alpha};
+  return {channel,
+          solitary_markers(channel, wave.begin, wave.end, spacing,
+                           {.amplitude = wave.amplitude, .crest = 0, .depth = wave.depth}),
+          scheme};
+}
+
+/// Distance of a place from the exact crest.
+double from_crest(const SerreWave& wave, double x, double time) {
+  return x - wave.exact().speed() * time;
+}
+
+/// Largest error of a marker's elevation over the amplitude.
+double largest_error(const Flow& flow, const SerreWave& wave) {
+  const exact::SerreSolitary exact = wave.exact();
+  Worst largest;
+  for (std::size_t i = 0; i < flow.x().size(); ++i) {
+    largest.add((flow.y()[i] - exact.elevation(from_crest(wave, flow.x()[i], flow.time()))) / wave.amplitude);
+  }
+  return largest.value();
+}
+
+/// Largest error of the surface over the amplitude, also between the markers, where it is straight.
+double largest_surface_error(const Flow& flow, const SerreWave& wave) {
+  constexpr int parts = 8;  // of a cell
+  const exact::SerreSolitary exact = wave.exact();
+  Worst largest;
+  for (std::size_t i = 0; i + 1 < flow.x().size(); ++i) {
+    for (int k = 0; k <= parts; ++k) {
+      const double w = static_cast<double>(k) / parts;
+      const double s = from_crest(wave, (1 - w) * flow.x()[i] + w * flow.x()[i + 1], flow.time());
+      const double y = (1 - w) * flow.y()[i] + w * flow.y()[i + 1];
+      largest.add(y - exact.elevation(s));
+    }
+  }
+  return largest.value() / wave.amplitude;
+}
+
+/// The flow at wave.time, by equal steps of at most tau.
+Flow followed(const SerreWave& wave, double spacing, double tau, Scheme scheme) {
+  Flow flow = start(wave, spacing, scheme);
+  march(flow, wave.time, tau);
+  return flow;
+}
+
+/// "one-step", "conservative, Suzuki", ...: how figures call a scheme.
+std::string title(Scheme scheme) {
+  std::string text = scheme.stepping == Stepping::one_step ? "one-step" : "conservative";
+  if (scheme.fixed_sweeps > 0) text += ", " + std::to_string(scheme.fixed_sweeps) + " sweeps";
+  if (scheme.composition == TimeComposition::triple_jump) text += ", triple jump";
+  if (scheme.composition == TimeComposition::suzuki) text += ", Suzuki";
+  return text;
+}
 
 const std::string peer_source = "S. Popinet, Basilisk, test of the Green-Naghdi solver, src/test/soliton.ref";
 struct PeerPoint {
@@ -81,11 +173,7 @@ SerreWave wave_of(const Values& values) {
   return {.amplitude = values.real("amplitude"),
           .depth = values.real("depth"),
           .gravity = values.real("gravity"),
-          .begin = -200,
-          .end = 500,
-          .crest = 0,
-          .time = values.real("time"),
-          .periodic = false};
+          .time = values.real("time")};
 }
 
 /// Errors on the pilot's cells: in space with steps that hardly count, in time against it.
@@ -96,7 +184,7 @@ class StepLength {
         pilot_(pilot),
         tau_(pilot / std::sqrt(wave.gravity * wave.depth)),
         limit_(followed(wave, pilot, tau_ / 4, {.composition = TimeComposition::suzuki})),
-        space_(errors_of(limit_, wave).largest) {}
+        space_(largest_error(limit_, wave)) {}
 
   /// Error in time of a scheme for steps of half the time in which a long wave crosses a cell.
   [[nodiscard]] double time_error(Scheme scheme) const {
@@ -145,7 +233,7 @@ Curve measured(const SerreWave& wave, Scheme scheme, const StepLength& steps, lo
     curve.cells.push_back(static_cast<double>(cells));
     curve.spacing.push_back(spacing);
     curve.tau.push_back(tau);
-    curve.error.push_back(errors_of(*flow, wave).largest);
+    curve.error.push_back(largest_error(*flow, wave));
     curve.surface_error.push_back(largest_surface_error(*flow, wave));
     curve.work.push_back(static_cast<double>(flow->solves()) * static_cast<double>(flow->x().size()));
   }
@@ -176,9 +264,7 @@ struct Results {
 };
 
 double tail_at_walls(const SerreWave& wave) {
-  return std::max(wave.exact().elevation(wave.begin - wave.crest),
-                  wave.exact().elevation(wave.end - wave.crest, wave.time)) /
-         wave.amplitude;
+  return std::max(wave.exact().elevation(wave.begin), wave.exact().elevation(wave.end, wave.time)) / wave.amplitude;
 }
 
 Results compute(const Run& run) {
@@ -199,8 +285,7 @@ Results compute(const Run& run) {
 
 /// Along the best steps, but for the coarsest cells, which are a depth wide.
 evidence::ObservedOrder order_of(const Curve& curve, double floor) {
-  std::vector<double> spacing;
-  std::vector<double> error;
+  std::vector<double> spacing, error;
   for (std::size_t k = 1; k < curve.error.size(); ++k) {
     if (curve.bound_by_stability[k]) continue;
     spacing.push_back(curve.spacing[k]);
@@ -265,8 +350,8 @@ void show_costs(evidence::Exhibit& exhibit, const std::string& id, const Curve& 
 void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture& picture) {
   const exact::SerreSolitary exact = wave.exact();
   const std::vector<double> x = evenly(wave.begin, wave.end, 701);
-  std::vector<double> before = each(x, [&](const double at) { return exact.elevation(at - wave.crest); });
-  std::vector<double> after = each(x, [&](const double at) { return exact.elevation(at - wave.crest, wave.time); });
+  std::vector<double> before = each(x, [&](const double at) { return exact.elevation(at); });
+  std::vector<double> after = each(x, [&](const double at) { return exact.elevation(at, wave.time); });
   auto& panel =
       exhibit
           .figure("wave", "The wave at the beginning and at the end",
@@ -288,11 +373,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("cells_and_work", "Error against cells and work", "The same, free of any machine.");
   auto& by_cells = figure.panel({.x = "cells", .y = "error/a", .log_x = true, .log_y = true});
   auto& by_work = figure.panel({.x = "markers x solves", .y = "error/a", .log_x = true, .log_y = true});
-  evidence::Table table{.id = "runs",
-                        .title = "Runs",
-                        .caption = "Steps of least work for each scheme; processor time of this machine.",
-                        .columns = table_columns({"scheme", "cells", "tau [s]", "error/a [1]", "between markers [1]",
-                                                  "markers x solves", "processor time [s]"})};
+  evidence::Table& table = add_table(
+      exhibit, "runs", "Runs", "Steps of least work for each scheme; processor time of this machine.",
+      {"scheme", "cells", "tau [s]", "error/a [1]", "between markers [1]", "markers x solves", "processor time [s]"});
   const auto draw = [&](const std::string& label, const Curve& curve, const std::vector<double>& error) {
     by_cells.line(label, curve.cells, error, Role::computed);
     by_work.line(label, curve.work, error, Role::computed);
@@ -311,15 +394,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     if (i == 0) slope_guide(by_cells, -2, curve.cells, 0.4 * curve.error.back());
   }
   draw_wave(exhibit, wave_of(values), r.picture);
-  std::vector<double> cells;
-  std::vector<double> errors;
+  std::vector<double> cells, errors;
   for (const PeerPoint& point : peer) {
     cells.push_back(point.cells);
     errors.push_back(point.error);
   }
   by_cells.points("Basilisk", cells, errors, Role::peer);
   by_time.points("Basilisk", std::vector{peer_seconds}, std::vector{peer[3].error}, Role::peer);
-  exhibit.table(std::move(table));
 }
 
 }  // namespace

@@ -16,16 +16,167 @@ height over the top.
 **What to look at.** Both models gather the wave in the lee, the plan model more: there the waves are steepest and
 shortest. Across, where the bottom is level, they agree to half a per cent.
 */
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "reports/evidence/grid_convergence.hpp"
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
-#include "validation/solitary_wave/shoal_waves.hpp"
+#include "validation/instruments/peak.hpp"
 
 namespace seiche::validation::cases::soliton_over_shoal {
 namespace {
+
+// A solitary wave runs along a channel over a smooth round shoal, by both models of waves in three dimensions.
+//
+// Units: depth away from the shoal and gravity are 1; z counts from still water. The channel is begin <= x <= end,
+// 0 <= y <= width, all its sides walls; the shoal's top is on the wall y = 0, which mirrors it.
+
+struct ShoalWave {
+  static constexpr double begin = -5;
+  static constexpr double end = 30;
+  static constexpr double width = 6;
+  static constexpr double crest = 5;   ///< of the wave at the start
+  static constexpr double top = 17;    ///< of the shoal
+  static constexpr double radius = 4;  ///< of the shoal
+
+  double amplitude = 0.2;
+  double height = 0.4;     ///< of the shoal
+  std::size_t layers = 3;  ///< of the hexahedral mesh, whose cells are as long and as wide as a layer is high
+  double time = 14;
+
+  [[nodiscard]] double spacing() const { return 1 / static_cast<double>(layers); }
+  [[nodiscard]] double tau() const { return 0.4 * spacing(); }
+  /// z = -1 + height (1 - (r/radius)^2)^3 within the radius, as a spline that both models see.
+  [[nodiscard]] std::shared_ptr<const PlanBottom> bottom() const;
+};
+
+/// Where elevations are taken, on the walls: over the top and behind it on the shoal's side, beside the shoal across.
+struct ShoalGauge {
+  const char* id;
+  const char* name;
+  double x;
+  bool across;
+};
+
+inline constexpr std::array<ShoalGauge, 3> shoal_gauges{{{"top", "over the top of the shoal", ShoalWave::top, false},
+                                                         {"lee", "two depths behind it", ShoalWave::top + 2, false},
+                                                         {"beside", "across, beside the top", ShoalWave::top, true}}};
+
+struct ShoalRun {
+  std::array<Peak, 3> highest;  ///< at the gauges
+  std::array<std::vector<double>, 3> elevation;
+  std::vector<double> time;
+  Worst energy_defect;  ///< relative
+};
+
+/// Of a row of nodes at a place: the parabola through the three nearest.
+double elevation_at(std::span<const double> x, std::span<const double> z, double place) {
+  const auto after = std::upper_bound(x.begin() + 1, x.end() - 1, place);
+  auto k = static_cast<std::size_t>(after - x.begin());
+  if (place - x[k - 1] < x[k] - place) --k;
+  k = std::clamp<std::size_t>(k, 1, x.size() - 2);
+  const double left = (z[k] - z[k - 1]) / (x[k] - x[k - 1]);
+  const double right = (z[k + 1] - z[k]) / (x[k + 1] - x[k]);
+  const double bend = (right - left) / (x[k + 1] - x[k - 1]);
+  return z[k] + (place - x[k]) * (left + bend * (place - x[k - 1]));
+}
+
+struct Cells {
+  std::size_t columns, rows;
+};
+
+Cells cells_of(const ShoalWave& wave) {
+  return {static_cast<std::size_t>(std::lround((ShoalWave::end - ShoalWave::begin) / wave.spacing())),
+          static_cast<std::size_t>(std::lround(ShoalWave::width / wave.spacing()))};
+}
+
+/// @param surface  x and z of the surface nodes of a flow
+template <class Flow, class Surface>
+ShoalRun followed(Flow& flow, const ShoalWave& wave, const Surface& surface) {
+  ShoalRun run;
+  const double energy = flow.energy();
+  const auto observe = [&] {
+    const auto [x, z] = surface(flow);
+    const std::size_t row = flow.shape().columns + 1;
+    run.time.push_back(flow.time());
+    for (std::size_t g = 0; g < shoal_gauges.size(); ++g) {
+      const ShoalGauge& gauge = shoal_gauges[g];
+      const double level = gauge.across ? elevation_at(x.last(row), z.last(row), gauge.x)
+                                        : elevation_at(x.first(row), z.first(row), gauge.x);
+      run.elevation[g].push_back(level);
+      run.highest[g].add(flow.time(), level);
+    }
+    run.energy_defect.add(flow.energy() / energy - 1, flow.time());
+  };
+  observe();
+  march(flow, wave.time, wave.tau(), observe);
+  return run;
+}
+
+std::shared_ptr<const PlanBottom> ShoalWave::bottom() const {
+  constexpr double lines = 0.25;
+  return std::make_shared<SplineBottom>(
+      SplineBottom::sampled({.begin = begin - 1, .end = end + 1, .south = -1, .north = width + 1, .spacing = lines},
+                            [this](double x, double y) {
+                              const double inside = 1 - (std::pow(x - top, 2) + y * y) / (radius * radius);
+                              return -1 + (inside > 0 ? height * inside * inside * inside : 0.0);
+                            }));
+}
+
+/// From the solitary wave of the Euler equations on the hexahedral mesh, from that of the Green-Naghdi equations in
+/// plan; spacing and steps are the same.
+ShoalRun run_hexahedra(const ShoalWave& wave) {
+  const exact::SolitaryWave solitary(wave.amplitude);
+  const Cells cells = cells_of(wave);
+  lagrangian_mesh_3d::Mesh mesh = lagrangian_mesh_3d::layer_mesh(
+      {.begin = ShoalWave::begin,
+       .end = ShoalWave::end,
+       .south = 0,
+       .north = ShoalWave::width,
+       .columns = cells.columns,
+       .rows = cells.rows,
+       .layers = wave.layers,
+       .elevation = [&](double x, double) { return solitary.elevation(x - ShoalWave::crest); },
+       .bottom = wave.bottom()});
+  const std::vector<lagrangian_mesh_3d::Vector> velocities = lagrangian_mesh_3d::impulsive_start(
+      mesh, [&](double x, double) { return solitary.surface_potential(x - ShoalWave::crest); });
+  lagrangian_mesh_3d::Flow flow(std::move(mesh), velocities);
+  return followed(flow, wave, [](const auto& f) { return std::pair{f.surface_x(), f.surface_z()}; });
+}
+
+ShoalRun run_plan(const ShoalWave& wave) {
+  const exact::SerreSolitary solitary(wave.amplitude);
+  const Cells cells = cells_of(wave);
+  dispersive_shallow_water_2d::Flow flow(
+      dispersive_shallow_water_2d::rectangular_lattice(
+          {.begin = ShoalWave::begin,
+           .end = ShoalWave::end,
+           .south = 0,
+           .north = ShoalWave::width,
+           .columns = cells.columns,
+           .rows = cells.rows,
+           .elevation = [&](double x, double) { return solitary.elevation(x - ShoalWave::crest); },
+           .bottom = wave.bottom()}),
+      [&](double x, double) {
+        const double u = solitary.depth_averaged_velocity(x - ShoalWave::crest);
+        const double w = (u - solitary.speed()) * solitary.elevation_slope(x - ShoalWave::crest);
+        return dispersive_shallow_water_2d::Velocity{u, 0, w};
+      });
+  return followed(flow, wave, [](const auto& f) { return std::pair{f.x(), f.z()}; });
+}
 
 const std::string source = "Frank (1994), chapter 4: both models of waves in three dimensions";
 
@@ -52,8 +203,7 @@ double left_out(const ShoalWave& wave) {
 
 /// On the finest cells, with the uncertainty that all give.
 evidence::GridConvergence converged(const Results& all, ShoalRun Pair::*model, std::size_t gauge) {
-  std::vector<double> size;
-  std::vector<double> value;
+  std::vector<double> size, value;
   for (const Pair& pair : all) {
     size.push_back(pair.wave.spacing());
     value.push_back((pair.*model).highest[gauge].value());

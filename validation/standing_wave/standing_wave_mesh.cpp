@@ -268,19 +268,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_root(claims.of(&Results::coefficients), finest_rows(values));
 }
 
-evidence::Table table_of(const Coefficients& c, std::size_t finest) {
-  evidence::Table table{.id = "coefficients",
-                        .title = "Change of frequency with amplitude",
-                        .caption = "C in the limit of small amplitude on two meshes, extrapolated, and in water.",
-                        .columns = {{"wavelength/H", ""},
-                                    {fmt::format("{} rows", finest / 2), ""},
-                                    {fmt::format("{} rows", finest), ""},
-                                    {"extrapolated", ""},
-                                    {"Tadjbakhsh and Keller", ""}}};
+void tabulate(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
+  evidence::Table& table = add_table(exhibit, "coefficients", "Change of frequency with amplitude",
+                                     "C in the limit of small amplitude on two meshes, extrapolated, and in water.",
+                                     {"wavelength/H", fmt::format("{} rows", finest / 2),
+                                      fmt::format("{} rows", finest), "extrapolated", "Tadjbakhsh and Keller"});
   for (std::size_t i = 0; i < wavelengths.size(); ++i) {
     table.rows.push_back({wavelengths[i], c.coarse[i], c.fine[i], c.limit[i], in_water(wavelengths[i])});
   }
-  return table;
 }
 
 void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
@@ -320,14 +315,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("h_used", own_tank(values).column_width());
   exhibit.measure("frequency", r.own.wave.frequency);
   exhibit.measure("linear_frequency", r.own.linear);
-  exhibit.measure("frequency_shift", r.own.shift);
-  exhibit.measure("frequency_shift_theory", in_water(values.real("wavelength")));
   exhibit.measure("misfit", r.own.wave.misfit);
-  exhibit.measure("critical_wavelength", root_of(c.limit));
   exhibit.measure("critical_wavelength_coarse", root_of(c.coarse));
   exhibit.measure("critical_wavelength_fine", root_of(c.fine));
-  exhibit.measure("critical_wavelength_theory", exact::StandingWave::critical_wavelength());
-  exhibit.table(table_of(c, finest_rows(values)));
+  tabulate(exhibit, c, finest_rows(values));
   draw_coefficients(exhibit, c, finest_rows(values));
   draw_frequencies(exhibit, r.frequencies);
 }

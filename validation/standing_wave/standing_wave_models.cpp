@@ -149,27 +149,18 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                    .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second order in "
                              "ka, and the spacing of the markers add",
                    .expected = apart});
-  const evidence::Claim falls{.id = "sph-falls",
-                              .text = "The finest lattice of SPH is nearer than one of half as many rows.",
-                              .quantity = "it is",
-                              .source = source};
-  const auto nearer = [](const Entry& entry) {
-    return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0;
-  };
-  const Qualitative seen{.detector = "rms error of the surface",
-                         .reason =
-                             "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
-                             "with a quarter of the water in a particle it must show"};
   const auto sph = claims_of(all, "sph");
-  if (values.integer("sph") <= 12) {
-    sph.check(falls, nearer, seen);
-  } else {
-    sph.known_failure(falls, nearer, seen,
-                      {.value = 0,
-                       .reason = "beyond some twelve rows the error stays near 0.02: the lattice of the beginning is "
-                                 "not at rest under its own sums, and the energy of its settling, a tenth to a third "
-                                 "of the wave's, does not fall with the spacing"});
-  }
+  sph.fails({.value = 0,
+             .reason = "beyond some twelve rows the error stays near 0.02: the lattice of the beginning is "
+                       "not at rest under its own sums, and the energy of its settling, a tenth to a third "
+                       "of the wave's, does not fall with the spacing"},
+            values.integer("sph") > 12)
+      .check(
+          "sph-falls", "The finest lattice of SPH is nearer than one of half as many rows.", "it is",
+          [](const Entry& entry) { return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0; },
+          Qualitative{.detector = "rms error of the surface",
+                      .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
+                                "with a quarter of the water in a particle it must show"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {

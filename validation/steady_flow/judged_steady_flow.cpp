@@ -29,10 +29,8 @@ struct Required {
 
 std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
   std::vector<Required> all{
-      {{.id = "depth",
-        .text = "The depth agrees with the steady flow.",
-        .quantity = "mean |h - exact| over that of level water",
-        .source = flow.source},
+      {{"depth", "The depth agrees with the steady flow.", "mean |h - exact| over that of level water", "1",
+        flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
        {.limit = flow.tolerance,
         .reason =

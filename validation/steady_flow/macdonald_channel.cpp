@@ -29,7 +29,7 @@ instant the errors scatter so much that the order cannot be told.
 #include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
-#include "validation/studies/shallow_water/profile_curves.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::macdonald_channel {
 namespace {
@@ -153,10 +153,7 @@ Results compute(const Run& run) {
 }
 
 void draw(evidence::Exhibit& exhibit, const exact::MacDonald& channel, const Means& means) {
-  std::vector<double> x;
-  std::vector<double> surface;
-  std::vector<double> bed;
-  std::vector<double> exact;
+  std::vector<double> x, surface, bed, exact;
   for (int k = 0; k <= 400; ++k) {
     x.push_back(channel.length() * k / 400);
     bed.push_back(channel.elevation(x.back()));
@@ -178,22 +175,15 @@ void draw(evidence::Exhibit& exhibit, const exact::MacDonald& channel, const Mea
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "resolutions",
-                        .title = "Refinement",
-                        .caption = "Mean errors after the flow has settled.",
-                        .columns = table_columns({"N", "L1(h) [m]", "L1(h) 100 m off the ends [m]", "L1(q)/q"})};
+  evidence::Table& table = add_table(exhibit, "resolutions", "Refinement", "Mean errors after the flow has settled.",
+                                     {"N", "L1(h) [m]", "L1(h) 100 m off the ends [m]", "L1(q)/q"});
   const std::vector<long> numbers = numbers_of_particles(values.integer("particles"));
   for (std::size_t k = 0; k < r.settled.size(); ++k) {
     const Settled& s = r.settled[k];
     table.rows.push_back(
         {static_cast<double>(numbers[k]), s.error.value(), s.inner_error.value(), s.discharge_error.value()});
   }
-  exhibit.table(std::move(table));
-  exhibit.measure("relative_discharge_error", r.finest().discharge_error.value());
-  exhibit.measure("cell_l1_h", r.finest().error.value());
-  exhibit.measure("cell_l1_h_inner", r.finest().inner_error.value());
   exhibit.measure("order_with_ends", r.order(&Settled::error).order);
-  exhibit.measure("mass_defect", r.finest().mass_defect);
   draw(exhibit, channel_of(values), means_of(r.finest().profile));
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "validation/studies/shallow_water/profile_curves.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation {
 

@@ -10,7 +10,7 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/sph_volume_fraction.hpp"
+#include "validation/instruments/particles/sph_volume_fraction.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
 
 namespace seiche::validation {

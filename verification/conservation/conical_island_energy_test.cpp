@@ -6,7 +6,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::conical_island_energy_test {

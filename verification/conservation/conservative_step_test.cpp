@@ -6,7 +6,7 @@
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/timed_steps.hpp"
 

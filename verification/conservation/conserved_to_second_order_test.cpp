@@ -13,6 +13,7 @@
 #include "verification/conservation/dispersive_plan_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification::conserved_to_second_order_test {

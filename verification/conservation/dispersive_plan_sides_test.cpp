@@ -7,7 +7,7 @@
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_soliton.hpp"
+#include "validation/instruments/plan/plan_soliton.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

@@ -10,6 +10,7 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification::free_body_test {

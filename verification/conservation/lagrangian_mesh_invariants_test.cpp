@@ -4,7 +4,7 @@
 
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

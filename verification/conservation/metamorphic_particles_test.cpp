@@ -19,6 +19,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/metamorphic.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 #include "verification/wcsph_problems.hpp"
 

@@ -1,7 +1,7 @@
 // What the one-step scheme keeps to round-off.
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::one_step_invariants_test {

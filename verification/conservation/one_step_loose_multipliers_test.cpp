@@ -4,7 +4,7 @@
 #include <random>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::one_step_loose_multipliers_test {

@@ -3,7 +3,7 @@
 
 #include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::one_step_parasitic_test {

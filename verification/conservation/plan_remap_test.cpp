@@ -14,7 +14,7 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::plan_remap_test {

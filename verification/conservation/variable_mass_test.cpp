@@ -7,6 +7,7 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification::variable_mass_test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_standing_mode.hpp"
+#include "validation/instruments/plan/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::dispersive_plan_dispersion_test {

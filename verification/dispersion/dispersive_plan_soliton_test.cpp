@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "validation/instruments/plan_soliton.hpp"
+#include "validation/instruments/plan/plan_soliton.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::dispersive_plan_soliton_test {

@@ -8,7 +8,7 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/mesh_linear_modes.hpp"
+#include "validation/instruments/mesh/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::lagrangian_mesh_stability_test {

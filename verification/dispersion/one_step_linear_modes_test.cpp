@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::one_step_linear_modes_test {

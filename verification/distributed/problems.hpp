@@ -13,7 +13,7 @@
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 #include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::distributed_flows {

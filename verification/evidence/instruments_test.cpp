@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/crest_track.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
+#include "validation/instruments/mesh/crest_track.hpp"
 #include "validation/instruments/oscillation.hpp"
 #include "validation/instruments/peak.hpp"
 #include "validation/instruments/straight_line.hpp"

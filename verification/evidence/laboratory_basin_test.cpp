@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_gauges.hpp"
-#include "validation/laboratory/dispersive_flume.hpp"
-#include "validation/laboratory/wave_basin.hpp"
+#include "validation/instruments/plan/plan_gauges.hpp"
+#include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
+#include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::laboratory_basin_test {

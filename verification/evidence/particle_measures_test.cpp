@@ -6,9 +6,9 @@
 
 #include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/instruments/polyline_distance.hpp"
 #include "validation/instruments/shifted_front.hpp"
-#include "validation/instruments/sph_steep_wave.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::particle_measures_test {

@@ -9,8 +9,8 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/reflection_pattern.hpp"
-#include "validation/instruments/wall_history.hpp"
+#include "validation/instruments/plan/reflection_pattern.hpp"
+#include "validation/instruments/plan/wall_history.hpp"
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 

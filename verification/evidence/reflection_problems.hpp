@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "validation/instruments/surface_lattice.hpp"
+#include "validation/instruments/plan/surface_lattice.hpp"
 
 namespace seiche::verification {
 

@@ -47,7 +47,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
         return {.value = 1, .told = {.limit = r.what == "beyond the cap" ? 0.3 : 0.1}};
       },
       Bound{Amount::told_by_run(0.2), "test", 1});
-  all.known_failure(claim("overshoot"), &Results::overshoot, bound, {.value = 3, .width = 0.1, .reason = "test"});
+  all.fails({.value = 3, .width = 0.1, .reason = "test"}).check(claim("overshoot"), &Results::overshoot, bound);
 }
 
 Results compute(const Run& run) {

@@ -8,6 +8,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/geometry/moving_mesh.hpp"
+#include "verification/jittered_mesh.hpp"
 
 namespace seiche::verification::dirichlet_cells_test {
 

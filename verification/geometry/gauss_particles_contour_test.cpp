@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "seiche/models/gauss_particles/particles.hpp"
-#include "validation/instruments/gauss_outline.hpp"
+#include "validation/instruments/particles/gauss_outline.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::gauss_particles_contour_test {

@@ -163,7 +163,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   std::vector<double> reaction(state.u.size(), 0.0);
   model.react(mu, reaction);
   model.constraint_rates(reaction, rates);
-  linear::LatticeArray x = model.matrix().own;
+  linear::LatticeArray x(model.matrix().columns(), model.matrix().rows() * model.matrix().layers());
   linear::LatticeArray product = x;
   std::copy(mu.begin(), mu.end(), x.data());
   model.matrix().multiply_and_dot(x, product);
@@ -186,7 +186,7 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
   const mechanics::State state = model.state();
   model.linearise({0, 0}, state.q);
   const linear::HexahedralLattice symbol(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
-  linear::LatticeArray x = model.matrix().own;
+  linear::LatticeArray x(model.matrix().columns(), model.matrix().rows() * model.matrix().layers());
   linear::LatticeArray product = x;
   Worst worst;
   Largest scale;

@@ -13,6 +13,7 @@
 #include "seiche/geometry/moving_triangulation.hpp"
 #include "seiche/geometry/predicates.hpp"
 #include "seiche/geometry/triangulation.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification {

@@ -6,7 +6,7 @@
 
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::wcsph_breaking_test {

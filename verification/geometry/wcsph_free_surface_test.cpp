@@ -6,8 +6,8 @@
 
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
-#include "validation/instruments/sph_front.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_front.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::wcsph_free_surface_test {

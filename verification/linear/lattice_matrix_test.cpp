@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -12,9 +13,12 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace seiche::verification::lattice_matrix_test {
+namespace lattice_matrix_test {
 
-using namespace linear;
+using namespace seiche::linear;
+using seiche::Worst;
+using seiche::worst;
+using namespace seiche::verification;
 
 struct Shape {
   std::size_t columns, rows, layers;
@@ -63,26 +67,10 @@ void for_each_coupling(const Shape& shape, const Eigen::MatrixXd& a, const Actio
   }
 }
 
-NinePointMatrix nine_point(const Shape& shape, const Eigen::MatrixXd& dense) {
-  NinePointMatrix a(shape.columns, shape.rows);
-  for_each_coupling(shape, dense, [&](std::size_t p, std::size_t, Offset to, double value) {
-    LatticeArray& place = to.dj == 0 ? (to.di == 0 ? a.own : a.right)
-                                     : (to.di == 0   ? a.up
-                                        : to.di == 1 ? a.up_right
-                                                     : a.up_left);
-    place.data()[p] = value;
-  });
-  return a;
-}
-
-TwentySevenPointMatrix twenty_seven_point(const Shape& shape, const Eigen::MatrixXd& dense) {
-  TwentySevenPointMatrix a(shape.columns, shape.rows, shape.layers);
+StencilMatrix stencil(const Shape& shape, const Eigen::MatrixXd& dense) {
+  StencilMatrix a(shape.columns, shape.rows, shape.layers);
   for_each_coupling(shape, dense, [&](std::size_t p, std::size_t q, Offset to, double value) {
-    if (p == q) {
-      a.own.data()[p] = value;
-    } else {
-      a.later.row(p / shape.columns)[later_neighbour(to.di, to.dj, to.dl)][p % shape.columns] = value;
-    }
+    a[p == q ? a.own : 1 + later_neighbour(to.di, to.dj, to.dl)][p] = value;
   });
   return a;
 }
@@ -99,8 +87,8 @@ Eigen::VectorXd random_vector(std::size_t size) {
 struct Errors {
   Worst product, form, coefficient;
 
-  template <class Matrix>
-  void add(const Shape& shape, const Eigen::MatrixXd& dense, Matrix matrix) {
+  void add(const Shape& shape, const Eigen::MatrixXd& dense) {
+    StencilMatrix matrix = stencil(shape, dense);
     LatticeArray x(shape.columns, shape.rows * shape.layers);
     LatticeArray y = x;
     const Eigen::VectorXd values = random_vector(shape.size());
@@ -118,12 +106,11 @@ struct Errors {
 };
 
 /// |b - A x| over |A| |x| + |b| for two matrices factored one after the other.
-template <class Matrix, class Solver>
-double largest_residual(const Shape& shape, Matrix (*matrix_of)(const Shape&, const Eigen::MatrixXd&), Solver solver) {
+double largest_residual(const Shape& shape, ConstraintSolver solver) {
   Worst residual;
   for (const unsigned seed : {1U, 2U}) {
     const Eigen::MatrixXd dense = random_matrix(shape, seed);
-    const Matrix matrix = matrix_of(shape, dense);
+    const StencilMatrix matrix = stencil(shape, dense);
     const Eigen::VectorXd b = random_vector(shape.size());
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     solver.factor(matrix);
@@ -137,37 +124,38 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   Check check("lattice_matrices", "Matrices of lattices against dense ones",
               "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
               "and single coefficients against a dense matrix, solutions of the banded solver by their residual.");
-  const auto claim = [&](const std::string& text, double value, double operations, const std::string& reason) {
-    check.holds(text, {value}, Roundoff{operations, 1, reason});
+  const auto claim = [&](const std::string& id, const std::string& text, double value, double operations,
+                         const std::string& reason) {
+    check.holds(id + ": " + text, {value}, Roundoff{operations, 1, reason});
   };
   Errors nine;
   for (const Shape& shape : {Shape{1, 1, 1}, {5, 1, 1}, {1, 6, 1}, {2, 2, 1}, {7, 5, 1}, {12, 17, 1}}) {
-    const Eigen::MatrixXd dense = random_matrix(shape, 1);
-    nine.add(shape, dense, nine_point(shape, dense));
+    nine.add(shape, random_matrix(shape, 1));
   }
-  claim("Products of nine-point matrices equal the dense products.", nine.product.value(), 18,
+  claim("nine-product", "Products of nine-point matrices equal the dense products.", nine.product.value(), 18,
         "nine products and sums a row");
-  claim("Scalar products x.Ax equal the dense matrix's.", nine.form.value(), 18, "errors of rows are independent");
-  claim("Coefficients addressed by their two cells equal the dense matrix's.", nine.coefficient.value(), 0,
-        "the same number");
+  claim("nine-form", "Scalar products x.Ax equal the dense matrix's.", nine.form.value(), 18,
+        "errors of rows are independent");
+  claim("nine-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
+        nine.coefficient.value(), 0, "the same number");
   Errors all;
   for (const Shape& shape : {Shape{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}}) {
-    const Eigen::MatrixXd dense = random_matrix(shape, 1);
-    all.add(shape, dense, twenty_seven_point(shape, dense));
+    all.add(shape, random_matrix(shape, 1));
   }
-  claim("Products of 27-point matrices equal the dense products.", all.product.value(), 54,
+  claim("twenty-seven-product", "Products of 27-point matrices equal the dense products.", all.product.value(), 54,
         "27 products and sums a row");
-  claim("Scalar products x.Ax equal the dense matrix's.", all.form.value(), 54, "errors of rows are independent");
-  claim("Coefficients addressed by their two cells equal the dense matrix's.", all.coefficient.value(), 0,
-        "the same number");
+  claim("twenty-seven-form", "Scalar products x.Ax equal the dense matrix's.", all.form.value(), 54,
+        "errors of rows are independent");
+  claim("twenty-seven-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
+        all.coefficient.value(), 0, "the same number");
 
-  const auto residual = [&](const std::string& text, double value) {
-    check.holds(text, {value},
+  const auto residual = [&](const std::string& id, const std::string& text, double value) {
+    check.holds(id + ": " + text, {value},
                 Bound{200 * std::numeric_limits<double>::epsilon() / 2,
                       "one rounding per number in a row of the factor and of its transpose, at most 100 each"});
   };
-  residual("The banded solver of nine-point systems, of one matrix after another.",
-           largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, SolverMethod::banded, std::nullopt, 1e-10)));
+  residual("nine-banded", "The banded solver of nine-point systems, of one matrix after another.",
+           largest_residual({9, 8, 1}, ConstraintSolver(9, 8, SolverMethod::banded, std::nullopt, 1e-10)));
 }
 
 TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues", "[linear]") {
@@ -206,4 +194,4 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
                     "the tolerance times the norm of the right-hand side, over its smallest entry"});
 }
 
-}  // namespace seiche::verification::lattice_matrix_test
+}  // namespace lattice_matrix_test

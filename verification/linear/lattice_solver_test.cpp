@@ -33,13 +33,13 @@ Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-Eigen::MatrixXd dense(const NinePointMatrix& a) {
+Eigen::MatrixXd dense(const StencilMatrix& a) {
   const auto size = static_cast<Eigen::Index>(a.size());
-  const auto columns = static_cast<Eigen::Index>(a.columns);
+  const auto columns = static_cast<Eigen::Index>(a.columns());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  const auto couple = [&](const LatticeArray& coefficients, Eigen::Index offset) {
+  const auto couple = [&](std::size_t part, Eigen::Index offset) {
     for (Eigen::Index c = 0; c < size; ++c) {
-      const double value = coefficients.data()[c];
+      const double value = a[part][c];
       if (value == 0) continue;
       result(c, c + offset) = value;
       result(c + offset, c) = value;
@@ -108,7 +108,7 @@ double box_error(CosineLattice::Shape shape) {
 
 /// A mesh four depths long, its matrix and its preconditioner.
 struct Problem {
-  NinePointMatrix a;
+  StencilMatrix a;
   CosineLattice lattice;
   ConjugateGradients<> solver;
   Problem(std::size_t columns, std::size_t rows, double amplitude)
@@ -121,8 +121,8 @@ struct Problem {
                         [&](auto r, auto z, double magnitude) { lattice.solve(r, z, magnitude); }, b, x, goal);
   }
   int iterations(double tolerance) {
-    LatticeArray x(a.columns, a.rows);
-    return solve(random_array(a.columns, a.rows), x, {tolerance}).iterations;
+    LatticeArray x(a.columns(), a.rows());
+    return solve(random_array(a.columns(), a.rows()), x, {tolerance}).iterations;
   }
 };
 
@@ -162,11 +162,11 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
     Largest worst, true_residual;
     for (const auto& [columns, rows] : {std::pair{40, 20}, {33, 7}, {1, 12}, {50, 1}, {7, 30}}) {
       Problem problem(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), 0.1);
-      const auto b = random_array(problem.a.columns, problem.a.rows);
+      const auto b = random_array(problem.a.columns(), problem.a.rows());
       const Eigen::MatrixXd a = dense(problem.a);
       const Eigen::VectorXd expected = a.llt().solve(as_vector(b.values()));
       const double smallest = a.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
-      auto x = random_array(problem.a.columns, problem.a.rows);
+      auto x = random_array(problem.a.columns(), problem.a.rows());
       problem.solve(b, x, {tolerance});
       const auto found = as_vector(x.values());
       const double b_norm = as_vector(b.values()).norm();
@@ -281,9 +281,9 @@ TEST_CASE("conjugate gradients at the edges of their range", "[linear]") {
   SECTION("what does not converge is said") {
     LatticeArray y(24, 9);
     CHECK_THROWS_AS(problem.solve(b, y, {1e-10, 3}), NotConverged);
-    for (double& value : problem.a.own.values()) value = -value;
+    for (std::size_t c = 0; c < problem.a.size(); ++c) problem.a[problem.a.own][c] *= -1;
     CHECK_THROWS_AS(problem.solve(b, y, {1e-10}), NotPositiveDirection);
-    problem.a.own.data()[7] = std::nan("");
+    problem.a[problem.a.own][7] = std::nan("");
     CHECK_THROWS_AS(problem.solve(b, y, {1e-10}), std::runtime_error);
   }
 }

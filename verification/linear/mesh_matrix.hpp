@@ -84,11 +84,11 @@ class DeformedMesh {
   std::vector<Vector> nodes_;
 };
 
-inline linear::NinePointMatrix mesh_matrix(const DeformedMesh& mesh) {
+inline linear::StencilMatrix mesh_matrix(const DeformedMesh& mesh) {
   const std::size_t columns = mesh.columns();
   const std::size_t rows = mesh.rows();
   const std::vector<DeformedMesh::Vector> mobility = mesh.mobilities();
-  linear::NinePointMatrix a(columns, rows);
+  linear::StencilMatrix a(columns, rows);
   // Sum of (corner of one cell, corner of the other) over the nodes they share.
   using Shared = std::array<std::size_t, 2>;
   const auto couple = [&](std::size_t i, std::size_t j, std::size_t i2, std::size_t j2,
@@ -106,19 +106,19 @@ inline linear::NinePointMatrix mesh_matrix(const DeformedMesh& mesh) {
   for (std::size_t j = 0; j < rows; ++j) {
     for (std::size_t i = 0; i < columns; ++i) {
       const std::size_t c = j * columns + i;
-      a.own.data()[c] = couple(i, j, i, j, {{0, 0}, {1, 1}, {2, 2}, {3, 3}});
-      if (i + 1 < columns) a.right.data()[c] = couple(i, j, i + 1, j, {{1, 0}, {2, 3}});
+      a[a.own][c] = couple(i, j, i, j, {{0, 0}, {1, 1}, {2, 2}, {3, 3}});
+      if (i + 1 < columns) a[a.right][c] = couple(i, j, i + 1, j, {{1, 0}, {2, 3}});
       if (j + 1 == rows) continue;
-      a.up.data()[c] = couple(i, j, i, j + 1, {{3, 0}, {2, 1}});
-      if (i + 1 < columns) a.up_right.data()[c] = couple(i, j, i + 1, j + 1, {{2, 0}});
-      if (i > 0) a.up_left.data()[c] = couple(i, j, i - 1, j + 1, {{3, 1}});
+      a[a.up][c] = couple(i, j, i, j + 1, {{3, 0}, {2, 1}});
+      if (i + 1 < columns) a[a.up_right][c] = couple(i, j, i + 1, j + 1, {{2, 0}});
+      if (i > 0) a[a.up_left][c] = couple(i, j, i - 1, j + 1, {{3, 1}});
     }
   }
   return a;
 }
 
-inline linear::NinePointMatrix mesh_matrix(std::size_t columns, std::size_t rows, double h1, double h2,
-                                           double amplitude) {
+inline linear::StencilMatrix mesh_matrix(std::size_t columns, std::size_t rows, double h1, double h2,
+                                         double amplitude) {
   return mesh_matrix(DeformedMesh(columns, h1, std::vector<double>(rows, h2), amplitude));
 }
 

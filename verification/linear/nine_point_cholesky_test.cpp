@@ -23,26 +23,26 @@ struct Shape {
 };
 constexpr double cell_width = 0.25;
 
-NinePointMatrix matrix_of(Shape s, double amplitude) {
+StencilMatrix matrix_of(Shape s, double amplitude) {
   return mesh_matrix(s.columns, s.rows, cell_width, 1 / static_cast<double>(s.rows), amplitude);
 }
 
-Eigen::MatrixXd dense(const NinePointMatrix& a) {
+Eigen::MatrixXd dense(const StencilMatrix& a) {
   const auto size = static_cast<Eigen::Index>(a.size());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t c = 0; c < a.size(); ++c) {
-    const auto put = [&](const LatticeArray& from, std::size_t distance) {
+    const auto put = [&](std::size_t part, std::size_t distance) {
       const auto i = static_cast<Eigen::Index>(c);
       const auto j = static_cast<Eigen::Index>(c + distance);
-      if (from.data()[c] == 0 || j >= size) return;
-      result(i, j) += from.data()[c];
-      if (distance > 0) result(j, i) += from.data()[c];
+      if (a[part][c] == 0 || j >= size) return;
+      result(i, j) += a[part][c];
+      if (distance > 0) result(j, i) += a[part][c];
     };
     put(a.own, 0);
     put(a.right, 1);
-    put(a.up, a.columns);
-    put(a.up_right, a.columns + 1);
-    put(a.up_left, a.columns - 1);
+    put(a.up, a.columns());
+    put(a.up_right, a.columns() + 1);
+    put(a.up_left, a.columns() - 1);
   }
   return result;
 }
@@ -55,8 +55,8 @@ Eigen::VectorXd random_vector(std::size_t size) {
   return result;
 }
 
-Eigen::VectorXd solution(const NinePointMatrix& a, const Eigen::VectorXd& b) {
-  NinePointCholesky solver(a.columns, a.rows);
+Eigen::VectorXd solution(const StencilMatrix& a, const Eigen::VectorXd& b) {
+  NinePointCholesky solver(a.columns(), a.rows());
   solver.factor(a);
   Eigen::VectorXd x = b;
   solver.solve({x.data(), a.size()}, {x.data(), a.size()});
@@ -98,7 +98,7 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[line
                             {33, 40}}) {
     for (const double amplitude : {0.0, 0.05, 0.2}) {
       if (amplitude != 0.2 && shape.columns * shape.rows > 1000) continue;  // a dense elimination takes a second
-      const NinePointMatrix a = matrix_of(shape, amplitude);
+      const StencilMatrix a = matrix_of(shape, amplitude);
       const Eigen::MatrixXd full = dense(a);
       const Eigen::VectorXd b = random_vector(a.size());
       const Eigen::LLT<Eigen::MatrixXd> cholesky(full);
@@ -125,7 +125,7 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[line
 
 TEST_CASE("solutions of nine-point systems too large for dense elimination leave a residual of round-off", "[linear]") {
   for (const Shape shape : {Shape{240, 8}, {16, 300}, {64, 64}, {200, 100}}) {
-    NinePointMatrix a = matrix_of(shape, 0.05);
+    StencilMatrix a = matrix_of(shape, 0.05);
     const Eigen::VectorXd b = random_vector(a.size());
     const Eigen::VectorXd x = solution(a, b);
     const auto product = [&](const Eigen::VectorXd& factor) {
@@ -135,8 +135,8 @@ TEST_CASE("solutions of nine-point systems too large for dense elimination leave
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(out.data(), factor.size()));
     };
     const double residual = worst(product(x) - b);
-    for (LatticeArray* const values : {&a.right, &a.up, &a.up_right, &a.up_left}) {
-      for (double& value : values->values()) value = std::abs(value);
+    for (const std::size_t part : {a.right, a.up, a.up_right, a.up_left}) {
+      for (std::size_t c = 0; c < a.size(); ++c) a[part][c] = std::abs(a[part][c]);
     }
     // A factor's row has up to 102 numbers, and so has its transpose's.
     const double round_off = std::numeric_limits<double>::epsilon() / 2;
@@ -147,11 +147,11 @@ TEST_CASE("solutions of nine-point systems too large for dense elimination leave
 TEST_CASE("a nine-point matrix that is not positive definite is refused with its cell", "[linear]") {
   for (const Shape shape : {Shape{1, 1}, {4, 3}, {30, 9}, {9, 30}, {40, 3}}) {
     NinePointCholesky solver(shape.columns, shape.rows);
-    NinePointMatrix a = matrix_of(shape, 0.1);
+    StencilMatrix a = matrix_of(shape, 0.1);
     for (std::size_t cell = 0; cell < a.size(); ++cell) {
-      const double good = std::exchange(a.own.data()[cell], -1000.0);
+      const double good = std::exchange(a[a.own][cell], -1000.0);
       for (const double bad : {-1000.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        a.own.data()[cell] = bad;
+        a[a.own][cell] = bad;
         try {
           solver.factor(a);
           FAIL("accepted");
@@ -159,7 +159,7 @@ TEST_CASE("a nine-point matrix that is not positive definite is refused with its
           CHECK(error.row() == cell);
         }
       }
-      a.own.data()[cell] = good;
+      a[a.own][cell] = good;
     }
     // A failure leaves nothing behind.
     const Eigen::VectorXd b = random_vector(a.size());
@@ -167,7 +167,7 @@ TEST_CASE("a nine-point matrix that is not positive definite is refused with its
     Eigen::VectorXd x(b.size());
     solver.solve({b.data(), a.size()}, {x.data(), a.size()});
     CHECK(x == solution(a, b));
-    CHECK_THROWS_AS(solver.factor(NinePointMatrix(shape.columns + 1, shape.rows)), std::invalid_argument);
+    CHECK_THROWS_AS(solver.factor(StencilMatrix(shape.columns + 1, shape.rows)), std::invalid_argument);
   }
   CHECK_THROWS_AS(NinePointCholesky(0, 3), std::invalid_argument);
   CHECK_THROWS_AS(NinePointCholesky(3, 0), std::invalid_argument);

@@ -10,6 +10,7 @@
 #include "seiche/linear/ring_solver.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 #include "verification/robustness/refusals.hpp"
 

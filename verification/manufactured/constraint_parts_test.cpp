@@ -7,7 +7,7 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "validation/instruments/plan_manufactured_flow.hpp"
+#include "validation/instruments/plan/plan_manufactured_flow.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

@@ -12,7 +12,7 @@
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/gauss_pressure.hpp"
+#include "validation/instruments/particles/gauss_pressure.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

@@ -6,8 +6,8 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/timed_steps.hpp"
 

@@ -45,10 +45,6 @@ Flow flow_of(std::size_t n, Stepping stepping, long steps) {
   return flow;
 }
 
-double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 /// Is a node in the middle half of the mesh, each way?
 bool in_the_middle(std::size_t index, std::size_t n) {
   return 4 * index >= n && 4 * index <= 3 * n;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "seiche/mechanics/invariants.hpp"
-#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 #include "verification/refinement.hpp"

@@ -5,7 +5,7 @@
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/mesh_solitary_wave.hpp"
+#include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

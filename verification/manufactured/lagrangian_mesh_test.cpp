@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/instruments/mesh_double_shear.hpp"
+#include "validation/instruments/mesh/mesh_double_shear.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

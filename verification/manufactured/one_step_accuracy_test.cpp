@@ -3,8 +3,8 @@
 #include <string>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/plan_standing_mode.hpp"
+#include "validation/instruments/plan/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

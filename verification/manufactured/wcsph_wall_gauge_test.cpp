@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/sph_wall_gauge.hpp"
+#include "validation/instruments/particles/sph_wall_gauge.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::wcsph_wall_gauge_test {

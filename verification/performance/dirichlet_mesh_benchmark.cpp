@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "seiche/models/dirichlet_mesh/flow.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/performance/work.hpp"
 
 namespace {

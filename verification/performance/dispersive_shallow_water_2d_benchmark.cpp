@@ -73,7 +73,7 @@ void step(benchmark::State& state, Stepping stepping, SolverMethod solver, doubl
   const double tau = 0.5 * h;
   Flow flow = start(columns, rows, h, stepping, solver, tolerance);
   for (int k = 0; k < 20; ++k) flow.advance(tau);
-  const linear::NinePointSolver& system = flow.model().solver();
+  const linear::ConstraintSolver& system = flow.model().solver();
   const long solves = system.solutions();
   const long iterations = system.iterations();
   for (auto _ : state) flow.advance(tau);

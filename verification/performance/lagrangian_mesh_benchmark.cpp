@@ -38,7 +38,7 @@ struct Solver {
 };
 
 Solver taken(const Flow& flow) {
-  const linear::NinePointSolver& solver = flow.model().solver();
+  const linear::ConstraintSolver& solver = flow.model().solver();
   return {solver.solutions(), solver.iterations(), solver.factorisations()};
 }
 

@@ -45,7 +45,7 @@ inline void show_not_counted(benchmark::State& state, const char* why) {
 
 /// An iteration of ConjugateGradients without product and preconditioner, per unknown: both dots of z, the direction,
 /// x and r moved, |r|.
-inline constexpr Work iteration_vectors = pass(3 + 3 + 6, 4 + 2 + 6);
+inline constexpr Work iteration_vectors = pass(4 + 3 + 6, 4 + 2 + 6);
 
 /// A solution by LatticeGradients per unknown, with the product that the first residual takes.
 ///

@@ -8,6 +8,7 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 
 namespace seiche::verification::free_lagrangian_rest_test {
 

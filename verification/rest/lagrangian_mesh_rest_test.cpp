@@ -5,7 +5,7 @@
 
 #include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

@@ -21,8 +21,9 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace seiche::verification::bad_step_test {

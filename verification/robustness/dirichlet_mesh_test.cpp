@@ -9,6 +9,7 @@
 
 #include "seiche/models/dirichlet_mesh/flow.hpp"
 #include "seiche/samples.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 

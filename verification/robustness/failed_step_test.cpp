@@ -13,8 +13,8 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::failed_step_test {

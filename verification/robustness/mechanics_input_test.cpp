@@ -4,8 +4,8 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/scheme.hpp"
-#include "validation/instruments/reference_integrators.hpp"
-#include "validation/instruments/rigid_chain.hpp"
+#include "validation/instruments/mechanics/reference_integrators.hpp"
+#include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::mechanics_input_test {
@@ -80,14 +80,13 @@ TEST_CASE("the ledger counts what is booked and refuses wrong numbers of values"
   const std::size_t mass = ledger.watch("mass", 2);
   CHECK(std::isnan(ledger.entry("mass").largest_defect));
   ledger.book(mass, 0.25);
-  ledger.record(std::vector{2.25}, 1e-9);
+  ledger.record(std::vector{2.25});
   CHECK(ledger.entry("mass").defect == 0);
   ledger.record(std::vector{2.5});
   CHECK(ledger.entry("mass").step_defect == 0.25);
   ledger.record(std::vector{2.75});
   CHECK(ledger.entry("mass").defect == 0.5);
   CHECK(ledger.entry("mass").step_defect == 0.25);
-  CHECK(ledger.largest_solver_residual() == 1e-9);
   CHECK_THROWS_WITH(ledger.record(std::vector{1.0, 2.0}), Contains("values"));
   CHECK_THROWS_WITH(ledger.entry("energy"), Contains("mass"));
   ledger.record(std::vector{std::nan("")});

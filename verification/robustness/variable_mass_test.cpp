@@ -5,6 +5,7 @@
 
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
+#include "verification/jittered_mesh.hpp"
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 

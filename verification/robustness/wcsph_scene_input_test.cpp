@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
-#include "validation/instruments/sph_front.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_front.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace seiche::verification::wcsph_scene_input_test {

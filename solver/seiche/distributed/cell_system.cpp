@@ -4,7 +4,7 @@
 
 namespace seiche::distributed {
 
-CellSystem::CellSystem(Decomposition& decomposition, double tolerance)
+CellSystem::CellSystem(Decomposition& decomposition, const linear::StencilMatrix& of_patch, double tolerance)
     : decomposition_(decomposition), tolerance_(tolerance) {
   DM cells = decomposition.cells();
   check(DMSetMatrixPreallocateSkip(cells, PETSC_TRUE));
@@ -22,18 +22,39 @@ CellSystem::CellSystem(Decomposition& decomposition, double tolerance)
   check(KSPGetPC(solver_, &diagonal));
   check(PCSetType(diagonal, PCJACOBI));
   check(KSPSetFromOptions(solver_));
+  fix_pattern(of_patch);
 }
 
-PetscInt CellSystem::number(std::size_t i, std::size_t j, std::size_t layer) const {
-  const std::size_t cell = j * decomposition_.patch().shape().columns + i;
-  return static_cast<PetscInt>(cell * decomposition_.cell_numbers() + layer);
-}
-
-void CellSystem::fix_pattern() {
-  check(MatSetPreallocationCOOLocal(matrix_, static_cast<PetscCount>(row_numbers_.size()), row_numbers_.data(),
-                                    column_numbers_.data()));
-  row_numbers_ = {};
-  column_numbers_ = {};
+void CellSystem::fix_pattern(const linear::StencilMatrix& of_patch) {
+  const auto columns = static_cast<std::ptrdiff_t>(of_patch.columns());
+  const auto rows = static_cast<std::ptrdiff_t>(of_patch.rows());
+  const auto layers = static_cast<std::ptrdiff_t>(of_patch.layers());
+  const auto cell = [&](std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t l) {
+    return static_cast<std::size_t>((l * rows + j) * columns + i);
+  };
+  // In the process's own numbering with the ring.
+  const auto number = [&](std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t l) {
+    return static_cast<PetscInt>((j * columns + i) * layers + l);
+  };
+  std::vector<PetscInt> row_numbers, column_numbers;
+  for (std::ptrdiff_t j = 0; j < rows; ++j) {
+    for (std::ptrdiff_t i = 0; i < columns; ++i) {
+      if (!decomposition_.patch().owns_cell(static_cast<std::size_t>(i), static_cast<std::size_t>(j))) continue;
+      for (std::ptrdiff_t l = 0; l < layers; ++l) {
+        for (int n = 0; n < 27; ++n) {
+          const std::ptrdiff_t at_i = i + n % 3 - 1;
+          const std::ptrdiff_t at_j = j + n / 3 % 3 - 1;
+          const std::ptrdiff_t at_l = l + n / 9 - 1;
+          if (at_i < 0 || at_j < 0 || at_l < 0 || at_i >= columns || at_j >= rows || at_l >= layers) continue;
+          coefficients_.push_back(&of_patch.coefficient(cell(i, j, l), cell(at_i, at_j, at_l)));
+          row_numbers.push_back(number(i, j, l));
+          column_numbers.push_back(number(at_i, at_j, at_l));
+        }
+      }
+    }
+  }
+  check(MatSetPreallocationCOOLocal(matrix_, static_cast<PetscCount>(row_numbers.size()), row_numbers.data(),
+                                    column_numbers.data()));
   values_.resize(coefficients_.size());
   check(KSPSetOperators(solver_, matrix_, matrix_));
 }

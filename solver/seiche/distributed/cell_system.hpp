@@ -10,20 +10,15 @@
 #include <vector>
 
 #include "seiche/distributed/decomposition.hpp"
-#include "seiche/distributed/stored_coefficients.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 
 namespace seiche::distributed {
 
 class CellSystem {
  public:
-  /// @param decomposition  must outlive the object
+  /// @param decomposition  must outlive the object, as of_patch
   /// @param tolerance      relative residual
-  template <class PatchMatrix>
-  CellSystem(Decomposition& decomposition, const PatchMatrix& of_patch, double tolerance)
-      : CellSystem(decomposition, tolerance) {
-    find_coefficients(of_patch);
-    fix_pattern();
-  }
+  CellSystem(Decomposition& decomposition, const linear::StencilMatrix& of_patch, double tolerance);
 
   /// Takes over the coefficients that the patch's matrix has now.
   void assemble();
@@ -39,12 +34,7 @@ class CellSystem {
   [[nodiscard]] double condition() const;
 
  private:
-  CellSystem(Decomposition& decomposition, double tolerance);
-  template <class PatchMatrix>
-  void find_coefficients(const PatchMatrix& of_patch);
-  void fix_pattern();
-  /// Row or column of A, in the process's own numbering with the ring.
-  [[nodiscard]] PetscInt number(std::size_t i, std::size_t j, std::size_t layer) const;
+  void fix_pattern(const linear::StencilMatrix& of_patch);
 
   Decomposition& decomposition_;
   double tolerance_;
@@ -52,38 +42,9 @@ class CellSystem {
   DistributedVector right_hand_side_, solution_;
   KrylovSolver solver_;
   std::vector<const double*> coefficients_;  // in the order of the pattern's entries
-  std::vector<PetscInt> row_numbers_, column_numbers_;
   std::vector<PetscScalar> values_;
   long solutions_ = 0;
   long iterations_ = 0;
 };
-
-template <class PatchMatrix>
-void CellSystem::find_coefficients(const PatchMatrix& of_patch) {
-  const plan_lattice::Shape shape = decomposition_.patch().shape();
-  const std::size_t layers = layers_of(of_patch);
-  const auto next = [](std::size_t from, int step) {
-    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from) + step);
-  };
-  const auto inside = [](std::size_t from, int step, std::size_t count) {
-    return step < 0 ? from > 0 : from + static_cast<std::size_t>(step) < count;
-  };
-  for (std::size_t j = 0; j < shape.rows; ++j) {
-    for (std::size_t i = 0; i < shape.columns; ++i) {
-      if (!decomposition_.patch().owns_cell(i, j)) continue;
-      for (std::size_t l = 0; l < layers; ++l) {
-        for (int n = 0; n < 27; ++n) {
-          const int di = n % 3 - 1;
-          const int dj = n / 3 % 3 - 1;
-          const int dl = n / 9 - 1;
-          if (!inside(i, di, shape.columns) || !inside(j, dj, shape.rows) || !inside(l, dl, layers)) continue;
-          coefficients_.push_back(stored_coefficient(of_patch, i, j, l, di, dj, dl));
-          row_numbers_.push_back(number(i, j, l));
-          column_numbers_.push_back(number(next(i, di), next(j, dj), next(l, dl)));
-        }
-      }
-    }
-  }
-}
 
 }  // namespace seiche::distributed

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <petscdmda.h>
@@ -53,30 +54,31 @@ std::vector<PetscInt> lengths(const PetscInt* first, PetscInt count) {
   return {first, first + count};
 }
 
+/// Numbers of a vector that this process holds; const ones are only read.
+template <class Number>
 class Values {
  public:
-  explicit Values(Vec vector) : vector_(vector) { check(VecGetArray(vector, &values_)); }
+  explicit Values(Vec vector) : vector_(vector) {
+    if constexpr (std::is_const_v<Number>) {
+      check(VecGetArrayRead(vector, &values_));
+    } else {
+      check(VecGetArray(vector, &values_));
+    }
+  }
   Values(const Values&) = delete;
   Values& operator=(const Values&) = delete;
-  ~Values() { VecRestoreArray(vector_, &values_); }
-  double& operator[](std::size_t k) const { return values_[k]; }
+  ~Values() {
+    if constexpr (std::is_const_v<Number>) {
+      VecRestoreArrayRead(vector_, &values_);
+    } else {
+      VecRestoreArray(vector_, &values_);
+    }
+  }
+  Number& operator[](std::size_t k) const { return values_[k]; }
 
  private:
   Vec vector_;
-  PetscScalar* values_ = nullptr;
-};
-
-class FixedValues {
- public:
-  explicit FixedValues(Vec vector) : vector_(vector) { check(VecGetArrayRead(vector, &values_)); }
-  FixedValues(const FixedValues&) = delete;
-  FixedValues& operator=(const FixedValues&) = delete;
-  ~FixedValues() { VecRestoreArrayRead(vector_, &values_); }
-  double operator[](std::size_t k) const { return values_[k]; }
-
- private:
-  Vec vector_;
-  const PetscScalar* values_ = nullptr;
+  Number* values_ = nullptr;
 };
 
 double reduced(double value, MPI_Op operation) {
@@ -96,18 +98,6 @@ plan_lattice::Sides Patch::sides(const plan_lattice::Sides& of_lattice) const {
   if (rows.begin > 0) result.south = plan_lattice::FreeSide{};
   if (rows.end < lattice.rows) result.north = plan_lattice::FreeSide{};
   return result;
-}
-
-bool Patch::owns_cell(std::size_t i, std::size_t j) const {
-  const std::size_t column = columns.begin + i;
-  const std::size_t row = rows.begin + j;
-  return column >= owned_columns.begin && column < owned_columns.end && row >= owned_rows.begin && row < owned_rows.end;
-}
-
-bool Patch::owns_node(std::size_t i, std::size_t j) const {
-  const std::size_t column = columns.begin + i;
-  const std::size_t row = rows.begin + j;
-  return column >= node_columns.begin && column < node_columns.end && row >= node_rows.begin && row < node_rows.end;
 }
 
 Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbers, std::size_t cell_numbers)
@@ -182,16 +172,24 @@ Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbe
   }
 }
 
-void Decomposition::send_nodes(std::span<const double> values) {
-  const std::size_t stride = patch_.shape().nodes();
-  {
-    const Values own(nodes_own_);
-    for (const Place& place : owned_nodes_) {
-      for (std::size_t c = 0; c < node_numbers_; ++c) {
-        own[place.petsc * node_numbers_ + c] = values[c * stride + place.patch];
-      }
-    }
+void Decomposition::put(std::span<const Place> places, std::size_t numbers, std::span<const double> values, Vec to) {
+  const std::size_t stride = values.size() / numbers;
+  const Values<double> own(to);
+  for (const Place& place : places) {
+    for (std::size_t c = 0; c < numbers; ++c) own[place.petsc * numbers + c] = values[c * stride + place.patch];
   }
+}
+
+void Decomposition::get(std::span<const Place> places, std::size_t numbers, Vec from, std::span<double> values) {
+  const std::size_t stride = values.size() / numbers;
+  const Values<const double> ring(from);
+  for (const Place& place : places) {
+    for (std::size_t c = 0; c < numbers; ++c) values[c * stride + place.patch] = ring[place.petsc * numbers + c];
+  }
+}
+
+void Decomposition::send_nodes(std::span<const double> values) {
+  put(owned_nodes_, node_numbers_, values, nodes_own_);
   check(DMGlobalToLocalBegin(nodes_, nodes_own_, INSERT_VALUES, nodes_ring_));
   check(DMGlobalToLocalEnd(nodes_, nodes_own_, INSERT_VALUES, nodes_ring_));
 }
@@ -199,51 +197,26 @@ void Decomposition::send_nodes(std::span<const double> values) {
 void Decomposition::exchange_nodes(std::span<double> values) {
   if (ranks() == 1) return;
   send_nodes(values);
-  const std::size_t stride = patch_.shape().nodes();
-  const FixedValues ring(nodes_ring_);
-  for (const Place& place : rim_nodes_) {
-    for (std::size_t c = 0; c < node_numbers_; ++c) {
-      values[c * stride + place.patch] = ring[place.petsc * node_numbers_ + c];
-    }
-  }
+  get(rim_nodes_, node_numbers_, nodes_ring_, values);
 }
 
 double Decomposition::largest_rim_difference(std::span<const double> values) {
   send_nodes(values);
-  const std::size_t stride = patch_.shape().nodes();
+  std::vector<double> owners(values.begin(), values.end());
+  get(rim_nodes_, node_numbers_, nodes_ring_, owners);
   double difference = 0;
-  {
-    const FixedValues ring(nodes_ring_);
-    for (const Place& place : rim_nodes_) {
-      for (std::size_t c = 0; c < node_numbers_; ++c) {
-        difference =
-            std::max(difference, std::abs(values[c * stride + place.patch] - ring[place.petsc * node_numbers_ + c]));
-      }
-    }
-  }
+  for (std::size_t k = 0; k < values.size(); ++k) difference = std::max(difference, std::abs(values[k] - owners[k]));
   return largest(difference);
 }
 
 void Decomposition::put_cells(std::span<const double> values, Vec distributed) const {
-  const std::size_t stride = patch_.shape().cells();
-  const Values own(distributed);
-  for (const Place& place : owned_cells_) {
-    for (std::size_t c = 0; c < cell_numbers_; ++c) {
-      own[place.petsc * cell_numbers_ + c] = values[c * stride + place.patch];
-    }
-  }
+  put(owned_cells_, cell_numbers_, values, distributed);
 }
 
 void Decomposition::get_cells(Vec distributed, std::span<double> values) {
   check(DMGlobalToLocalBegin(cells_, distributed, INSERT_VALUES, cells_ring_));
   check(DMGlobalToLocalEnd(cells_, distributed, INSERT_VALUES, cells_ring_));
-  const std::size_t stride = patch_.shape().cells();
-  const FixedValues ring(cells_ring_);
-  for (const Place& place : all_cells_) {
-    for (std::size_t c = 0; c < cell_numbers_; ++c) {
-      values[c * stride + place.patch] = ring[place.petsc * cell_numbers_ + c];
-    }
-  }
+  get(all_cells_, cell_numbers_, cells_ring_, values);
 }
 
 void Decomposition::exchange_cells(std::span<double> values) {
@@ -253,10 +226,7 @@ void Decomposition::exchange_cells(std::span<double> values) {
 }
 
 DistributedVector Decomposition::in_order(std::span<const double> number) {
-  {
-    const Values own(single_own_);
-    for (const Place& place : owned_nodes_) own[place.petsc] = number[place.patch];
-  }
+  put(owned_nodes_, 1, number, single_own_);
   DistributedVector ordered;
   check(DMDACreateNaturalVector(single_, ordered.place()));
   check(DMDAGlobalToNaturalBegin(single_, single_own_, INSERT_VALUES, ordered));
@@ -274,7 +244,7 @@ std::vector<double> Decomposition::gathered(std::span<const double> number) {
   PetscInt size = 0;
   check(VecGetLocalSize(all, &size));
   std::vector<double> result(static_cast<std::size_t>(size));
-  const FixedValues values(all);
+  const Values<const double> values(all);
   for (std::size_t k = 0; k < result.size(); ++k) result[k] = values[k];
   return result;
 }

@@ -28,6 +28,7 @@ struct Range {
   std::size_t begin = 0;
   std::size_t end = 0;
   [[nodiscard]] std::size_t size() const { return end - begin; }
+  [[nodiscard]] bool contains(std::size_t k) const { return begin <= k && k < end; }
 };
 
 /// What one process holds of the lattice; all numbers count from the lattice's first cell or node.
@@ -40,8 +41,13 @@ struct Patch {
   [[nodiscard]] plan_lattice::Shape shape() const { return {columns.size(), rows.size()}; }
   /// The lattice's sides where the patch reaches them, free ones elsewhere.
   [[nodiscard]] plan_lattice::Sides sides(const plan_lattice::Sides& of_lattice) const;
-  [[nodiscard]] bool owns_cell(std::size_t i, std::size_t j) const;  ///< counted from the patch's first
-  [[nodiscard]] bool owns_node(std::size_t i, std::size_t j) const;
+  /// Counted from the patch's first.
+  [[nodiscard]] bool owns_cell(std::size_t i, std::size_t j) const {
+    return owned_columns.contains(columns.begin + i) && owned_rows.contains(rows.begin + j);
+  }
+  [[nodiscard]] bool owns_node(std::size_t i, std::size_t j) const {
+    return node_columns.contains(columns.begin + i) && node_rows.contains(rows.begin + j);
+  }
 };
 
 class Decomposition {
@@ -86,6 +92,9 @@ class Decomposition {
     std::size_t petsc;
   };
   void send_nodes(std::span<const double> values);
+  /// `numbers` of each item between a patch's array, where equal ones of all items lie together, and one of PETSc's.
+  static void put(std::span<const Place> places, std::size_t numbers, std::span<const double> values, Vec to);
+  static void get(std::span<const Place> places, std::size_t numbers, Vec from, std::span<double> values);
 
   std::size_t node_numbers_;
   std::size_t cell_numbers_;

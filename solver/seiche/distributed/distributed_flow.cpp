@@ -1,24 +1,20 @@
 #include "seiche/distributed/distributed_flow.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
 
-#include "seiche/compensated_sum.hpp"
 #include "seiche/divergence.hpp"
-#include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/mechanics/state.hpp"
 
 namespace seiche::distributed {
 
 static_assert(mechanics::ConstrainedModel<DistributedModel<dispersive_shallow_water_2d::Model>>);
 static_assert(mechanics::ConstrainedModel<DistributedModel<lagrangian_mesh_3d::Model>>);
-static_assert(AnyFlow<Flow<PlanModel>> && AnyFlow<Flow<HexahedralModel>>);
+static_assert(seiche::AnyFlow<Flow<PlanModel>> && seiche::AnyFlow<Flow<HexahedralModel>>);
 
 namespace {
 
@@ -47,13 +43,6 @@ std::unique_ptr<lagrangian_mesh_3d::Model> local_model(lagrangian_mesh_3d::Mesh 
   return std::make_unique<lagrangian_mesh_3d::Model>(std::move(part), settings);
 }
 
-bool has_shoreline(const plan_lattice::Sides& sides) {
-  const auto shore = [](const plan_lattice::Side& side) {
-    return std::holds_alternative<plan_lattice::ShoreSide>(side);
-  };
-  return shore(sides.west) || shore(sides.east) || shore(sides.south) || shore(sides.north);
-}
-
 bool is_conservative(mechanics::Stepping stepping) {
   if (stepping == mechanics::Stepping::one_step_feedback) {
     throw std::invalid_argument("one_step_feedback on many processes; allowed: one_step, conservative");
@@ -61,31 +50,16 @@ bool is_conservative(mechanics::Stepping stepping) {
   return stepping == mechanics::Stepping::conservative;
 }
 
-bool is_uneven(const dispersive_shallow_water_2d::Model& model) {
-  return model.lattice().bottom != nullptr;
-}
-
-bool is_uneven(const lagrangian_mesh_3d::Model& model) {
-  return model.mesh().bottom != nullptr;
-}
-
-bool absorbs(const dispersive_shallow_water_2d::Model& model) {
-  return model.absorbs();
-}
-
-bool absorbs(const lagrangian_mesh_3d::Model&) {
-  return false;
-}
-
 template <class Model>
 void require_movable(const plan_lattice::Window& window, const DistributedModel<Model>& model, const Patch& patch,
                      const plan_lattice::Sides& sides) {
   plan_lattice::require_movable(window, sides);
   if (!window.reach) return;
-  if (has_shoreline(sides) || absorbs(model.local())) {
-    throw std::invalid_argument("a moving window with a shoreline or absorption; allowed: one of them");
-  }
-  if (std::is_same_v<Model, lagrangian_mesh_3d::Model> && is_uneven(model.local())) {
+  if constexpr (std::is_same_v<Model, dispersive_shallow_water_2d::Model>) {
+    if (plan_lattice::any_side<plan_lattice::ShoreSide>(sides) || model.local().absorbs()) {
+      throw std::invalid_argument("a moving window with a shoreline or absorption; allowed: one of them");
+    }
+  } else if (model.local().mesh().bottom) {
     throw std::invalid_argument("a moving window of hexahedra over an uneven bottom; allowed: a level one");
   }
   // Every patch in the east appends columns of its own width.
@@ -97,29 +71,6 @@ void require_movable(const plan_lattice::Window& window, const DistributedModel<
     throw std::invalid_argument(
         fmt::format("a moving window over an east column {:g} to {:g} wide; allowed: one width", narrowest, widest));
   }
-}
-
-/// Of the water in the cells that this process owns.
-double own_potential_energy(const dispersive_shallow_water_2d::Model& model, std::span<const double> q,
-                            std::span<const char> own) {
-  return model.potential_energy(q, own);
-}
-
-double own_potential_energy(const lagrangian_mesh_3d::Model& model, std::span<const double> q,
-                            std::span<const char> own) {
-  const plan_lattice::Shape plan = model.mesh().plan;
-  const std::size_t levels = model.mesh().layers + 1;
-  CompensatedSum moment;
-  for (std::size_t cell = 0; cell < own.size(); ++cell) {
-    if (own[cell] == 0) continue;
-    const auto corners = plan.corners(cell);
-    const auto at = [&](std::size_t axis) {
-      const double* const values = q.data() + ((axis + 1) * levels - 1) * plan.nodes();
-      return bilinear_patch::Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-    };
-    moment.add(bilinear_patch::moment(at(0), at(1), at(2)));
-  }
-  return model.settings().gravity * model.settings().density * moment.value();
 }
 
 }  // namespace
@@ -196,7 +147,7 @@ double Flow<Kind>::energy() const {
     own_cells[cell] = patch.owns_cell(cell % shape.columns, cell / shape.columns) ? 1 : 0;
   }
   return Decomposition::sum(model_.local().kinetic_energy(state_.q, own) +
-                            own_potential_energy(model_.local(), state_.q, own_cells));
+                            model_.local().potential_energy(state_.q, own_cells));
 }
 
 template <class Kind>

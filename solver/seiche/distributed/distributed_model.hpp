@@ -25,7 +25,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -55,11 +54,10 @@ class DistributedModel {
   /// @param tolerance      relative residual of solve
   DistributedModel(Decomposition& decomposition, std::unique_ptr<Local> local, const plan_lattice::Sides& sides,
                    double tolerance)
-      : decomposition_(decomposition), local_(std::move(local)), system_(decomposition, local_->matrix(), tolerance) {
-    for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
-      driven_ |= std::holds_alternative<plan_lattice::DrivenSide>(*side);
-    }
-  }
+      : decomposition_(decomposition),
+        local_(std::move(local)),
+        system_(decomposition, local_->matrix(), tolerance),
+        driven_(plan_lattice::any_side<plan_lattice::DrivenSide>(sides)) {}
 
   [[nodiscard]] std::size_t coordinates() const { return local_->coordinates(); }
   [[nodiscard]] std::size_t rates() const { return local_->rates(); }
@@ -144,7 +142,7 @@ class DistributedModel {
   Decomposition& decomposition_;
   std::unique_ptr<Local> local_;
   CellSystem system_;
-  bool driven_ = false;
+  bool driven_;
 };
 
 }  // namespace seiche::distributed

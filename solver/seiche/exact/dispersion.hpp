@@ -11,7 +11,7 @@
 ///     Madsen and Sorensen                      nu = kappa^2 (1 + B kappa^2)/(1 + (B + 1/3) kappa^2),  B = 1/15
 ///
 /// B = 1/15 (and A = -2/5) is the [2/2] Pade approximant of kappa tanh kappa. Phase speed omega/k, group speed
-/// d omega/dk in closed form. The law of a chain of markers is FrankDispersion (frank_dispersion.hpp).
+/// d omega/dk in closed form. The law of a chain of markers is FrankDispersion (lattice_dispersion.hpp).
 ///
 /// When not to use it: waves of finite amplitude (StandingWave, SolitaryWave), currents, surface tension.
 ///

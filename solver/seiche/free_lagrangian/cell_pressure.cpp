@@ -96,7 +96,7 @@ void CellPressure::factor(std::span<const Mobility> mobility) {
   for (std::size_t k = 0; k < nodes(); ++k) {
     for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
       response_[e] = mobility[k](gradient[e]);
-      trace += gradient[e].x * response_[e].x + gradient[e].y * response_[e].y;
+      trace += dot(gradient[e], response_[e]);
     }
   }
   const double mean = trace / static_cast<double>(nodes());
@@ -108,7 +108,7 @@ void CellPressure::factor(std::span<const Mobility> mobility) {
     const double neighbours = begin[k + 1] - begin[k] - 1;
     // Row k of L: 1 for the node itself, minus their mean for its neighbours.
     const double smooth = p == 0 ? 1 : q == 0 ? -1 / neighbours : 1 / (neighbours * neighbours);
-    return one.x * other.x + one.y * other.y + stiffness_ * smooth;
+    return dot(one, other) + stiffness_ * smooth;
   });
   const bool may_be_singular = stabilisation_ == 0;
   try {
@@ -137,10 +137,9 @@ void CellPressure::rates(std::span<const double> u, std::span<double> w) const {
   const auto member = cells_.members();
   const auto gradient = cells_.gradients();
   for (std::size_t k = 0; k < nodes(); ++k) {
-    const double ux = u[k];
-    const double uy = u[nodes() + k];
+    const Point velocity{u[k], u[nodes() + k]};
     for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
-      w[static_cast<std::size_t>(member[e])] += gradient[e].x * ux + gradient[e].y * uy;
+      w[static_cast<std::size_t>(member[e])] += dot(gradient[e], velocity);
     }
   }
 }
@@ -151,9 +150,7 @@ void CellPressure::react(std::span<const double> mu, std::span<double> u) const 
   for (std::size_t k = 0; k < nodes(); ++k) {
     Point change;
     for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
-      const double impulse = mu[static_cast<std::size_t>(member[e])];
-      change.x += impulse * response_[e].x;
-      change.y += impulse * response_[e].y;
+      change += mu[static_cast<std::size_t>(member[e])] * response_[e];
     }
     u[k] += change.x;
     u[nodes() + k] += change.y;

@@ -117,11 +117,3 @@ std::vector<double> pressure_of_release(CellWater& water, const mechanics::State
 }
 
 }  // namespace seiche::free_lagrangian
-
-namespace seiche::mechanics {
-
-template class OneStep<free_lagrangian::CellWater>;
-template class Start<free_lagrangian::CellWater>;
-template class InvariantsWatch<free_lagrangian::CellWater>;
-
-}  // namespace seiche::mechanics

@@ -53,7 +53,7 @@ struct Settings {
 /// Velocity of the water at a place; empty: at rest.
 using VelocityAt = std::function<Point(Point place)>;
 
-class CellWater {
+class CellWater : public mechanics::PointMasses<CellWater> {
  public:
   /// Throws std::invalid_argument (cell_pressure.hpp): settings out of range, bad meshes.
   explicit CellWater(const Mesh& mesh, Settings settings = {});
@@ -80,16 +80,6 @@ class CellWater {
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return first_x_[rate % nodes()]; }
 
-  [[nodiscard]] double mass() const { return mechanics::total_mass(mass_); }  ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input /*q*/, Input u) const {
-    return mechanics::plane_momentum(mass_, u);
-  }  ///< [kg/s]
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {
-    return mechanics::plane_angular_momentum(mass_, q, u);
-  }  ///< about the origin [kg m/s]
-  [[nodiscard]] double kinetic_energy(Input /*q*/, Input u) const {
-    return mechanics::plane_kinetic_energy(mass_, u);
-  }  ///< [J/m]
   [[nodiscard]] double potential_energy(Input q) const {
     return free_lagrangian::potential_energy(places(q), outline_, weight());
   }  ///< [J/m]
@@ -134,12 +124,3 @@ class CellWater {
 std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest);
 
 }  // namespace seiche::free_lagrangian
-
-// What the models of this family take from the mechanics, compiled once and not in every file.
-namespace seiche::mechanics {
-
-extern template class OneStep<free_lagrangian::CellWater>;
-extern template class Start<free_lagrangian::CellWater>;
-extern template class InvariantsWatch<free_lagrangian::CellWater>;
-
-}  // namespace seiche::mechanics

@@ -58,9 +58,6 @@ struct Layer {
 Mesh layer_mesh(const Layer& layer);
 /// The same rows of nodes in a rectangle without walls.
 Mesh free_patch(int columns, int rows, Point lower, Point upper, bool staggered = true);
-/// Nodes inside moved at random, along either axis by up to `part` of the spacing of the mesh, those that slide moved
-/// along their wall; free nodes of the outline stay. @param part  in [0, 0.3]. Throws std::invalid_argument.
-Mesh jittered(Mesh mesh, double part, unsigned long seed);
 
 // A channel whose level bottom has a step up: rows of nodes before and above it.
 

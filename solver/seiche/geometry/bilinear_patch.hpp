@@ -17,6 +17,11 @@
 /// Everything is inline and without branches, for use in vectorised loops.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::bilinear_patch {
@@ -25,6 +30,15 @@ namespace seiche::bilinear_patch {
 struct Corners {
   double c0, c1, c2, c3;
 };
+
+/// Of values of many nodes, those at four of them.
+inline Corners at_corners(std::span<const double> values, const std::array<std::size_t, 4>& nodes) {
+  return {values[nodes[0]], values[nodes[1]], values[nodes[2]], values[nodes[3]]};
+}
+/// Not a number where one is not.
+inline double smallest(const Corners& c) {
+  return std::min(std::min(c.c0, c.c1), std::min(c.c2, c.c3));
+}
 
 /// A plane vector for each corner.
 struct CornerVectors {

@@ -6,6 +6,7 @@
 /// which enters the potential energy of water that ends at the curve.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -28,11 +29,17 @@ inline Point operator-(Point a, Point b) {
 inline Point operator*(double a, Point b) {
   return {a * b.x, a * b.y};
 }
+inline Point& operator+=(Point& a, Point b) {
+  return a = a + b;
+}
 inline double dot(Point a, Point b) {
   return a.x * b.x + a.y * b.y;
 }
 inline double cross(Point a, Point b) {
   return a.x * b.y - a.y * b.x;
+}
+inline double distance(Point a, Point b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
 }
 
 /// An arc length beyond the ends of a curve.

@@ -21,9 +21,12 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -32,8 +35,8 @@
 #include "seiche/geometry/curve.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/lattice/cell_rows.hpp"
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/lattice_matrix.hpp"
-#include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
@@ -61,18 +64,6 @@ Corner worst_corner(std::size_t cells, const Shape& shape_of) {
   return worst;
 }
 
-/// Coefficients of a row of cells: with itself, then with those after it (linear::later_neighbour).
-inline std::array<double*, 14> parts_of(linear::NinePointMatrix& a, std::size_t row) {
-  const std::size_t first = row * a.columns;
-  return {a.own.data() + first, a.right.data() + first, a.up_left.data() + first, a.up.data() + first,
-          a.up_right.data() + first};
-}
-inline std::array<double*, 14> parts_of(linear::TwentySevenPointMatrix& a, std::size_t row) {
-  std::array<double*, 14> parts{a.own.data() + row * a.columns};
-  for (std::size_t k = 0; k < 13; ++k) parts[k + 1] = a.later.row(row)[k];
-  return parts;
-}
-
 /// Does what may leave a curve or a bottom: a configuration that cannot be.
 template <class Action>
 void feasible(const Action& action) {
@@ -88,6 +79,27 @@ void feasible(const Action& action) {
 struct Cells {
   std::size_t columns, rows, layers = 1;
 };
+
+/// One after the other.
+inline std::vector<double> joined(std::initializer_list<std::span<const double>> arrays) {
+  std::vector<double> all;
+  for (const std::span<const double> array : arrays) all.insert(all.end(), array.begin(), array.end());
+  return all;
+}
+
+/// Velocities of all nodes: given one by one, or call(at, node) of a function of places, or zero where that is empty.
+/// Throws std::invalid_argument for another number of them.
+template <class At, class Velocity, class Call>
+std::vector<Velocity> nodal(const std::variant<At, std::vector<Velocity>>& given, std::size_t nodes, const Call& call) {
+  if (const auto* const all = std::get_if<1>(&given)) {
+    if (all->size() == nodes) return *all;
+    throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", all->size(), nodes));
+  }
+  std::vector<Velocity> velocities(nodes);
+  const At& at = std::get<0>(given);
+  for (std::size_t k = 0; at && k < nodes; ++k) velocities[k] = call(at, k);
+  return velocities;
+}
 
 /// A symmetric matrix, xx, yy(, zz), xy(, xz, yz), times a vector.
 inline std::array<double, 2> times(const std::array<double, 3>& w, const std::array<double, 2>& v) {
@@ -107,7 +119,7 @@ void shift_rows(std::span<T> values, std::size_t length) {
   }
 }
 
-/// @tparam E      the element; E::Solver solves, E::Matrix holds A
+/// @tparam E      the element
 /// @tparam Model  derives from it and gives
 ///                   mobility()                 pointers to the nodes' inverse masses along the axes
 ///                   full_row(row)              whether W has entries off its diagonal there, if E::mobilities == 6
@@ -117,6 +129,8 @@ void shift_rows(std::span<T> values, std::size_t length) {
 template <class E, class Model>
 class Water {
  public:
+  static constexpr std::size_t axes = E::axes;
+
   // What mechanics/constrained_model.hpp asks for.
   [[nodiscard]] std::size_t coordinates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t rates() const { return E::axes * n_; }
@@ -131,8 +145,7 @@ class Water {
   }
   /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
   [[nodiscard]] double solver_accuracy() const {
-    const auto method = solver_.method();
-    return method == decltype(method)::iterative ? tolerance_ : 0;
+    return solver_.method() == linear::SolverMethod::iterative ? tolerance_ : 0;
   }
   void constraint_values(Input q, Output f) const {
     for (std::size_t cell = 0; cell < volume_.size(); ++cell) f[cell] = self().cell_volume(q, cell) - volume_[cell];
@@ -145,9 +158,9 @@ class Water {
   [[nodiscard]] double kinetic_energy(Input q, Input u) const;
 
   [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
-  [[nodiscard]] const typename E::Solver& solver() const { return solver_; }
+  [[nodiscard]] const linear::ConstraintSolver& solver() const { return solver_; }
   /// A of the last linearisation.
-  [[nodiscard]] const typename E::Matrix& matrix() const { return matrix_; }
+  [[nodiscard]] const linear::StencilMatrix& matrix() const { return matrix_; }
   /// A warning when below 0.2.
   [[nodiscard]] Corner worst_corner(Input q) const {
     return lattice::worst_corner(volume_.size(), [&](std::size_t cell) { return self().cell_shape(q, cell); });
@@ -168,14 +181,14 @@ class Water {
     std::size_t count = 0;
   };
 
-  Water(Cells cells, typename E::Matrix matrix, typename E::Solver solver, double tolerance)
+  Water(Cells cells, linear::ConstraintSolver solver, double tolerance)
       : shape_(cells),
         n_((cells.columns + 1) * (cells.rows + 1) * (E::corners == 8 ? cells.layers + 1 : 1)),
         volume_(cells.columns * cells.rows * cells.layers),
         gradients_(cells.columns, cells.rows * cells.layers, E::stored),
         push_(E::axes * n_, 0.0),
         no_cells_(cells.columns + 1, 0.0),
-        matrix_(std::move(matrix)),
+        matrix_(cells.columns, cells.rows, cells.layers),
         solver_(std::move(solver)),
         tolerance_(tolerance) {}
 
@@ -250,8 +263,8 @@ class Water {
   std::size_t first_pushed_row_ = 0;  // of nodes; nothing pushes those before
   std::vector<Held> held_;
   std::vector<double> middle_, no_cells_;
-  typename E::Matrix matrix_;
-  typename E::Solver solver_;
+  linear::StencilMatrix matrix_;
+  linear::ConstraintSolver solver_;
   double tolerance_;
   Interval when_;          // of the last linearisation
   bool sweeping_ = false;  // which was a sweep of a conservative step
@@ -384,7 +397,8 @@ void Water<E, Model>::assemble_and_factor() {
                      .later = {},
                      .w = around(row, mobility),
                      .full = false,
-                     .parts = parts_of(matrix_, row)};
+                     .parts = {}};
+    for (std::size_t k = 0; k < (shape_.layers > 1 ? 14 : 5); ++k) here.parts[k] = matrix_[k] + row * shape_.columns;
     const bool north = j + 1 < rows;
     const bool above = row + rows < cell_rows();
     if (north) here.later[0] = std::as_const(gradients_).row(row + 1).data;
@@ -451,9 +465,8 @@ void Water<E, Model>::shift_columns(mechanics::State& state, std::vector<double>
 template <class E, class Model>
 void Water<E, Model>::join_columns(std::vector<double>& x, std::vector<double>& y,
                                    const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
-  std::vector<double> first(E::axes * n_, 0.0);
-  std::ranges::copy(x, first.begin());
-  std::ranges::copy(y, first.begin() + static_cast<std::ptrdiff_t>(n_));
+  std::vector<double> first = joined({x, y});
+  first.resize(E::axes * n_);
   nodes(first);
   std::copy_n(first.begin(), n_, x.begin());
   std::copy_n(first.begin() + static_cast<std::ptrdiff_t>(n_), n_, y.begin());

@@ -16,7 +16,6 @@
 /// 21 (1999) 1305; Notay, Flexible conjugate gradients, SIAM J. Sci. Comput. 22 (2000) 1444.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -35,12 +34,8 @@ namespace seiche::linear {
 
 /// x . y
 double dot(std::span<const double> x, std::span<const double> y);
-/// x . y and x . z
-std::array<double, 2> dots(std::span<const double> x, std::span<const double> y, std::span<const double> z);
 /// y = x + factor y
 void scale_and_add(std::span<const double> x, double factor, std::span<double> y);
-/// difference = x - difference; returns its square.
-double subtract_from(std::span<const double> x, std::span<double> difference);
 /// x += step p, r -= step q; returns r . r.
 double advance(double step, std::span<const double> p, std::span<const double> q, std::span<double> x,
                std::span<double> r);
@@ -91,7 +86,8 @@ class ConjugateGradients {
     }
     shape_like(b);
     multiply(x, residual_);
-    double r_norm = std::sqrt(subtract_from(b.values(), residual_.values()));
+    scale_and_add(b.values(), -1, residual_.values());
+    double r_norm = std::sqrt(dot(residual_.values(), residual_.values()));
     double zr = 0;
     double beta = 0;
     double step = 0;
@@ -99,8 +95,9 @@ class ConjugateGradients {
     for (; !(r_norm <= goal.tolerance * b_norm); ++iteration) {
       if (iteration == goal.most_iterations) throw NotConverged(iteration, r_norm / b_norm, goal.tolerance);
       precondition(residual_.values(), preconditioned_.values(), typical_size(r_norm));
-      const auto [zr_new, zq] = dots(preconditioned_.values(), residual_.values(), product_.values());
+      const double zr_new = dot(preconditioned_.values(), residual_.values());
       if (!(zr_new > 0)) throw NotPositiveDirection("r.Pr", zr_new, iteration);
+      const double zq = dot(preconditioned_.values(), product_.values());
       if (iteration > 0) beta = -step * zq / zr;
       zr = zr_new;
       scale_and_add(preconditioned_.values(), beta, direction_.values());

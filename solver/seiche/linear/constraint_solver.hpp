@@ -23,7 +23,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,8 +42,6 @@ struct UndeformedLattice {
   bool scaled = false;  ///< whether S is not 1
 };
 
-/// @tparam Matrix  has `own`, a LatticeArray of the diagonal, and multiply_and_dot(const LatticeArray&, LatticeArray&)
-template <class Matrix>
 class LatticeGradients {
  public:
   /// Throws what CosineLattice throws.
@@ -54,10 +51,10 @@ class LatticeGradients {
   }
 
   /// @param a  must stay as it is until the last solution for it
-  void factor(const Matrix& a) {
+  void factor(const StencilMatrix& a) {
     matrix_ = &a;
-    if (right_hand_side_.size() != a.own.size()) right_hand_side_ = x_ = a.own;
-    if (undeformed_.scaled) scale_by(a.own);
+    if (x_.size() != a.size()) right_hand_side_ = x_ = LatticeArray(a.columns(), a.rows() * a.layers());
+    if (undeformed_.scaled) scale_by(a[a.own]);
   }
 
   /// x holds a guess. Returns the iterations. Throws NotConverged, NotPositiveDirection.
@@ -89,12 +86,11 @@ class LatticeGradients {
     }
   }
 
-  void scale_by(const LatticeArray& diagonal) {
+  void scale_by(const double* own) {
     const std::size_t nx = undeformed_.shape.nx;
     const std::size_t nz = undeformed_.shape.nz;
     const std::size_t layers = undeformed_.shape.layers;
-    scale_.resize(diagonal.size());
-    const double* own = diagonal.data();
+    scale_.resize(x_.size());
     share_out(nz * layers, scale_.size() > worth_threads, [&](std::size_t row) {
       const double inner = inner_diagonal_[row / nz];
       double* const scale = scale_.data() + row * nx;
@@ -116,16 +112,15 @@ class LatticeGradients {
 
   UndeformedLattice undeformed_;
   CosineLattice lattice_;
-  ConjugateGradients<LatticeArray> gradients_;
+  ConjugateGradients<> gradients_;
   LatticeArray right_hand_side_, x_;
-  const Matrix* matrix_ = nullptr;
+  const StencilMatrix* matrix_ = nullptr;
   std::vector<double> inner_diagonal_;  // by layer
   std::vector<double> scale_;           // empty for 1
 };
 
 enum class SolverMethod { automatic, banded, iterative };
 
-template <class Matrix>
 class ConstraintSolver {
  public:
   /// @param method      `iterative` needs the undeformed lattice, either all cells in one layer, or each row a layer
@@ -155,10 +150,9 @@ class ConstraintSolver {
   /// The method in use, never `automatic`.
   [[nodiscard]] SolverMethod method() const { return gradients_ ? SolverMethod::iterative : SolverMethod::banded; }
   /// @param a  must stay as it is until the last solution for it. Throws NotPositiveDefinite.
-  void factor(const Matrix& a) {
+  void factor(const StencilMatrix& a) {
     ++factorisations_;
-    if (gradients_) return gradients_->factor(a);
-    if constexpr (std::is_same_v<Matrix, NinePointMatrix>) banded_->factor(a);
+    return gradients_ ? gradients_->factor(a) : banded_->factor(a);
   }
   /// x holds a guess for the iteration. Throws NotConverged, NotPositiveDirection.
   /// @param tolerance  instead of the solver's own; 0 for that
@@ -177,11 +171,8 @@ class ConstraintSolver {
  private:
   double tolerance_;
   std::optional<NinePointCholesky> banded_;
-  std::optional<LatticeGradients<Matrix>> gradients_;
+  std::optional<LatticeGradients> gradients_;
   long factorisations_ = 0, solutions_ = 0, iterations_ = 0;
 };
-
-using NinePointSolver = ConstraintSolver<NinePointMatrix>;
-using TwentySevenPointSolver = ConstraintSolver<TwentySevenPointMatrix>;
 
 }  // namespace seiche::linear

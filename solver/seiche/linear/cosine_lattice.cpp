@@ -27,10 +27,6 @@ std::size_t stride(std::size_t n) {
   return whole % 128 == 0 ? whole + 16 : whole;
 }
 
-std::size_t pairs(std::size_t rows) {
-  return (rows + 1) / 2;
-}
-
 /// Solves the systems of `count` modes, contiguous in every layer.
 SEICHE_SIMD_CLONES void solve_block(const float* inverse_pivot, const float* multiplier, float* modes,
                                     std::size_t count, std::size_t layers, std::size_t layer_stride) {
@@ -55,9 +51,20 @@ SEICHE_SIMD_CLONES void solve_block(const float* inverse_pivot, const float* mul
   }
 }
 
-SEICHE_SIMD_CLONES void multiply(const double* scale, const double* from, double* to, std::size_t n) {
-#pragma omp simd
-  for (std::size_t i = 0; i < n; ++i) to[i] = scale[i] * from[i];
+/// to = factor scale from; scale null: 1.
+SEICHE_SIMD_CLONES void narrow(const double* from, const double* scale, double factor, float* to, std::size_t n) {
+  if (scale == nullptr) {
+    for (std::size_t i = 0; i < n; ++i) to[i] = static_cast<float>(factor * from[i]);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) to[i] = static_cast<float>(factor * (scale[i] * from[i]));
+  }
+}
+SEICHE_SIMD_CLONES void widen(const float* from, const double* scale, double factor, double* to, std::size_t n) {
+  if (scale == nullptr) {
+    for (std::size_t i = 0; i < n; ++i) to[i] = factor * static_cast<double>(from[i]);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) to[i] = scale[i] * (factor * static_cast<double>(from[i]));
+  }
 }
 
 const CosineLattice::Shape& validated(const CosineLattice::Shape& shape) {
@@ -122,48 +129,44 @@ void CosineLattice::grow_workspaces() {
   const std::size_t nx = shape_.nx;
   while (workspaces_.size() < threads) {
     workspaces_.push_back({CosineTransform::Workspace(along_x_), CosineTransform::Workspace(along_z_),
-                           std::vector<double>(nx), std::vector<double>(nx), std::vector<double>(nx),
-                           std::vector<float>(std::max(nx, shape_.nz)),
+                           std::vector<float>(nx), std::vector<float>(nx), std::vector<float>(std::max(nx, shape_.nz)),
                            std::vector<float>(shape_.layers * tile * mode_stride_)});
   }
 }
 
-void CosineLattice::transform_rows(const double* right_hand_side, double factor, const double* scale) {
+/// act(row, whether it is alone, workspace) for every second row along x, with the next one.
+template <class Act>
+void CosineLattice::each_pair(const Act& act) {
   const std::size_t count = shape_.nz * shape_.layers;
+  share_out((count + 1) / 2, count * shape_.nx >= worth_threads, [&](std::size_t pair) {
+    act(2 * pair, 2 * pair + 1 == count, workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
+  });
+}
+
+void CosineLattice::transform_rows(const double* right_hand_side, double factor, const double* scale) {
   const std::size_t nx = shape_.nx;
-  share_out(pairs(count), count * shape_.nx >= worth_threads, [&](std::size_t pair) {
-    Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
-    const std::size_t row = 2 * pair;
-    const bool alone = row + 1 == count;
-    const double* first = right_hand_side + row * nx;
-    const double* second = alone ? first : first + nx;
-    if (scale != nullptr) {
-      multiply(scale + row * nx, first, work.scaled.data(), nx);
-      if (!alone) multiply(scale + (row + 1) * nx, second, work.scaled_next.data(), nx);
-      first = work.scaled.data();
-      second = alone ? first : work.scaled_next.data();
-    }
+  each_pair([&](std::size_t row, bool alone, Workspace& work) {
+    const auto load = [&](std::size_t r, std::vector<float>& to) {
+      narrow(right_hand_side + r * nx, scale == nullptr ? nullptr : scale + r * nx, factor, to.data(), nx);
+    };
+    load(row, work.row);
+    if (!alone) load(row + 1, work.next);
     float* const result = rows_.data() + row * row_stride_;
-    along_x_.forward<double>({first, second}, factor, {result, alone ? work.mode_copy.data() : result + row_stride_},
-                             work.along_x);
+    along_x_.forward({work.row.data(), alone ? work.row.data() : work.next.data()},
+                     {result, alone ? work.mode_copy.data() : result + row_stride_}, work.along_x);
   });
 }
 
 void CosineLattice::transform_rows_back(double factor, double* x, const double* scale) {
-  const std::size_t count = shape_.nz * shape_.layers;
   const std::size_t nx = shape_.nx;
-  share_out(pairs(count), count * shape_.nx >= worth_threads, [&](std::size_t pair) {
-    Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
-    const std::size_t row = 2 * pair;
-    const bool alone = row + 1 == count;
+  each_pair([&](std::size_t row, bool alone, Workspace& work) {
+    const auto store = [&](std::size_t r, const std::vector<float>& from) {
+      widen(from.data(), scale == nullptr ? nullptr : scale + r * nx, factor, x + r * nx, nx);
+    };
     const float* const first = rows_.data() + row * row_stride_;
-    double* const result = x + row * nx;
-    along_x_.backward<double>({first, alone ? first : first + row_stride_}, factor,
-                              {result, alone ? work.row_copy.data() : result + nx}, work.along_x);
-    if (scale != nullptr) {
-      multiply(scale + row * nx, result, result, nx);
-      if (!alone) multiply(scale + (row + 1) * nx, result + nx, result + nx, nx);
-    }
+    along_x_.backward({first, alone ? first : first + row_stride_}, {work.row.data(), work.next.data()}, work.along_x);
+    store(row, work.row);
+    if (!alone) store(row + 1, work.next);
   });
 }
 
@@ -172,20 +175,26 @@ void CosineLattice::solve_tile(std::size_t first, std::size_t last, Workspace& w
   const std::size_t layers = shape_.layers;
   const std::size_t layer_stride = tile * mode_stride_;
   const auto rows_of = [&](std::size_t layer) { return rows_.data() + layer * shape_.nz * row_stride_; };
+  // Pairs of rows along z, in place.
+  const auto transform = [&](float* rows, const auto& along_z) {
+    using From = std::array<const float*, 2>;
+    using To = std::array<float*, 2>;
+    for (std::size_t ix = first; ix < last; ix += 2) {
+      float* const row = rows + (ix - first) * mode_stride_;
+      if (ix + 1 < last) {
+        along_z(From{row, row + mode_stride_}, To{row, row + mode_stride_});
+      } else {
+        along_z(From{row, row}, To{row, work.mode_copy.data()});
+      }
+    }
+  };
   for (std::size_t layer = 0; layer < layers; ++layer) {
     const float* const in = rows_of(layer);
     float* const out = work.modes.data() + layer * layer_stride;
     for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
       for (std::size_t ix = first; ix < last; ++ix) out[(ix - first) * mode_stride_ + iz] = in[iz * row_stride_ + ix];
     }
-    for (std::size_t ix = first; ix < last; ix += 2) {
-      float* const row = out + (ix - first) * mode_stride_;
-      if (ix + 1 < last) {
-        along_z_.forward<float>({row, row + mode_stride_}, 1.0f, {row, row + mode_stride_}, work.along_z);
-      } else {
-        along_z_.forward<float>({row, row}, 1.0f, {row, work.mode_copy.data()}, work.along_z);
-      }
-    }
+    transform(out, [&](auto... rows) { along_z_.forward(rows..., work.along_z); });
   }
   // A tile begins with a block of factors: it has a multiple of 256 modes.
   const std::size_t modes = (last - first) * mode_stride_;
@@ -197,14 +206,7 @@ void CosineLattice::solve_tile(std::size_t first, std::size_t last, Workspace& w
   for (std::size_t layer = 0; layer < layers; ++layer) {
     float* const in = work.modes.data() + layer * layer_stride;
     float* const out = rows_of(layer);
-    for (std::size_t ix = first; ix < last; ix += 2) {
-      float* const row = in + (ix - first) * mode_stride_;
-      if (ix + 1 < last) {
-        along_z_.backward<float>({row, row + mode_stride_}, 1.0f, {row, row + mode_stride_}, work.along_z);
-      } else {
-        along_z_.backward<float>({row, row}, 1.0f, {row, work.mode_copy.data()}, work.along_z);
-      }
-    }
+    transform(in, [&](auto... rows) { along_z_.backward(rows..., work.along_z); });
     for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
       for (std::size_t ix = first; ix < last; ++ix) out[iz * row_stride_ + ix] = in[(ix - first) * mode_stride_ + iz];
     }

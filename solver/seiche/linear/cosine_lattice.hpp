@@ -55,13 +55,14 @@ class CosineLattice {
   /// What one thread works with. A row without a partner is transformed together with a copy of itself.
   struct Workspace {
     CosineTransform::Workspace along_x, along_z;
-    std::vector<double> row_copy, scaled, scaled_next;
-    std::vector<float> mode_copy;
+    std::vector<float> row, next, mode_copy;
     std::vector<float> modes;  // of a tile: [layer][position along x][position along z]
   };
 
   void factor(const LayerMatrix& matrix);
   void grow_workspaces();
+  template <class Act>
+  void each_pair(const Act& act);
   void transform_rows(const double* right_hand_side, double factor, const double* scale);
   void transform_rows_back(double factor, double* x, const double* scale);
   void solve_tile(std::size_t first, std::size_t last, Workspace& work);

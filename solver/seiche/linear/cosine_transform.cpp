@@ -19,56 +19,39 @@ fftwf_complex* fftw(std::complex<float>* data) {
 }
 
 /// z_n = (a_2n, b_2n), z_{N-1-n} = (a_{2n+1}, b_{2n+1}).
-template <class Real>
-[[gnu::always_inline]] inline void pack_rows(const Real* __restrict a, const Real* __restrict b, Real factor,
-                                             float* __restrict z, std::size_t size) {
+SEICHE_SIMD_CLONES void pack(const float* __restrict a, const float* __restrict b, float* __restrict z,
+                             std::size_t size) {
   const std::size_t half = size / 2;
   for (std::size_t n = 0; n < half; ++n) {
-    z[2 * n] = static_cast<float>(factor * a[2 * n]);
-    z[2 * n + 1] = static_cast<float>(factor * b[2 * n]);
+    z[2 * n] = a[2 * n];
+    z[2 * n + 1] = b[2 * n];
   }
   if (size % 2 == 1) {
-    z[2 * half] = static_cast<float>(factor * a[size - 1]);
-    z[2 * half + 1] = static_cast<float>(factor * b[size - 1]);
+    z[2 * half] = a[size - 1];
+    z[2 * half + 1] = b[size - 1];
   }
   float* const end = z + 2 * (size - 1);
   for (std::size_t n = 0; n < half; ++n) {
-    end[-2 * static_cast<std::ptrdiff_t>(n)] = static_cast<float>(factor * a[2 * n + 1]);
-    end[-2 * static_cast<std::ptrdiff_t>(n) + 1] = static_cast<float>(factor * b[2 * n + 1]);
+    end[-2 * static_cast<std::ptrdiff_t>(n)] = a[2 * n + 1];
+    end[-2 * static_cast<std::ptrdiff_t>(n) + 1] = b[2 * n + 1];
   }
 }
 
-template <class Real>
-[[gnu::always_inline]] inline void unpack_rows(const float* __restrict z, Real factor, Real* __restrict a,
-                                               Real* __restrict b, std::size_t size) {
+SEICHE_SIMD_CLONES void unpack(const float* __restrict z, float* __restrict a, float* __restrict b, std::size_t size) {
   const std::size_t half = size / 2;
   const float* const end = z + 2 * (size - 1);
   for (std::size_t n = 0; n < half; ++n) {
-    a[2 * n] = factor * static_cast<Real>(z[2 * n]);
-    a[2 * n + 1] = factor * static_cast<Real>(end[-2 * static_cast<std::ptrdiff_t>(n)]);
+    a[2 * n] = z[2 * n];
+    a[2 * n + 1] = end[-2 * static_cast<std::ptrdiff_t>(n)];
   }
   for (std::size_t n = 0; n < half; ++n) {
-    b[2 * n] = factor * static_cast<Real>(z[2 * n + 1]);
-    b[2 * n + 1] = factor * static_cast<Real>(end[-2 * static_cast<std::ptrdiff_t>(n) + 1]);
+    b[2 * n] = z[2 * n + 1];
+    b[2 * n + 1] = end[-2 * static_cast<std::ptrdiff_t>(n) + 1];
   }
   if (size % 2 == 1) {
-    a[size - 1] = factor * static_cast<Real>(z[2 * half]);
-    b[size - 1] = factor * static_cast<Real>(z[2 * half + 1]);
+    a[size - 1] = z[2 * half];
+    b[size - 1] = z[2 * half + 1];
   }
-}
-
-// One function for each type: clones cannot be templates.
-SEICHE_SIMD_CLONES void pack(const double* a, const double* b, double factor, float* z, std::size_t size) {
-  pack_rows(a, b, factor, z, size);
-}
-SEICHE_SIMD_CLONES void pack(const float* a, const float* b, float factor, float* z, std::size_t size) {
-  pack_rows(a, b, factor, z, size);
-}
-SEICHE_SIMD_CLONES void unpack(const float* z, double factor, double* a, double* b, std::size_t size) {
-  unpack_rows(z, factor, a, b, size);
-}
-SEICHE_SIMD_CLONES void unpack(const float* z, float factor, float* a, float* b, std::size_t size) {
-  unpack_rows(z, factor, a, b, size);
 }
 
 /// Coefficients of both rows from the spectrum Z of a + i b: A_m = (Z_m + conj Z_{N-m})/2, B_m = (Z_m - conj
@@ -150,16 +133,6 @@ CosineTransform::Workspace::Buffer CosineTransform::Workspace::allocate(std::siz
 CosineTransform::Workspace::Workspace(const CosineTransform& transform)
     : rows_(allocate(transform.size())), spectrum_(allocate(transform.size())) {}
 
-std::size_t fast_size_from(std::size_t size) {
-  for (size = std::max<std::size_t>(size, 1);; ++size) {
-    std::size_t rest = size;
-    for (const std::size_t factor : {2, 3, 5, 7}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return size;
-  }
-}
-
 CosineTransform::CosineTransform(std::size_t size) : size_(size) {
   require_at_least("size", static_cast<long>(size), 1);
   for (std::size_t m = 0; m <= size / 2; ++m) {
@@ -176,30 +149,23 @@ CosineTransform::CosineTransform(std::size_t size) : size_(size) {
   backward_.reset(fftwf_plan_dft_1d(n, spectrum, rows, FFTW_BACKWARD, FFTW_ESTIMATE));
 }
 
-template <class Real>
-void CosineTransform::forward(std::array<const Real*, 2> rows, Real factor, std::array<float*, 2> coefficients,
+void CosineTransform::forward(std::array<const float*, 2> rows, std::array<float*, 2> coefficients,
                               Workspace& workspace) const {
   auto* const z = workspace.rows_.get();
   auto* const spectrum = workspace.spectrum_.get();
-  pack(rows[0], rows[1], factor, reinterpret_cast<float*>(z), size_);
+  pack(rows[0], rows[1], reinterpret_cast<float*>(z), size_);
   fftwf_execute_dft(forward_.get(), fftw(z), fftw(spectrum));
   separate(reinterpret_cast<const float*>(spectrum), cosine_.data(), sine_.data(), coefficients[0], coefficients[1],
            size_);
 }
 
-template <class Real>
-void CosineTransform::backward(std::array<const float*, 2> coefficients, Real factor, std::array<Real*, 2> rows,
+void CosineTransform::backward(std::array<const float*, 2> coefficients, std::array<float*, 2> rows,
                                Workspace& workspace) const {
   auto* const z = workspace.rows_.get();
   auto* const spectrum = workspace.spectrum_.get();
   join(coefficients[0], coefficients[1], cosine_.data(), sine_.data(), reinterpret_cast<float*>(spectrum), size_);
   fftwf_execute_dft(backward_.get(), fftw(spectrum), fftw(z));
-  unpack(reinterpret_cast<const float*>(z), factor, rows[0], rows[1], size_);
+  unpack(reinterpret_cast<const float*>(z), rows[0], rows[1], size_);
 }
-
-template void CosineTransform::forward(std::array<const float*, 2>, float, std::array<float*, 2>, Workspace&) const;
-template void CosineTransform::forward(std::array<const double*, 2>, double, std::array<float*, 2>, Workspace&) const;
-template void CosineTransform::backward(std::array<const float*, 2>, float, std::array<float*, 2>, Workspace&) const;
-template void CosineTransform::backward(std::array<const float*, 2>, double, std::array<double*, 2>, Workspace&) const;
 
 }  // namespace seiche::linear

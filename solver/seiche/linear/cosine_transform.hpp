@@ -24,10 +24,6 @@ struct fftwf_plan_s;
 
 namespace seiche::linear {
 
-/// The smallest size from `size` on whose transforms are fast: no prime factors but 2, 3, 5 and 7. A large prime makes
-/// them ten times slower.
-std::size_t fast_size_from(std::size_t size);
-
 class CosineTransform {
  public:
   /// @param size  number of samples N, at least 1. Throws std::invalid_argument.
@@ -56,14 +52,10 @@ class CosineTransform {
     Buffer spectrum_;
   };
 
-  /// Coefficients of two rows, times factor. The two may be the same row.
-  template <class Real>
-  void forward(std::array<const Real*, 2> rows, Real factor, std::array<float*, 2> coefficients,
-               Workspace& workspace) const;
-  /// Rows from their coefficients, times factor N: the inverse of forward has factor 1/N.
-  template <class Real>
-  void backward(std::array<const float*, 2> coefficients, Real factor, std::array<Real*, 2> rows,
-                Workspace& workspace) const;
+  /// Coefficients of two rows. The two may be the same row.
+  void forward(std::array<const float*, 2> rows, std::array<float*, 2> coefficients, Workspace& workspace) const;
+  /// N times the rows that have these coefficients.
+  void backward(std::array<const float*, 2> coefficients, std::array<float*, 2> rows, Workspace& workspace) const;
 
  private:
   struct DestroyPlan {

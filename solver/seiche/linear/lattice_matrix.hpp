@@ -2,11 +2,19 @@
 /// arrays that they are stored in.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace seiche::linear {
+
+inline constexpr std::size_t cache_line = 8;  // numbers in it
+/// At least `numbers`, an odd number of lines of the cache: arrays so far from each other fall on different ones.
+constexpr std::size_t odd_lines(std::size_t numbers) {
+  return ((numbers + cache_line - 1) / cache_line | 1) * cache_line;
+}
 
 /// Several numbers per cell of a lattice, row by row: all numbers of one row of cells lie together.
 ///
@@ -19,30 +27,26 @@ class RowBlocks {
   RowBlocks(std::size_t columns, std::size_t rows, std::size_t numbers)
       : numbers_(numbers),
         rows_(rows),
-        stride_(odd((columns + 2 * margin + line - 1) / line) * line),
+        stride_(odd_lines(columns + 2 * margin)),
         values_((rows + 1) * numbers * stride_, 0.0) {}
 
   /// Numbers of one row; number k of cell i is at data[k stride + i], -1 <= i <= columns.
-  struct Row {
-    double* data;
+  template <class Number>
+  struct Numbers {
+    Number* data;
     std::size_t stride;
-    [[nodiscard]] double* operator[](std::size_t number) const { return data + number * stride; }
+    [[nodiscard]] Number* operator[](std::size_t number) const { return data + number * stride; }
   };
-  struct ConstRow {
-    const double* data;
-    std::size_t stride;
-    [[nodiscard]] const double* operator[](std::size_t number) const { return data + number * stride; }
-  };
+  using Row = Numbers<double>;
+  using ConstRow = Numbers<const double>;
 
   [[nodiscard]] Row row(std::size_t r) { return {values_.data() + begin(r), stride_}; }
   [[nodiscard]] ConstRow row(std::size_t r) const { return {values_.data() + begin(r), stride_}; }
   [[nodiscard]] ConstRow zeros() const { return row(rows_); }
 
  private:
-  static constexpr std::size_t line = 8;  // numbers in a line of the cache
-  static constexpr std::size_t margin = line;
+  static constexpr std::size_t margin = cache_line;
 
-  static constexpr std::size_t odd(std::size_t lines) { return lines | 1; }
   [[nodiscard]] std::size_t begin(std::size_t r) const { return r * numbers_ * stride_ + margin; }
 
   std::size_t numbers_ = 0;
@@ -50,17 +54,6 @@ class RowBlocks {
   std::size_t stride_ = 0;
   std::vector<double> values_;
 };
-
-// Symmetric matrix on a lattice of columns x rows cells, each coupled with its eight neighbours.
-//
-// Cell (i, j), i < columns, j < rows, has index c = j columns + i: rows of the lattice are contiguous. Five
-// coefficients are stored per cell, those of the cell itself and of the four neighbours that come after it:
-//
-//     up_left   up   up_right             (i-1, j+1)  (i, j+1)  (i+1, j+1)
-//               own     right                         (i, j)    (i+1, j)
-//
-// Coefficients of neighbours outside the lattice must be zero: products then run over contiguous memory without
-// branches. Every coefficient array, and every vector a product reads, has a margin of columns + 1 zeros at both ends.
 
 /// An array of one number per cell with a margin of zeros before and after, so that data()[-margin] may be read.
 class LatticeArray {
@@ -81,65 +74,53 @@ class LatticeArray {
   std::vector<double> values_;
 };
 
-struct NinePointMatrix {
-  NinePointMatrix() = default;
-  NinePointMatrix(std::size_t columns_, std::size_t rows_)
-      : columns(columns_),
-        rows(rows_),
-        own(columns_, rows_),
-        right(columns_, rows_),
-        up(columns_, rows_),
-        up_right(columns_, rows_),
-        up_left(columns_, rows_) {}
-
-  [[nodiscard]] std::size_t size() const { return columns * rows; }
-  /// The stored coefficient of cells a and b, in either order, which must be neighbours or one cell.
-  [[nodiscard]] double& coefficient(std::size_t a, std::size_t b);
-  /// result = A x; returns x . A x. Threads share the rows of the lattice: one partial sum per row, summed in order, so
-  /// the same for any number of threads.
-  double multiply_and_dot(const LatticeArray& x, LatticeArray& result) const;
-
-  std::size_t columns = 0;
-  std::size_t rows = 0;
-  LatticeArray own, right, up, up_right, up_left;
-};
-
-// Symmetric matrix on a lattice of columns x rows x layers cells, each coupled with its 26 neighbours.
-//
-// Cell (i, j, l) has index c = (l rows + j) columns + i. Fourteen coefficients are stored per cell, its own and those
-// of the thirteen neighbours (i + di, j + dj, l + dl) that come after it:
-//
-//     dl = 0:  (1, 0)  (-1, 1)  (0, 1)  (1, 1)          dl = 1:  all nine (di, dj)
-//
-// Coefficients of neighbours outside the lattice must be zero. Products skip layers that are not there: one layer
-// costs as much as a nine-point matrix.
-
 /// Number of the coefficient of the neighbour (di, dj, dl) that comes after a cell: 0..12.
 constexpr std::size_t later_neighbour(int di, int dj, int dl) {
   return static_cast<std::size_t>(dl == 1 ? 4 + 3 * (dj + 1) + di + 1 : dj == 0 ? 0 : 2 + di);
 }
 
-struct TwentySevenPointMatrix {
-  TwentySevenPointMatrix() = default;
-  TwentySevenPointMatrix(std::size_t columns_, std::size_t rows_, std::size_t layers_)
-      : columns(columns_),
-        rows(rows_),
-        layers(layers_),
-        own(columns_, rows_ * layers_),
-        later(columns_, rows_ * layers_, 13) {}
+/// Symmetric matrix on a lattice of columns x rows x layers cells, each coupled with its 26 neighbours; in one layer
+/// with its eight.
+///
+/// Cell (i, j, l) has index c = (l rows + j) columns + i: rows of the lattice are contiguous. Fourteen coefficients are
+/// stored per cell, in one layer five: its own, and those of the neighbours (i + di, j + dj, l + dl) that come after
+/// it:
+///
+///     dl = 0:  (1, 0)  (-1, 1)  (0, 1)  (1, 1)          dl = 1:  all nine (di, dj)
+///
+/// Coefficients of neighbours outside the lattice must be zero: products then run over contiguous memory without
+/// branches. Arrays of coefficients have margins as LatticeArray, and begin on different lines of the cache.
+class StencilMatrix {
+ public:
+  /// Numbers of the coefficients: of the cell itself, and of its neighbours (1, 0), (-1, 1), (0, 1), (1, 1).
+  static constexpr std::size_t own = 0, right = 1, up_left = 2, up = 3, up_right = 4;
 
-  [[nodiscard]] std::size_t size() const { return columns * rows * layers; }
+  StencilMatrix() = default;
+  StencilMatrix(std::size_t columns, std::size_t rows, std::size_t layers = 1);
+
+  [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t layers() const { return layers_; }
+  [[nodiscard]] std::size_t size() const { return columns_ * rows_ * layers_; }
+  /// Coefficients of all cells: `own`, or 1 + later_neighbour.
+  [[nodiscard]] double* operator[](std::size_t part) { return values_.data() + begin(part); }
+  [[nodiscard]] const double* operator[](std::size_t part) const { return values_.data() + begin(part); }
   /// The stored coefficient of cells a and b, in either order, which must be neighbours or one cell.
-  [[nodiscard]] double& coefficient(std::size_t a, std::size_t b);
+  [[nodiscard]] const double& coefficient(std::size_t a, std::size_t b) const;
+  [[nodiscard]] double& coefficient(std::size_t a, std::size_t b) {
+    return const_cast<double&>(std::as_const(*this).coefficient(a, b));
+  }
+  void clear() { std::ranges::fill(values_, 0.0); }
   /// result = A x; returns x . A x. Threads share the rows of the lattice: one partial sum per row, summed in order, so
   /// the same for any number of threads. Margins of x must be finite.
   double multiply_and_dot(const LatticeArray& x, LatticeArray& result) const;
 
-  std::size_t columns = 0;
-  std::size_t rows = 0;
-  std::size_t layers = 0;
-  LatticeArray own;
-  RowBlocks later;  // by rows l rows + j
+ private:
+  [[nodiscard]] std::size_t begin(std::size_t part) const { return part * stride_ + columns_ + 1; }
+
+  std::size_t columns_ = 0, rows_ = 0, layers_ = 0;
+  std::size_t stride_ = 0;  // from part to part
+  std::vector<double> values_;
 };
 
 }  // namespace seiche::linear

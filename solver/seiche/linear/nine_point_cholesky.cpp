@@ -23,7 +23,7 @@ bool is_good(double pivot) {
 struct NinePointCholesky::Kernels {
   static constexpr std::size_t n = Block::n;
   /// Block column p of A. Coefficients outside the lattice are zero, so their places do not matter.
-  [[gnu::noinline]] static void load(const NinePointCholesky& s, const NinePointMatrix& a, End& end, std::size_t p) {
+  [[gnu::noinline]] static void load(const NinePointCholesky& s, const StencilMatrix& a, End& end, std::size_t p) {
     Block* const column = s.recent(end, p);
     if (p < s.each_) {
       std::fill_n(column->entry, (end.columns[p].reach + 1) * n * n, 0.0);
@@ -49,8 +49,8 @@ struct NinePointCholesky::Kernels {
     }
     const bool along_x = s.along_ == 1;
     const std::array<const double*, couplings> coefficients = {
-        a.own.data(), (along_x ? a.right : a.up).data() + end.next, a.up_left.data() + end.behind,
-        (along_x ? a.up : a.right).data() + end.across, a.up_right.data() + end.ahead};
+        a[a.own], a[along_x ? a.right : a.up] + end.next, a[a.up_left] + end.behind,
+        a[along_x ? a.up : a.right] + end.across, a[a.up_right] + end.ahead};
     double* const entry = column->entry;
     for (std::size_t k = 0; k < couplings; ++k) {
       const double* const from = coefficients[k];
@@ -147,12 +147,12 @@ struct NinePointCholesky::Kernels {
     return true;
   }
 
-  static Failure factor(NinePointCholesky& s, const NinePointMatrix& a);
+  static Failure factor(NinePointCholesky& s, const StencilMatrix& a);
   static void substitute(const NinePointCholesky& s);
 };
 
 SEICHE_SIMD_CLONES NinePointCholesky::Kernels::Failure NinePointCholesky::Kernels::factor(NinePointCholesky& s,
-                                                                                          const NinePointMatrix& a) {
+                                                                                          const StencilMatrix& a) {
   End& front = s.front_;
   End& back = s.back_;
   Failure failure;
@@ -275,10 +275,10 @@ std::size_t NinePointCholesky::cell(const End& end, std::size_t number) const {
   return end.reversed ? size() - 1 - c : c;
 }
 
-void NinePointCholesky::factor(const NinePointMatrix& a) {
-  if (a.columns != columns_ || a.rows != rows_) {
-    throw std::invalid_argument(
-        fmt::format("matrix of a {} x {} lattice; expected {} x {}", a.columns, a.rows, columns_, rows_));
+void NinePointCholesky::factor(const StencilMatrix& a) {
+  if (a.columns() != columns_ || a.rows() != rows_ || a.layers() != 1) {
+    throw std::invalid_argument(fmt::format("matrix of a {} x {} x {} lattice; expected {} x {} x 1", a.columns(),
+                                            a.rows(), a.layers(), columns_, rows_));
   }
   const Kernels::Failure failure = Kernels::factor(*this, a);
   if (failure.end != nullptr) throw NotPositiveDefinite(cell(*failure.end, failure.number), failure.pivot);

@@ -35,7 +35,7 @@ class NinePointCholesky {
   NinePointCholesky(std::size_t columns, std::size_t rows);
 
   /// Throws std::invalid_argument for a matrix of another shape, NotPositiveDefinite with the index of the cell.
-  void factor(const NinePointMatrix& a);
+  void factor(const StencilMatrix& a);
   /// Arrays of one number per cell, in the order of the lattice; they may be the same. One thread at a time.
   void solve(std::span<const double> right_hand_side, std::span<double> x) const;
 

@@ -9,6 +9,7 @@
 #include <cholmod.h>
 #include <fmt/format.h>
 #include <omp.h>
+#include <Eigen/CholmodSupport>
 
 #include "seiche/linear/tridiagonal.hpp"
 
@@ -65,18 +66,8 @@ struct SparseCholesky::Cholmod {
 
   /// The pattern with its values as CHOLMOD sees it.
   cholmod_sparse view() {
-    cholmod_sparse a{};
-    a.nrow = a.ncol = static_cast<std::size_t>(pattern.cols());
-    a.nzmax = static_cast<std::size_t>(pattern.nonZeros());
-    a.p = pattern.outerIndexPtr();
-    a.i = pattern.innerIndexPtr();
-    a.x = pattern.valuePtr();
+    cholmod_sparse a = Eigen::viewAsCholmod<double, Eigen::ColMajor, int>(pattern);
     a.stype = -1;
-    a.itype = CHOLMOD_INT;
-    a.xtype = CHOLMOD_REAL;
-    a.dtype = CHOLMOD_DOUBLE;
-    a.sorted = 1;
-    a.packed = 1;
     return a;
   }
 

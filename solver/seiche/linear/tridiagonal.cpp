@@ -41,39 +41,31 @@ void TwoEndedTridiagonal::factor(TridiagonalMatrix a) {
   require_shape(a, 1, n - 1);
   inverse_pivot_.resize(n);
   multiplier_.resize(n - 1);
-  const std::size_t middle = n / 2;          // rows 0..middle-1 from above, n-1..middle+1 from below
-  const std::size_t below = n - 1 - middle;  // middle or middle - 1
-  double top = 0;
-  double bottom = 0;
+  const std::size_t middle = n / 2;
   double* const pivot = inverse_pivot_.data();
   double* const multiplier = multiplier_.data();
   const double* const d = a.diagonal.data();
   const double* const e = a.off_diagonal.data();
-  if (middle > 0) pivot[0] = top = 1 / d[0];
-  if (below > 0) pivot[n - 1] = bottom = 1 / d[n - 1];
-  for (std::size_t k = 1; k < below; ++k) {
-    const double e_top = e[k - 1];
-    const double e_bottom = e[n - 1 - k];
-    multiplier[k - 1] = e_top * top;
-    multiplier[n - 1 - k] = e_bottom * bottom;
-    top = 1 / (d[k] - (e_top * e_top) * top);
-    bottom = 1 / (d[n - 1 - k] - (e_bottom * e_bottom) * bottom);
-    pivot[k] = top;
-    pivot[n - 1 - k] = bottom;
-  }
-  for (std::size_t k = std::max<std::size_t>(below, 1); k < middle; ++k) {
-    multiplier[k - 1] = e[k - 1] * top;
-    pivot[k] = top = 1 / (d[k] - (e[k - 1] * e[k - 1]) * top);
+  // Rows k and n - 1 - k: two independent chains of divisions, which the processor overlaps.
+  double top = 0;
+  double bottom = 0;
+  for (std::size_t k = 0; k < middle; ++k) {
+    const double e_top = k > 0 ? e[k - 1] : 0;
+    if (k > 0) multiplier[k - 1] = e_top * top;
+    pivot[k] = top = 1 / (d[k] - (e_top * e_top) * top);
+    const std::size_t j = n - 1 - k;
+    if (j == middle) break;
+    const double e_bottom = k > 0 ? e[j] : 0;
+    if (k > 0) multiplier[j] = e_bottom * bottom;
+    pivot[j] = bottom = 1 / (d[j] - (e_bottom * e_bottom) * bottom);
   }
   double rest = d[middle];
-  if (middle > 0) {
-    multiplier[middle - 1] = e[middle - 1] * top;
-    rest -= e[middle - 1] * multiplier[middle - 1];
-  }
-  if (below > 0) {
-    multiplier[middle] = e[middle] * bottom;
-    rest -= e[middle] * multiplier[middle];
-  }
+  const auto join = [&](std::size_t pair, double inverse) {
+    multiplier[pair] = e[pair] * inverse;
+    rest -= e[pair] * multiplier[pair];
+  };
+  if (middle > 0) join(middle - 1, top);
+  if (middle + 1 < n) join(middle, bottom);
   pivot[middle] = 1 / rest;
   if (!std::all_of(inverse_pivot_.begin(), inverse_pivot_.end(), [](double r) { return r > 0; })) {
     require_positive_pivots(inverse_pivot_);
@@ -83,35 +75,28 @@ void TwoEndedTridiagonal::factor(TridiagonalMatrix a) {
 void TwoEndedTridiagonal::solve(std::span<const double> right_hand_side, std::span<double> x) const {
   const std::size_t n = size();
   const std::size_t middle = n / 2;
-  const std::size_t below = n - 1 - middle;
   const double* const b = right_hand_side.data();
   double* const out = x.data();
   const double* const pivot = inverse_pivot_.data();
   const double* const multiplier = multiplier_.data();
-  const double centre = b[middle];
   double top = 0;
   double bottom = 0;
-  if (middle > 0) out[0] = top = b[0];
-  if (below > 0) out[n - 1] = bottom = b[n - 1];
-  for (std::size_t k = 1; k < below; ++k) {
-    out[k] = top = b[k] - multiplier[k - 1] * top;
-    out[n - 1 - k] = bottom = b[n - 1 - k] - multiplier[n - 1 - k] * bottom;
+  for (std::size_t k = 0; k < middle; ++k) {
+    out[k] = top = b[k] - (k > 0 ? multiplier[k - 1] * top : 0);
+    const std::size_t j = n - 1 - k;
+    if (j == middle) break;
+    out[j] = bottom = b[j] - (k > 0 ? multiplier[j] * bottom : 0);
   }
-  for (std::size_t k = std::max<std::size_t>(below, 1); k < middle; ++k) {
-    out[k] = top = b[k] - multiplier[k - 1] * top;
-  }
-  double z = centre;
+  double z = b[middle];
   if (middle > 0) z -= multiplier[middle - 1] * top;
-  if (below > 0) z -= multiplier[middle] * bottom;
-  z *= pivot[middle];
-  out[middle] = top = bottom = z;
-  for (std::size_t k = 1; k <= below; ++k) {
+  if (middle + 1 < n) z -= multiplier[middle] * bottom;
+  out[middle] = top = bottom = z * pivot[middle];
+  for (std::size_t k = 1; k <= middle; ++k) {
     const std::size_t i = middle - k;
     const std::size_t j = middle + k;
     out[i] = top = out[i] * pivot[i] - multiplier[i] * top;
-    out[j] = bottom = out[j] * pivot[j] - multiplier[j - 1] * bottom;
+    if (j < n) out[j] = bottom = out[j] * pivot[j] - multiplier[j - 1] * bottom;
   }
-  if (middle > below) out[0] = out[0] * pivot[0] - multiplier[0] * top;
 }
 
 void PeriodicTridiagonal::factor(TridiagonalMatrix a) {

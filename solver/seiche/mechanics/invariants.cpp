@@ -17,7 +17,7 @@ std::size_t InvariantsLedger::watch(std::string name, double initial) {
   return entries_.size() - 1;
 }
 
-void InvariantsLedger::record(Input values, double solver_residual) {
+void InvariantsLedger::record(Input values) {
   if (values.size() != entries_.size()) {
     throw std::invalid_argument(
         fmt::format("values: {} given; allowed: {}, one per entry", values.size(), entries_.size()));
@@ -35,8 +35,6 @@ void InvariantsLedger::record(Input values, double solver_residual) {
     keep_larger(entry.largest_defect, entry.defect);
     keep_larger(entry.largest_step_defect, entry.step_defect);
   }
-  residual_ = solver_residual;
-  residuals_.add(solver_residual);
   ++records_;
 }
 
@@ -62,44 +60,6 @@ double InvariantsLedger::largest_defect(const std::string& begins) const {
   }
   if (!found) throw std::invalid_argument(fmt::format("no invariant begins with {}", begins));
   return worst.value();
-}
-
-Extent extent(Input values) {
-  CompensatedSum sum;
-  for (const double v : values) sum.add(v);
-  return {.largest = values.empty() ? 0 : worst(values), .sum = sum.value()};
-}
-
-double total_mass(std::span<const double> mass) {
-  CompensatedSum sum;
-  for (const double m : mass) sum.add(m);
-  return sum.value();
-}
-
-std::array<double, 2> plane_momentum(std::span<const double> mass, std::span<const double> u) {
-  const std::size_t n = mass.size();
-  CompensatedSum x;
-  CompensatedSum y;
-  for (std::size_t k = 0; k < n; ++k) {
-    x.add(mass[k] * u[k]);
-    y.add(mass[k] * u[n + k]);
-  }
-  return {x.value(), y.value()};
-}
-
-std::array<double, 1> plane_angular_momentum(std::span<const double> mass, std::span<const double> q,
-                                             std::span<const double> u) {
-  const std::size_t n = mass.size();
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < n; ++k) sum.add(mass[k] * (q[k] * u[n + k] - q[n + k] * u[k]));
-  return {sum.value()};
-}
-
-double plane_kinetic_energy(std::span<const double> mass, std::span<const double> u) {
-  const std::size_t n = mass.size();
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < n; ++k) sum.add(0.5 * mass[k] * (u[k] * u[k] + u[n + k] * u[n + k]));
-  return sum.value();
 }
 
 }  // namespace seiche::mechanics

@@ -39,9 +39,8 @@ class InvariantsLedger {
   void book(std::size_t index, double amount) { entries_.at(index).booked.add(amount); }
   /// To the first entry of that name. Throws std::invalid_argument where there is none.
   void book(const std::string& name, double amount);
-  /// One value per entry, in the order of watch, after a step; the solver's residual beside them. Throws
-  /// std::invalid_argument when the number of values differs.
-  void record(Input values, double solver_residual = 0);
+  /// One value per entry, in the order of watch, after a step. Throws std::invalid_argument when their number differs.
+  void record(Input values);
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   /// Throws std::invalid_argument listing the names there are.
@@ -49,22 +48,11 @@ class InvariantsLedger {
   /// Largest over the entries whose name begins so: "momentum" covers momentum_x, momentum_y, ...
   [[nodiscard]] double largest_defect(const std::string& begins) const;
   [[nodiscard]] long records() const { return records_; }
-  [[nodiscard]] double solver_residual() const { return residual_; }
-  [[nodiscard]] double largest_solver_residual() const { return residuals_.value(); }
 
  private:
   std::vector<Entry> entries_;
   long records_ = 0;
-  double residual_ = 0;
-  Worst residuals_;
 };
-
-/// Largest magnitude and compensated sum of an array.
-struct Extent {
-  double largest = 0;
-  double sum = 0;
-};
-Extent extent(Input values);
 
 /// Watches of a model whatever it offers:
 ///
@@ -82,11 +70,11 @@ class InvariantsWatch {
     });
   }
 
-  /// After a step. @param residual  J u~ of the step, if it was measured
-  void record(const State& state, Input residual = {}) {
+  /// After a step.
+  void record(const State& state) {
     values_.clear();
     observe(state, [&](const std::string&, double value) { values_.push_back(value); });
-    ledger_.record(values_, extent(residual).largest);
+    ledger_.record(values_);
   }
 
   /// As they are now, whether there is a record of it or not.
@@ -118,9 +106,10 @@ class InvariantsWatch {
     if constexpr (HasConstraintValues<Model>) {
       std::vector<double> constraints(constraint_count(model_));
       model_.constraint_values(q, constraints);
-      const Extent volumes = extent(constraints);
-      keep("volume_total", volumes.sum);
-      keep("volume_worst", volumes.largest);
+      CompensatedSum total;
+      for (const double defect : constraints) total.add(defect);
+      keep("volume_total", total.value());
+      keep("volume_worst", constraints.empty() ? 0 : worst(constraints));
     }
   }
 
@@ -134,16 +123,34 @@ class InvariantsWatch {
   std::vector<double> values_;
 };
 
-// Momenta and energy of point masses in a plane: q = (x of all, y of all), u = (velocities along x, along y).
+/// Momenta and energy of point masses in a plane, q = (x of all, y of all), u = (velocities along x, along y).
+/// @tparam Model  derives from it and gives masses() [kg/m]
+template <class Model>
+class PointMasses {
+ public:
+  [[nodiscard]] double mass() const {  ///< [kg/m]
+    return sum([](std::size_t, std::size_t) { return 1.0; });
+  }
+  [[nodiscard]] std::array<double, 2> momentum(Input /*q*/, Input u) const {  ///< along x and y [kg/s]
+    return {sum([&](std::size_t k, std::size_t) { return u[k]; }),
+            sum([&](std::size_t k, std::size_t n) { return u[n + k]; })};
+  }
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {  ///< about the origin [kg m/s]
+    return {sum([&](std::size_t k, std::size_t n) { return q[k] * u[n + k] - q[n + k] * u[k]; })};
+  }
+  [[nodiscard]] double kinetic_energy(Input /*q*/, Input u) const {  ///< [J/m]
+    return sum([&](std::size_t k, std::size_t n) { return 0.5 * (u[k] * u[k] + u[n + k] * u[n + k]); });
+  }
 
-/// [kg/m]
-double total_mass(std::span<const double> mass);
-/// Along x and y [kg/s].
-std::array<double, 2> plane_momentum(std::span<const double> mass, std::span<const double> u);
-/// About the origin [kg m/s].
-std::array<double, 1> plane_angular_momentum(std::span<const double> mass, std::span<const double> q,
-                                             std::span<const double> u);
-/// [J/m]
-double plane_kinetic_energy(std::span<const double> mass, std::span<const double> u);
+ private:
+  /// Of mass times term(node, nodes).
+  template <class Term>
+  [[nodiscard]] double sum(const Term& term) const {
+    const std::span<const double> masses = static_cast<const Model&>(*this).masses();
+    CompensatedSum all;
+    for (std::size_t k = 0; k < masses.size(); ++k) all.add(masses[k] * term(k, masses.size()));
+    return all.value();
+  }
+};
 
 }  // namespace seiche::mechanics

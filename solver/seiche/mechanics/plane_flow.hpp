@@ -1,8 +1,9 @@
-/// What flows of point masses in a plane share, q = (x of all, y of all), u = (velocities along x, along y): the start
-/// and a ledger in which what a stabilisation takes from the energy, or a feedback of the drift does
+/// What flows of point masses in a plane share, q = (x of all, y of all), u = (velocities along x, along y): the start,
+/// steps to a time, and a ledger in which what a stabilisation takes from the energy, or a feedback of the drift does
 /// to it, is booked.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -12,40 +13,23 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/model_flow.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
-#include "seiche/model.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::mechanics {
 
 template <class Model>
-class PlaneFlow {
+class PlaneFlow : public ModelFlow<Model> {
  public:
-  virtual ~PlaneFlow() = default;
-  PlaneFlow(PlaneFlow&&) noexcept = default;
-  PlaneFlow& operator=(PlaneFlow&&) noexcept = default;
-
-  /// One step of length tau > 0. A step that fails leaves the state as it was.
-  virtual void advance(double tau) = 0;
-  void arrive(double time) { state_.time = time; }
-  [[nodiscard]] static double stable_step() { return std::numeric_limits<double>::infinity(); }
-
-  [[nodiscard]] double time() const { return state_.time; }
-  [[nodiscard]] long steps() const { return state_.steps; }
-  [[nodiscard]] const Model& model() const { return *model_; }
-  [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] Input x() const { return Input(state_.q).first(state_.q.size() / 2); }
   [[nodiscard]] Input y() const { return Input(state_.q).last(state_.q.size() / 2); }
   [[nodiscard]] Input u() const { return Input(state_.u).first(state_.u.size() / 2); }
   [[nodiscard]] Input v() const { return Input(state_.u).last(state_.u.size() / 2); }
-  /// Mean of the last two steps; p + rho g y of Dirichlet cells [Pa].
-  [[nodiscard]] std::vector<double> dynamic_pressure() const { return state_.nodal_multipliers(); }
-
   [[nodiscard]] double kinetic_energy() const { return model_->kinetic_energy(state_.q, state_.u); }  ///< [J/m]
   [[nodiscard]] double potential_energy() const { return model_->potential_energy(state_.q); }        ///< [J/m]
-  [[nodiscard]] double energy() const { return kinetic_energy() + potential_energy(); }
   /// What the stabilisation took from the water since the beginning [J/m]; never falls.
   [[nodiscard]] double stabilisation_loss() const { return loss_.value(); }
   /// What the feedback of the drift did to it, of either sign [J/m].
@@ -57,22 +41,23 @@ class PlaneFlow {
     return worst(drift);
   }
 
+  [[nodiscard]] static double stable_step() { return std::numeric_limits<double>::infinity(); }
+
   /// Mass, momenta, energy with what was booked, constraints since the beginning: takes a record.
   void observe() { watch_->record(state_); }
-  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
-  [[nodiscard]] const InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  protected:
+  using ModelFlow<Model>::model_, ModelFlow<Model>::state_, ModelFlow<Model>::watch_;
+
   /// Projects the first velocities on the constraints. Throws std::invalid_argument where the model cannot start.
   template <class VelocityAt>
-  PlaneFlow(std::unique_ptr<Model> model, const VelocityAt& velocity)
-      : model_(std::move(model)), state_(model_->state(velocity)) {
+  PlaneFlow(std::unique_ptr<Model> model, const VelocityAt& velocity) {
+    State state = model->state(velocity);
     try {
-      Start(*model_).project(state_);
+      this->begin(std::move(model), std::move(state));
     } catch (const Infeasible& failure) {
       throw std::invalid_argument(failure.what());
     }
-    watch_ = std::make_unique<InvariantsWatch<Model>>(*model_, state_);
   }
 
   /// What a step took by stabilisation, and what the feedback did.
@@ -82,9 +67,6 @@ class PlaneFlow {
     watch_->ledger().book("energy", work - loss);
   }
 
-  std::unique_ptr<Model> model_;
-  State state_;
-  std::unique_ptr<InvariantsWatch<Model>> watch_;
   CompensatedSum loss_, work_;
   std::vector<double> impulse_;  // of the multipliers
 };

@@ -18,22 +18,17 @@ Point RowCurve::at(double number) const {
   const double share = number - before;
   const Point straight{std::lerp(x_[k], x_[k + 1], share), std::lerp(y_[k], y_[k + 1], share)};
   const LatticeWeights cubic = cubic_weights(number, x_.size() - 1);
-  Point off{-straight.x, -straight.y};
+  Point off = -1 * straight;
   for (std::size_t node = 0; node < cubic.count; ++node) {
-    off.x += cubic.weight[node] * x_[cubic.first + node];
-    off.y += cubic.weight[node] * y_[cubic.first + node];
+    off += cubic.weight[node] * Point{x_[cubic.first + node], y_[cubic.first + node]};
   }
   const double most = 0.05 * std::hypot(x_[k + 1] - x_[k], y_[k + 1] - y_[k]);
   const double length = std::hypot(off.x, off.y);
-  const double part = length > most ? most / length : 1.0;
-  return {straight.x + part * off.x, straight.y + part * off.y};
+  return straight + (length > most ? most / length : 1.0) * off;
 }
 
 Point RowCurve::meet(std::size_t node, Point from, Point to) const {
-  const auto off = [&](double number) {
-    const Point place = at(number);
-    return (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
-  };
+  const auto off = [&](double number) { return cross(to - from, at(number) - from); };
   const auto here = static_cast<double>(node);
   const double first = off(here);
   if (first == 0) return at(here);
@@ -48,27 +43,21 @@ Point RowCurve::meet(std::size_t node, Point from, Point to) const {
     }
   }
   const Point beside = at(here);
-  const Point line{to.x - from.x, to.y - from.y};
-  const double part =
-      (line.x * (beside.x - from.x) + line.y * (beside.y - from.y)) / (line.x * line.x + line.y * line.y);
-  return {from.x + part * line.x, from.y + part * line.y};
+  const Point line = to - from;
+  return from + dot(line, beside - from) / dot(line, line) * line;
 }
 
 double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places) {
-  const auto between = [](Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); };
-  const auto wanted = [&](std::size_t i, std::size_t j) {
-    const std::size_t k = shape.node(i, j);
-    return Point{places.x[k], places.y[k]};
-  };
+  const auto wanted = [&](std::size_t i, std::size_t j) { return places[shape.node(i, j)]; };
   Largest worst;
   for (std::size_t j = 0; j <= shape.rows; ++j) {
     for (std::size_t i = 0; i <= shape.columns; ++i) {
       const std::size_t k = shape.node(i, j);
       const Point there = wanted(i, j);
-      double edge = between(there, i > 0 ? wanted(i - 1, j) : wanted(i + 1, j));
-      if (i > 0 && i < shape.columns) edge = std::min(edge, between(there, wanted(i + 1, j)));
-      edge = std::min(edge, between(there, j > 0 ? wanted(i, j - 1) : wanted(i, j + 1)));
-      worst.add(between({x[k], y[k]}, there) / edge);
+      double edge = distance(there, i > 0 ? wanted(i - 1, j) : wanted(i + 1, j));
+      if (i > 0 && i < shape.columns) edge = std::min(edge, distance(there, wanted(i + 1, j)));
+      edge = std::min(edge, distance(there, j > 0 ? wanted(i, j - 1) : wanted(i, j + 1)));
+      worst.add(distance({x[k], y[k]}, there) / edge);
     }
   }
   return worst.value();

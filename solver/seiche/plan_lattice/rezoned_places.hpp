@@ -1,6 +1,7 @@
 /// Where the nodes of a Lagrangian lattice are put when it is rezoned: along its rows, on given lines.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,12 @@ class RowCurve {
 
 struct RezonedPlaces {
   std::vector<double> x, y;
+
+  [[nodiscard]] Point operator[](std::size_t node) const { return {x[node], y[node]}; }
+  void put(std::size_t node, Point place) {
+    x[node] = place.x;
+    y[node] = place.y;
+  }
 };
 
 /// Farthest of a node at (x, y) from its new place, over the shortest edge at the new place.

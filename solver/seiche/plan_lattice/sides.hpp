@@ -56,6 +56,13 @@ struct Sides {
   Side north = WallSide{};
 };
 
+/// Whether a side is of this kind.
+template <class Kind>
+bool any_side(const Sides& sides) {
+  return std::holds_alternative<Kind>(sides.west) || std::holds_alternative<Kind>(sides.east) ||
+         std::holds_alternative<Kind>(sides.south) || std::holds_alternative<Kind>(sides.north);
+}
+
 /// Numbers of the nodes and cells of a lattice.
 struct Shape {
   std::size_t columns = 0;
@@ -80,6 +87,8 @@ struct BoundNode {
   std::array<const DrivenSide*, 2> driven{};          ///< null: at rest along that normal
   std::array<std::array<std::size_t, 2>, 2> chord{};  ///< of driven sides: neighbours on the side
   bool shore = false;
+
+  [[nodiscard]] bool is_driven() const { return driven[0] != nullptr || driven[1] != nullptr; }
 };
 
 /// The nodes that sides bind, in ascending order. `sides` must outlive the result.

@@ -202,9 +202,7 @@ exact::SelfTest DispersiveManufactured::self_test() const {
   const double speed = par.frequency * par.depth;
   const double acceleration = par.gravity + par.frequency * speed;
   Worst mass;
-  Largest continuity;
-  Largest velocities;
-  Largest momentum;
+  Largest continuity, velocities, momentum;
   constexpr int labels = 12;
   constexpr int times = 8;
   for (int i = 0; i < labels; ++i) {

@@ -70,9 +70,7 @@ double DoubleShear::uncertainty() const {
 
 exact::SelfTest DoubleShear::self_test() const {
   const auto& [e1, e2, k, l, top_pressure] = parameters_;
-  Worst area;
-  Worst velocities;
-  Worst momentum;
+  Worst area, velocities, momentum;
   for (const double label_x : {-0.9, -0.35, 0.1, 0.6, 1.0}) {
     for (const double label_y : {-1.0, -0.55, 0.05, 0.4, 0.8}) {
       for (const double t : {0.0, 0.4, 1.1, 2.6}) {

@@ -53,8 +53,7 @@ void draw_mesh(evidence::Panel& panel, const std::string& label, const lagrangia
         fmt::format("drawing of a mesh: {} and {} coordinates of {} nodes", x.size(), y.size(), nodes));
   }
   const Columns part = columns_in(mesh, x, window);
-  std::vector<double> line_x;
-  std::vector<double> line_y;
+  std::vector<double> line_x, line_y;
   const auto through = [&](std::size_t i, std::size_t j) {
     line_x.push_back(x[mesh.node(i, j)]);
     line_y.push_back(y[mesh.node(i, j)]);

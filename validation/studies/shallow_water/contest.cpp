@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "validation/studies/shallow_water/profile_curves.hpp"
+#include "validation/case/claims.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation {
 
@@ -52,16 +53,14 @@ const Contestant& by_scheme(const std::vector<Contestant>& contestants, const st
 
 void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas) {
-  evidence::Table table{
-      .id = "schemes",
-      .title = "The schemes side by side",
-      .caption = fmt::format(
+  evidence::Table& table = add_table(
+      exhibit, "schemes", "The schemes side by side",
+      fmt::format(
           "Errors at t = {:g} s, means over the water: of cell means, of the method's own reconstruction, of the "
           "piecewise constant picture. The width of the jump counts cells between 5 % and 95 % of it.",
           time),
-      .columns = table_columns({"scheme", "cell L1(h) [m]", "reconstructed L1(h) [m]", "constant L1(h) [m]",
-                                "constant L2(h) [m]", "constant max(h) [m]", "cell L1(u) [m/s]", "width [cells]",
-                                "front error [m]"})};
+      {"scheme", "cell L1(h) [m]", "reconstructed L1(h) [m]", "constant L1(h) [m]", "constant L2(h) [m]",
+       "constant max(h) [m]", "cell L1(u) [m/s]", "width [cells]", "front error [m]"});
   auto& figure = exhibit.figure("schemes", "The schemes side by side",
                                 fmt::format("Depth at t = {:g} s by each scheme at the same resolution.", time), atlas);
   for (const Contestant& c : contestants) {
@@ -72,9 +71,6 @@ void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, doub
     table.rows.push_back({c.scheme, c.errors.cell.depth.l1, c.errors.reconstructed.depth.l1, c.errors.constant.depth.l1,
                           c.errors.constant.depth.l2, c.errors.constant.depth.linf, c.errors.cell.velocity.l1, c.width,
                           c.front_error});
-    show_errors(c.errors, exhibit, "_" + c.scheme);
-    exhibit.measure("front_error_" + c.scheme, c.front_error);
-    exhibit.measure("width_" + c.scheme, c.width);
     const ExactCurve exact = exact_curve(problem, c.profile, time);
     auto& panel = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = c.scheme});
     panel.line("exact", exact.x, exact.depth, Role::exact);
@@ -82,7 +78,6 @@ void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, doub
     panel.steps(particles ? "particles" : "cells", c.profile.edges, means_of(c.profile).depth,
                 particles ? Role::computed : Role::peer);
   }
-  exhibit.table(std::move(table));
 }
 
 }  // namespace seiche::validation

@@ -178,8 +178,7 @@ cells::FiniteVolumeFlow cell_flow(const FlowProblem& problem, const Discretisati
   for (long k = 0; k <= d.particles; ++k) {
     edges.push_back(problem.start + problem.length() * static_cast<double>(k) / static_cast<double>(d.particles));
   }
-  std::vector<double> depth;
-  std::vector<double> discharge;
+  std::vector<double> depth, discharge;
   for (const validation::CellMean& mean : validation::cell_averages(InitialState{&problem}, edges, 0)) {
     depth.push_back(mean.depth);
     discharge.push_back(mean.discharge);

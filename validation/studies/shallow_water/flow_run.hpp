@@ -10,7 +10,6 @@
 #include "validation/case/study.hpp"
 #include "validation/studies/shallow_water/contest.hpp"
 #include "validation/studies/shallow_water/flow.hpp"
-#include "validation/studies/shallow_water/profile_curves.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation {
@@ -75,9 +74,6 @@ void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Di
 /// @param source  why the exact solution stays inside
 void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source);
-
-/// Largest Courant number and conservation defects as measurements, each name with the suffix.
-void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
 
 /// What a figure of the particle method's paper shows: the hand-over, the rearrangement as written where the parameters
 /// have it, and other schemes at the same resolution.

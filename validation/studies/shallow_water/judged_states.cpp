@@ -6,11 +6,7 @@ namespace seiche::validation {
 namespace {
 
 evidence::Claim claim_of(const RiemannRequirement& one) {
-  return {.id = one.id,
-          .text = one.text,
-          .quantity = one.quantity,
-          .unit = one.unit,
-          .source = "exact solution of the Riemann problem"};
+  return {one.id, one.text, one.quantity, one.unit, "exact solution of the Riemann problem"};
 }
 
 std::string command_of(const JudgedStates& states) {

@@ -1,11 +1,32 @@
 /// How far a computed shallow-water profile is from the exact one, and what its jump looks like.
 #pragma once
 
+#include <vector>
+
 #include "reports/evidence/record.hpp"
 #include "seiche/samples.hpp"
 #include "validation/studies/shallow_water/flow.hpp"
 
 namespace seiche::validation {
+
+/// Depth and velocity along x.
+struct ExactCurve {
+  std::vector<double> x, depth, velocity;
+};
+
+/// On [from, to], sampled densely and at both sides of every breakpoint.
+ExactCurve exact_curve(const FlowProblem& problem, double from, double to, double t);
+/// The same over the channel and whatever of the profile lies beyond it.
+ExactCurve exact_curve(const FlowProblem& problem, const Profile& profile, double t);
+
+/// The method's own curve: its reconstruction, sampled within every cell.
+ExactCurve computed_curve(const Profile& profile);
+
+/// Centres and mean values as arrays.
+struct Means {
+  std::vector<double> centre, depth, velocity;
+};
+Means means_of(const Profile& profile);
 
 /// The three measures of a profile's distance from the exact one; which is which: error_measures.hpp. NaN where there
 /// is no profile.
@@ -20,9 +41,6 @@ struct ProfileErrors {
 
 /// Errors at time t. Means are taken over the length of the profile.
 ProfileErrors profile_errors(const Profile& profile, const FlowProblem& problem, double t);
-
-/// As measurements, each name with the suffix.
-void show_errors(const ProfileErrors& errors, evidence::Exhibit& exhibit, const std::string& suffix = "");
 
 /// How far mean depths are above `highest` or below `lowest`, with the position; 0 if none is.
 Worst excursion(const Profile& profile, double lowest, double highest);

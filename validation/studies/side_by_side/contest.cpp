@@ -130,26 +130,18 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
                   fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
           .panel(
               {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
-  evidence::Table table{.id = "side_by_side",
-                        .title = "The models side by side",
-                        .caption = fmt::format("Error, processor time and what energy and momentum change by until t = "
-                                               "{:.4g}; then on to t = {:.4g}, or until {}.",
-                                               trial_.end, trial_.last, trial_.useless_in_words),
-                        .columns = {{"model", ""},
-                                    {"size of", ""},
-                                    {"size", units.size},
-                                    {"error", units.error},
-                                    {"uncertainty", units.error},
-                                    {"processor time", "s"},
-                                    {"energy", "1"},
-                                    {"momentum", "1"},
-                                    {"lasted", units.time},
-                                    {"asked", units.time},
-                                    {"broke by", ""}}};
+  const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
+  evidence::Table& table = add_table(
+      exhibit, "side_by_side", "The models side by side",
+      fmt::format(
+          "Error, processor time and what energy and momentum change by until t = {:.4g}; then on to t = {:.4g}, "
+          "or until {}.",
+          trial_.end, trial_.last, trial_.useless_in_words),
+      {"model", "size of", in("size", units.size), in("error", units.error), in("uncertainty", units.error),
+       "processor time [s]", "energy [1]", "momentum [1]", in("lasted", units.time), in("asked", units.time),
+       "broke by"});
   for (const Entry& entry : entries_) {
-    std::vector<double> seconds;
-    std::vector<double> errors;
-    std::vector<double> uncertainties;
+    std::vector<double> seconds, errors, uncertainties;
     for (const Attempt& one : entry.attempts) {
       table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
                             one.momentum, one.lasted, one.asked, one.cause});
@@ -159,11 +151,7 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
       uncertainties.push_back(one.uncertainty);
     }
     if (!errors.empty()) cost.points(entry.name, seconds, errors, entry.role, uncertainties);
-    exhibit.measure(entry.id + "_error", entry.finest().error);
-    exhibit.measure(entry.id + "_energy", entry.finest().energy);
-    exhibit.measure(entry.id + "_lasted", entry.finest().lasted);
   }
-  exhibit.table(std::move(table));
 }
 
 std::vector<long> ladder_to(long finest, const std::vector<double>& parts) {

@@ -27,6 +27,7 @@ struct Sight {
 struct Racer {
   std::function<void(double time)> advance_to;
   std::function<Sight()> look;
+  std::function<double()> momentum = {};  ///< along x, of the water between the walls; empty: nobody asks
 };
 
 struct Contender {

@@ -14,13 +14,19 @@
 namespace seiche::validation {
 namespace {
 
+template <class Flow>
+double momentum_of(const Flow& flow) {
+  const std::vector<Invariant> all = flow.invariants();
+  return std::ranges::find(all, "momentum_x", &Invariant::name)->value;
+}
+
 /// A flow in equal steps; `surface` reads its surface.
 template <class Flow, class Surface>
 Racer racer_of(const std::shared_ptr<Flow>& flow, const TankWave& wave, double tau, Surface surface) {
-  return {[flow, tau](double time) { march(*flow, time, tau); },
-          [flow, &wave, surface] {
-            return Sight{.off = wave.off(surface(*flow), flow->time()), .energy = flow->energy()};
-          }};
+  return {
+      [flow, tau](double time) { march(*flow, time, tau); },
+      [flow, &wave, surface] { return Sight{.off = wave.off(surface(*flow), flow->time()), .energy = flow->energy()}; },
+      [flow] { return momentum_of(*flow); }};
 }
 
 std::vector<Point> joined(std::span<const double> x, std::span<const double> y) {
@@ -113,6 +119,14 @@ Racer start_in_box(const TankWave& wave, long rows) {
           [flow, &wave, share] {
             return Sight{.off = wave.off(surface_of(*flow, wave.water, 0, wave.length), flow->time()),
                          .energy = share * flow->totals().energy()};
+          },
+          [flow, length = wave.length] {
+            const wcsph::Particles& p = flow->particles();
+            double sum = 0;
+            for (std::size_t i = 0; i < p.size(); ++i) {
+              if (p.kind[i] == wcsph::Kind::fluid && p.x[i] < length) sum += p.mass[i] * p.u[i];
+            }
+            return sum;
           }};
 }
 
@@ -123,14 +137,39 @@ Racer start_dispersive(const TankWave& wave, const DispersiveStart& start, long 
   return {[flow, spacing](double time) { march(*flow, time, 0.25 * spacing); },
           [flow, &wave] {
             return Sight{.off = wave.off(joined(flow->x(), flow->y()), flow->time()), .energy = flow->energy()};
-          }};
+          },
+          [flow] { return momentum_of(*flow); }};
 }
 
 }  // namespace
 
+TankWave solitary_tank(const exact::SolitaryWave& wave, double start, double length, double period) {
+  const auto image = [length](double x) { return x > length ? 2 * length - x : x; };
+  const auto elevation = [=](double x) { return wave.elevation(image(x) - start); };
+  const auto velocity = [=](Point at) {
+    // The surface itself is the end of the exact field: points above it are put on it.
+    const auto v = wave.velocity(image(at.x) - start, std::min(at.y, elevation(at.x) - 1e-13));
+    return Point{at.x > length ? -v.u : v.u, v.v};
+  };
+  const auto pressure = [=, c = wave.speed()](Point at) {
+    const Point v = velocity({image(at.x), at.y});
+    return 0.5 * (c * c - (v.x - c) * (v.x - c) - v.y * v.y) - at.y;
+  };
+  return {.length = length,
+          .water = {.period = period,
+                    .highest = 2 * wave.amplitude(),
+                    .elevation = elevation,
+                    .velocity = velocity,
+                    .pressure = pressure},
+          .speed = wave.speed(),
+          .amplitude = wave.amplitude(),
+          .surface = [wave, start](double x, double t) { return wave.elevation(x - start, t); }};
+}
+
 std::vector<double> TankWave::off(const std::vector<Point>& points, double time) const {
-  const auto [from, to] = part(time);
   std::vector<double> heights;
+  if (!part) return heights;
+  const auto [from, to] = part(time);
   for (const Point& point : points) {
     if (point.x < from || point.x > to) continue;
     heights.push_back((point.y - surface(point.x, time)) / amplitude);

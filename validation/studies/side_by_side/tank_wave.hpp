@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "seiche/exact/solitary_wave.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/studies/side_by_side/contest.hpp"
 #include "validation/studies/wcsph/periodic_water.hpp"
@@ -25,6 +26,10 @@ struct TankWave {
   /// Of points of the surface, in height over the amplitude.
   [[nodiscard]] std::vector<double> off(const std::vector<Point>& points, double time) const;
 };
+
+/// An exact solitary wave whose crest is at x = start, on its way to the right.
+/// @param period  of the water that SPH has: the length, or twice that where walls matter, the rest its mirror image
+TankWave solitary_tank(const exact::SolitaryWave& wave, double start, double length, double period);
 
 /// Finest resolutions: rows of cells or particles to the depth, cells of the free particles to the depth, markers of
 /// the dispersive model to the depth.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "seiche/divergence.hpp"
-#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/particles/sph_free_surface.hpp"
 
 namespace seiche::validation {
 

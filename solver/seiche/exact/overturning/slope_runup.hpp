@@ -1,7 +1,7 @@
 /// Run-up of a solitary wave on a plane slope behind a level bottom: fully nonlinear potential flow.
 ///
 /// A solitary wave of the Euler equations starts so far before the toe that less than 1e-8 of it is there, and is moved
-/// by Cauchy's integral in a plane where bottom and slope are one straight line (slope_climb/wedge_flow.hpp). Nodes are
+/// by Cauchy's integral in a plane where bottom and slope are one straight line (slope_climb.hpp). Nodes are
 /// those of Chebyshev, dense at the shore, whose node climbs the slope. Run-up R is its highest level above still
 /// water.
 ///

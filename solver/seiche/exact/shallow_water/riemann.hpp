@@ -5,9 +5,9 @@
 ///
 ///     fL(h*) + fR(h*) + uR - uL = 0,   u* = (uL + uR)/2 + (fR - fL)/2
 ///
-/// with f_K the velocity change across the K-wave (relations.hpp). Each wave is a simple-wave fan or a hydraulic jump.
-/// One side may be dry (the fan then ends in a dry front) and the bed may dry in the middle.
-/// Evaluated to round-off at any point and instant.
+/// with f_K the velocity change across the K-wave (shallow_water/relations.hpp). Each wave is a simple-wave fan or a
+/// hydraulic jump. One side may be dry (the fan then ends in a dry front) and the bed may dry in the middle. Evaluated
+/// to round-off at any point and instant.
 ///
 /// Jump conditions: h1 (u1 - a) = h0 (u0 - a),  h1 (u1 - a)(u1 - u0) = (g/2)(h0^2 - h1^2), with h1 > h0 behind.
 ///

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "seiche/lattice/water.hpp"
-#include "seiche/plan_lattice/lattice_flow.hpp"
 #include "seiche/require.hpp"
 #include "seiche/shallow_water/breaking_bore.hpp"
 
@@ -167,11 +166,10 @@ void BreakingFronts::mix(const Front& front, double time, std::span<const double
   matrix_.factor({diagonal_, coupling_});
   for (std::vector<double>& speeds : speed_) matrix_.solve(speeds, speeds);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double factor = time * pairs[k].exchange;
-    const double x = factor * (speed_[0][k + 1] - speed_[0][k]);
-    const double y = factor * (speed_[1][k + 1] - speed_[1][k]);
-    push(inverse, pairs[k].from, {x, y}, u);
-    push(inverse, pairs[k].to, {-x, -y}, u);
+    const Point impulse =
+        time * pairs[k].exchange * Point{speed_[0][k + 1] - speed_[0][k], speed_[1][k + 1] - speed_[1][k]};
+    push(inverse, pairs[k].from, impulse, u);
+    push(inverse, pairs[k].to, -1 * impulse, u);
   }
 }
 
@@ -245,8 +243,8 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
       const double difference = (u[i] - u[beside]) * t.x + (u[n + i] - u[n + beside]) * t.y;
       const double part = h * settings_.shore_rate / (1 + h * settings_.shore_rate);
       const double impulse = part * difference / (inverse_along(inverse, i, t) + inverse_along(inverse, beside, t));
-      push(inverse, i, {-impulse * t.x, -impulse * t.y}, u);
-      push(inverse, beside, {impulse * t.x, impulse * t.y}, u);
+      push(inverse, i, -impulse * t, u);
+      push(inverse, beside, impulse * t, u);
     }
   }
   if (settings_.lattice_rate > 0) slow_pattern(masses, inverse, h, u);
@@ -295,20 +293,16 @@ void Drag::slow_pattern(std::span<const double> masses, const InverseMasses& inv
     in_pair(first, along, across,
             [&](std::size_t k, double weight) { share_[k] += std::abs(weight) * share / masses[k]; });
   });
-  impulse_.assign(n, {0, 0});
+  impulse_.assign(n, {});
   in_pairs([&](std::size_t first, std::size_t along, std::size_t across) {
     double share = 0;
-    Impulse difference{0, 0};
+    Point difference;
     in_pair(first, along, across, [&](std::size_t k, double weight) {
       share = std::max(share, share_[k]);
-      difference.x += weight * u[k];
-      difference.y += weight * u[n + k];
+      difference += weight * Point{u[k], u[n + k]};
     });
     const double taken = -part / (1 + part * share) / lightness_of(first, along, across);
-    in_pair(first, along, across, [&](std::size_t k, double weight) {
-      impulse_[k].x += weight * taken * difference.x;
-      impulse_[k].y += weight * taken * difference.y;
-    });
+    in_pair(first, along, across, [&](std::size_t k, double weight) { impulse_[k] += weight * taken * difference; });
   });
   for (std::size_t k = 0; k < n; ++k) push(inverse, k, impulse_[k], u);
 }

@@ -41,13 +41,8 @@
 
 namespace seiche::dispersive_shallow_water_2d {
 
-/// Horizontal impulses on nodes of the plan model.
-struct Impulse {
-  double x, y;
-};
-
-/// u += W impulse.
-inline void push(const InverseMasses& inverse, std::size_t k, Impulse impulse, mechanics::Output u) {
+/// u += W impulse, horizontal.
+inline void push(const InverseMasses& inverse, std::size_t k, Point impulse, mechanics::Output u) {
   const std::size_t n = inverse.xx.size();
   u[k] += inverse.xx[k] * impulse.x + inverse.xy[k] * impulse.y;
   u[n + k] += inverse.xy[k] * impulse.x + inverse.yy[k] * impulse.y;
@@ -185,7 +180,7 @@ class Drag {
   std::vector<double> absorption_;  ///< rates of the nodes; empty for none
   // Of the pattern + - + -: over what each node has in all pairs, and what they push.
   mutable std::vector<double> share_;
-  mutable std::vector<Impulse> impulse_;
+  mutable std::vector<Point> impulse_;
   BreakingFronts breaking_;
 };
 

@@ -1,18 +1,16 @@
 /// A cell of the plan model: the water of a column between the bilinear surface and the bottom.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "seiche/lattice/cell_rows.hpp"
-#include "seiche/linear/constraint_solver.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 /// Gradients are kept as they are, number 3 corner + axis.
 struct Column {
-  using Matrix = linear::NinePointMatrix;
-  using Solver = linear::NinePointSolver;
   static constexpr std::size_t axes = 3, corners = 4, stored = 12, mobilities = 6, momenta = 2, turns = 1;
 
   template <std::size_t corner, std::size_t axis>
@@ -29,6 +27,9 @@ struct Column {
 struct InverseMasses {
   explicit InverseMasses(std::size_t nodes) {
     for (auto* w : {&xx, &yy, &zz, &xy, &xz, &yz}) w->assign(nodes, 0.0);
+  }
+  void put(std::size_t k, const std::array<double, 6>& w) {
+    xx[k] = w[0], yy[k] = w[1], zz[k] = w[2], xy[k] = w[3], xz[k] = w[4], yz[k] = w[5];
   }
   std::vector<double> xx, yy, zz, xy, xz, yz;
 };

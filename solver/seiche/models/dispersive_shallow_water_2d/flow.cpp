@@ -33,30 +33,25 @@ double surely_stable_step(const Model& model) {
   return fastest > 0 ? 2 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
-Window movable(Window window, const Model& model) {
+void require_movable(const Window& window, const Model& model) {
   if (window.reach && model.has_shoreline()) {
     throw std::invalid_argument("a moving window with a shoreline; allowed: one of them");
   }
   if (window.reach && model.absorbs()) {
     throw std::invalid_argument("a moving window with absorption; allowed: one of them");
   }
-  return window;
 }
 
 }  // namespace
 
 Flow::Flow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings, Forcing forcing,
            Window window, bool smooth_start)
-    : Flow(std::make_unique<Model>(std::move(lattice), settings, std::move(forcing)), velocity, scheme,
-           std::move(window), smooth_start) {}
-
-Flow::Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,
-           bool smooth_start)
-    : LatticeFlow(std::move(model), model->state(velocity), model->shape(), model->lattice().sides,
-                  {.scheme = scheme,
-                   .window = movable(std::move(window), *model),
-                   .stable_step = surely_stable_step(*model),
-                   .smooth_start = smooth_start && !model->has_driven_sides()}) {}
+    : LatticeFlow(scheme, window) {
+  auto model = std::make_unique<Model>(std::move(lattice), settings, std::move(forcing));
+  require_movable(window, *model);
+  begin_between(model->lattice().sides, model->shape(), std::move(model), model->state(velocity),
+                surely_stable_step(*model), smooth_start && !model->has_driven_sides());
+}
 
 }  // namespace seiche::dispersive_shallow_water_2d
 

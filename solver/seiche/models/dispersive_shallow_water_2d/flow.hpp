@@ -10,8 +10,6 @@
 /// not finite.
 #pragma once
 
-#include <memory>
-
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/plan_lattice/lattice_flow.hpp"
 
@@ -32,11 +30,7 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
                 Forcing forcing = {}, Window window = {}, bool smooth_start = true);
 
   /// Fronts that broke in another flow, of a lattice of this shape, break on (breaking.hpp).
-  void continue_breaking(const Flow& before) { model_to_change().continue_breaking(before.model()); }
-
- private:
-  Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,
-       bool smooth_start);
+  void continue_breaking(const Flow& before) { model_->continue_breaking(before.model()); }
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d

@@ -58,13 +58,13 @@ void Lattice::require_valid() const {
     }
   }
   for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
-    const auto [c0, c1, c2, c3] = shape.corners(cell);
-    const auto j = bilinear_patch::jacobians({x[c0], x[c1], x[c2], x[c3]}, {y[c0], y[c1], y[c2], y[c3]});
-    if (!(std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) > 0)) {
+    const auto corners = shape.corners(cell);
+    const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
+    if (!(bilinear_patch::smallest(bilinear_patch::jacobians(at(x), at(y))) > 0)) {
       throw std::invalid_argument(
           fmt::format("cell {} at ({:g}, {:g}) is not convex, or its corners do not go around "
                       "anticlockwise; allowed: x grows with the column, y with the row",
-                      cell, x[c0], y[c0]));
+                      cell, x[corners[0]], y[corners[0]]));
     }
   }
 }

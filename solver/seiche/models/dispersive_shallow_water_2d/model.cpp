@@ -16,11 +16,8 @@ namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
+using bilinear_patch::at_corners;
 using bilinear_patch::Corners;
-
-Corners at(const double* values, const std::array<std::size_t, 4>& corners) {
-  return {values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-}
 
 lattice::Cells valid_cells(const Lattice& lattice, const Settings& settings) {
   lattice.require_valid();
@@ -39,8 +36,8 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
   double length = 0;
   for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
     const auto [c0, c1, c2, c3] = shape.corners(cell);
-    const bilinear_patch::Corners x{lattice.x[c0], lattice.x[c1], lattice.x[c2], lattice.x[c3]};
-    const bilinear_patch::Corners y{lattice.y[c0], lattice.y[c1], lattice.y[c2], lattice.y[c3]};
+    const Corners x = at_corners(lattice.x, shape.corners(cell));
+    const Corners y = at_corners(lattice.y, shape.corners(cell));
     const auto depth = [&](std::size_t k) {
       return lattice.z[k] -
              (lattice.bottom ? lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation : -lattice.depth);
@@ -67,7 +64,6 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
 
 Model::Model(Lattice lattice, Settings settings, Forcing forcing)
     : Water{valid_cells(lattice, settings),
-            {lattice.shape.columns, lattice.shape.rows},
             {lattice.shape.columns, lattice.shape.rows, settings.solver, undeformed_lattice(lattice, settings.inertia),
              settings.tolerance},
             settings.tolerance},
@@ -77,12 +73,12 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       masses_(shape(), lattice_.sides, lattice_.x, lattice_.y, settings.inertia),
       surface_(shape().columns, shape().rows, n_),
       dispersion_(shape(), settings.gamma),
-      drag_(settings.drag, lattice_, settings.inertia) {
+      drag_(settings.drag, lattice_, settings.inertia),
+      normals_(n_),
+      other_normals_(n_) {
   require_not_negative("gravity", settings.gravity);
   if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
-  std::vector<double> places = lattice_.x;
-  places.insert(places.end(), lattice_.y.begin(), lattice_.y.end());
-  places.insert(places.end(), lattice_.z.begin(), lattice_.z.end());
+  const std::vector<double> places = lattice::joined({lattice_.x, lattice_.y, lattice_.z});
   if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {
     shoreline_.emplace(shape(), lattice_.sides, lattice_.bottom, places);
   }
@@ -108,40 +104,26 @@ void Model::sum_masses() {
       mass[k] += (on_shore(k) ? Shoreline::share_of_mass : 0.25) * volume_[cell];
     }
   }
-  if (!bottom_) masses_.stand_on_level_bottom();
+  if (!bottom_) masses_.stand_on(nullptr);
 }
 
 mechanics::State Model::state(const InitialVelocity& velocity) const {
-  mechanics::State state{.q = lattice_.x, .u = std::vector<double>(rates(), 0.0)};
-  state.q.insert(state.q.end(), lattice_.y.begin(), lattice_.y.end());
-  state.q.insert(state.q.end(), lattice_.z.begin(), lattice_.z.end());
-  const auto set = [&](std::size_t k, const Velocity& given) {
-    state.u[k] = given.u;
-    state.u[n_ + k] = given.v;
-    state.u[2 * n_ + k] = given.w;
-  };
-  if (const auto* nodal = std::get_if<std::vector<Velocity>>(&velocity)) {
-    if (nodal->size() != n_) {
-      throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", nodal->size(), n_));
-    }
-    for (std::size_t k = 0; k < n_; ++k) set(k, (*nodal)[k]);
-  } else if (const auto& at = std::get<VelocityAt>(velocity)) {
-    for (std::size_t k = 0; k < n_; ++k) set(k, at(lattice_.x[k], lattice_.y[k]));
-  }
+  mechanics::State state{.q = lattice::joined({lattice_.x, lattice_.y, lattice_.z}),
+                         .u = std::vector<double>(rates(), 0.0)};
+  const auto given = lattice::nodal(
+      velocity, n_, [&](const VelocityAt& at, std::size_t k) { return at(lattice_.x[k], lattice_.y[k]); });
+  for (std::size_t k = 0; k < n_; ++k) put_vector({given[k].u, given[k].v, given[k].w}, k, state.u);
   if (bottom_) find_normals(state.q, other_normals_);
   masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);
   return state;
 }
 
 void Model::find_normals(Input q, Normals& normals) const {
-  for (auto* along : {&normals.x, &normals.y, &normals.z}) along->resize(n_);
   try {
     for (std::size_t k = 0; k < n_; ++k) {
       const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
       const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-      normals.x[k] = -b.along_x / length;
-      normals.y[k] = -b.along_y / length;
-      normals.z[k] = 1 / length;
+      normals.put(k, {-b.along_x / length, -b.along_y / length, 1 / length});
       if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
         throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
                                                 q[k], q[n_ + k], q[2 * n_ + k] - b.elevation),
@@ -156,7 +138,7 @@ void Model::find_normals(Input q, Normals& normals) const {
 void Model::stand(Input q) {
   if (bottom_) {
     find_normals(q, normals_);
-    masses_.stand_on(normals_);
+    masses_.stand_on(&normals_);
   }
   if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
 }
@@ -177,7 +159,7 @@ void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
     stand(at);
     if (shoreline_ && !instant) {
       shoreline_->tilt_between(q0, q1, normals_);
-      masses_.stand_on(normals_);
+      masses_.stand_on(&normals_);
     }
   });
   if (forcing_.body_force) {
@@ -242,16 +224,16 @@ std::array<double, 3> Model::momentum_of(std::size_t k, Input u) const {
   const double m = masses_.mass()[k];
   const double less = 1 - settings_.inertia;
   if (!bottom_) return {m * u[k], m * u[n_ + k], m * settings_.inertia * u[2 * n_ + k]};
-  const auto& [x, y, z] = other_normals_;
-  const double across = less * (u[k] * x[k] + u[n_ + k] * y[k] + u[2 * n_ + k] * z[k]);
-  return {m * (u[k] - across * x[k]), m * (u[n_ + k] - across * y[k]), m * (u[2 * n_ + k] - across * z[k])};
+  const Vector3 v = vector_at(u, k);
+  const Vector3 p = m * (v - less * dot(v, other_normals_[k]) * other_normals_[k]);
+  return {p.x, p.y, p.z};
 }
 
 double Model::cell_volume(Input q, std::size_t cell) const {
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
   const auto corners = shape().corners(cell);
-  const Corners z = at(q.data() + 2 * n_, corners);
-  const double volume = bilinear_patch::volume(at(q.data(), corners), at(q.data() + n_, corners),
+  const Corners z = at_corners(q.subspan(2 * n_), corners);
+  const double volume = bilinear_patch::volume(at_corners(q, corners), at_corners(q.subspan(n_), corners),
                                                {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom});
   return bottom_ ? volume - bottom_->volume(plan(q), cell) : volume;
 }
@@ -259,8 +241,7 @@ double Model::cell_volume(Input q, std::size_t cell) const {
 /// Over the mean Jacobian at the beginning.
 double Model::cell_shape(Input q, std::size_t cell) const {
   const auto corners = shape().corners(cell);
-  const auto j = bilinear_patch::jacobians(at(q.data(), corners), at(q.data() + n_, corners));
-  return std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) / mean_area_;
+  return smallest(bilinear_patch::jacobians(at_corners(q, corners), at_corners(q.subspan(n_), corners))) / mean_area_;
 }
 
 double Model::potential_energy(Input q, std::span<const char> counted) const {
@@ -287,13 +268,3 @@ void Model::shift_east(mechanics::State& state) {
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d
-
-namespace seiche::mechanics {
-
-template class OneStep<dispersive_shallow_water_2d::Model>;
-template class ConservativeStep<dispersive_shallow_water_2d::Model>;
-template class SchemeStepper<dispersive_shallow_water_2d::Model>;
-template class Start<dispersive_shallow_water_2d::Model>;
-template class InvariantsWatch<dispersive_shallow_water_2d::Model>;
-
-}  // namespace seiche::mechanics

@@ -194,14 +194,3 @@ class Model : public lattice::Water<Column, Model> {
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
-
-namespace seiche::mechanics {
-
-/// The integrators of the model, compiled once and not in every file that steps it.
-extern template class OneStep<dispersive_shallow_water_2d::Model>;
-extern template class ConservativeStep<dispersive_shallow_water_2d::Model>;
-extern template class SchemeStepper<dispersive_shallow_water_2d::Model>;
-extern template class Start<dispersive_shallow_water_2d::Model>;
-extern template class InvariantsWatch<dispersive_shallow_water_2d::Model>;
-
-}  // namespace seiche::mechanics

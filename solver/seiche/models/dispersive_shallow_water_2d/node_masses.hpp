@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "seiche/geometry/vector.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
@@ -19,6 +20,10 @@ namespace seiche::dispersive_shallow_water_2d {
 /// Unit normals of the bottom below the nodes.
 struct Normals {
   std::vector<double> x, y, z;
+
+  explicit Normals(std::size_t nodes) : x(nodes), y(nodes), z(nodes) {}
+  [[nodiscard]] Vector3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+  void put(std::size_t k, Vector3 normal) { x[k] = normal.x, y[k] = normal.y, z[k] = normal.z; }
 };
 
 class NodeMasses {
@@ -34,10 +39,8 @@ class NodeMasses {
   [[nodiscard]] bool full(std::size_t row) const { return full_[row] != 0; }
   [[nodiscard]] bool has_driven_sides() const { return has_driven_sides_; }
 
-  /// W over a level bottom, after the masses changed.
-  void stand_on_level_bottom();
-  /// W over a bottom with these normals.
-  void stand_on(const Normals& normals);
+  /// W over a bottom with these normals; null: level.
+  void stand_on(const Normals* normals);
   /// Turns the normals of driven sides into those of the lattice x, y, and W with them.
   /// @param normals  of the bottom; null: level
   void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals* normals);
@@ -49,13 +52,10 @@ class NodeMasses {
   void constrain(std::span<const double> q, double time, const Normals* normals, bool all, std::span<double> u) const;
 
  private:
-  void set(std::size_t node, double nx, double ny, double nz);
-  void bind(const plan_lattice::BoundNode& bound, double nx, double ny, double nz);
-  void bind_to_shore(const plan_lattice::BoundNode& bound, double nx, double ny, double nz);
-  void carry_along_side(const plan_lattice::BoundNode& bound, const Normals& from, const Normals& to,
-                        std::span<double> u) const;
+  void bind(const plan_lattice::BoundNode& bound, const Normals* normals);
+  [[nodiscard]] Vector3 carried_along_side(const plan_lattice::BoundNode& bound, Vector3 from, Vector3 to,
+                                           Vector3 u) const;
 
-  plan_lattice::Shape shape_;
   double inertia_;  // alpha
   std::vector<plan_lattice::BoundNode> bound_;
   bool has_driven_sides_ = false;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -11,26 +10,45 @@
 #include <fmt/format.h>
 
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/geometry/swept_quadrilateral.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/plan_lattice/lattice_interpolant.hpp"
+#include "seiche/plan_lattice/swept_remap.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
-using plan_lattice::LatticeInterpolant;
 using plan_lattice::LatticePlace;
+using plan_lattice::SweptRemap;
 
 using bilinear_patch::Corners;
+using Quadrilateral = std::array<Point, 4>;
 
-/// What passes through an edge or is in a cell.
-struct Content {
-  double level = 0;  ///< int z dA
-  double water = 0;  ///< int H dA
-  Point momentum{};  ///< int H u dA
-};
+Corners jacobians(const Quadrilateral& at) {
+  return bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+}
+
+/// Throws mechanics::Infeasible for a cell that is not convex.
+Lattice moved(Lattice lattice, std::vector<double> x, std::vector<double> y) {
+  lattice.x = std::move(x);
+  lattice.y = std::move(y);
+  for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
+    const auto corners = lattice.shape.corners(cell);
+    const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
+    if (smallest(bilinear_patch::jacobians(at(lattice.x), at(lattice.y))) > 0) continue;
+    const Point corner{lattice.x[corners[0]], lattice.y[corners[0]]};
+    throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y), corner.x);
+  }
+  return lattice;
+}
+
+std::vector<double> shares_of(const Lattice& lattice) {
+  std::vector<double> shares(lattice.shape.nodes(), 0.25);
+  for (const auto& edge : plan_lattice::shore_edges(lattice.shape, lattice.sides)) {
+    for (const std::size_t k : edge) shares[k] = Shoreline::share_of_mass;
+  }
+  return shares;
+}
 
 class Remap {
  public:
@@ -40,24 +58,16 @@ class Remap {
         n_(shape_.nodes()),
         q_(q),
         u_(u),
-        old_(shape_, q.first(n_), q.subspan(n_, n_)),
-        on_shore_(n_, 0),
+        now_{.lattice = moved(model.lattice(), std::move(x), std::move(y)), .u = {}, .v = {}, .w = {}},
+        swept_(shape_, q.first(n_), q.subspan(n_, n_), now_.lattice.x, now_.lattice.y, shares_of(now_.lattice)),
         quadrilateral_({1, 1}, model.lattice().bottom) {
-    now_.lattice = model.lattice();
-    now_.lattice.x = std::move(x);
-    now_.lattice.y = std::move(y);
-    for (const auto& edge : plan_lattice::shore_edges(shape_, now_.lattice.sides)) {
-      for (const std::size_t k : edge) on_shore_[k] = 1;
+    for (std::size_t k = 0; k < n_; ++k) {
+      depth_.push_back(on_shore(k) ? 0 : q_[2 * n_ + k] - bottom(swept_.old_point(k)));
     }
-    for (std::size_t k = 0; k < n_; ++k)
-      depth_.push_back(on_shore_[k] != 0 ? 0 : q_[2 * n_ + k] - bottom(old_point(k)));
   }
 
   Remapped run() {
-    require_convex();
-    find_nodes();
     interpolate();
-    sweep();
     carry();
     level_water();
     level_momentum();
@@ -65,9 +75,10 @@ class Remap {
   }
 
  private:
-  [[nodiscard]] std::span<const double> old_values(std::size_t axis) const { return u_.subspan(axis * n_, n_); }
-  [[nodiscard]] Point old_point(std::size_t k) const { return {q_[k], q_[n_ + k]}; }
-  [[nodiscard]] Point new_point(std::size_t k) const { return {now_.lattice.x[k], now_.lattice.y[k]}; }
+  [[nodiscard]] bool on_shore(std::size_t k) const { return swept_.share(k) != 0.25; }
+  [[nodiscard]] double old_value(std::size_t axis, const LatticePlace& at) const {
+    return swept_.old().value(u_.subspan(axis * n_, n_), at);
+  }
   [[nodiscard]] double bottom(Point at) const {
     const Lattice& lattice = now_.lattice;
     return lattice.bottom ? lattice.bottom->slope(at.x, at.y).elevation : -lattice.depth;
@@ -76,131 +87,87 @@ class Remap {
   /// Depth of the old surface: the cubic one's, as long as the bilinear one is near it. In a thin sheet the cubic one
   /// would go below the bottom.
   [[nodiscard]] double old_depth(Point at, const LatticePlace& found) const {
-    const double linear = old_.linear_value(depth_, found);
-    return std::clamp(old_.value(q_.subspan(2 * n_, n_), found) - bottom(at), linear / 2, 2 * linear);
+    const double linear = swept_.old().linear_value(depth_, found);
+    return std::clamp(swept_.old().value(q_.subspan(2 * n_, n_), found) - bottom(at), linear / 2, 2 * linear);
   }
 
   /// int b dA of the quadrilateral, by the rule of the model's volumes.
-  [[nodiscard]] double bottom_under(const std::array<Point, 4>& at) const {
+  [[nodiscard]] double bottom_under(const Quadrilateral& at) const {
     const std::array x{at[0].x, at[1].x, at[3].x, at[2].x};
     const std::array y{at[0].y, at[1].y, at[3].y, at[2].y};
     if (now_.lattice.bottom) return quadrilateral_.volume({x.data(), y.data()}, 0);
-    const auto j =
-        bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+    const Corners j = jacobians(at);
     return -now_.lattice.depth * 0.5 * (j.c0 + j.c2);
   }
 
-  void require_convex() const {
-    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      const auto at = corners_of(cell, true);
-      const auto j =
-          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
-      if (std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) > 0) continue;
-      throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, at[0].x, at[0].y), at[0].x);
-    }
-  }
-
-  void find_nodes() {
-    for (std::size_t k = 0; k < n_; ++k) places_.push_back(old_.find(new_point(k), node_of(k)));
-  }
-
-  [[nodiscard]] LatticePlace node_of(std::size_t k) const {
-    const std::size_t row = k / (shape_.columns + 1);
-    return {.i = static_cast<double>(k - shape_.node(0, row)), .j = static_cast<double>(row)};
-  }
-
   void interpolate() {
-    now_.u.resize(n_);
-    now_.v.resize(n_);
-    now_.w.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) {
-      const Point at = new_point(k);
-      bed_.push_back(bottom(at));
-      now_.lattice.z[k] = bed_[k] + (on_shore_[k] != 0 ? 0.0 : old_depth(at, places_[k]));
-      now_.u[k] = old_.value(old_values(0), places_[k]);
-      now_.v[k] = old_.value(old_values(1), places_[k]);
-      now_.w[k] = old_.value(old_values(2), places_[k]);
+      const LatticePlace& at = swept_.place(k);
+      bed_.push_back(bottom(swept_.new_point(k)));
+      now_.lattice.z[k] = bed_[k] + (on_shore(k) ? 0.0 : old_depth(swept_.new_point(k), at));
+      now_.u.push_back(old_value(0, at));
+      now_.v.push_back(old_value(1, at));
+      now_.w.push_back(old_value(2, at));
     }
   }
+
+  /// Through an edge, from one cell into another; SweptRemap::outside: a side.
+  struct Passage {
+    std::size_t into, from;
+    double level = 0;  ///< int z dA
+    double water = 0;  ///< int H dA
+    Point momentum{};  ///< int H u dA
+
+    /// The cell that it takes water from.
+    [[nodiscard]] std::size_t loser() const { return water > 0 ? from : into; }
+  };
 
   /// What the edge p -> q sweeps towards its right.
-  [[nodiscard]] Content swept(std::size_t p, std::size_t q, bool closed) const {
-    const std::array at{old_point(p), new_point(p), new_point(q), old_point(q)};
-    Content through;
-    const double under = bottom_under(at);
-    if (closed) {
+  [[nodiscard]] Passage passage(std::size_t p, std::size_t q, std::size_t into, std::size_t from) const {
+    Passage through{.into = into, .from = from};
+    const double under = bottom_under(swept_.swept(p, q));
+    if (into == swept_.outside || from == swept_.outside) {
       through.level = under;
       return through;
     }
-    const std::array corner{node_of(p), places_[p], places_[q], node_of(q)};
-    const std::array columns{corner[0].i, corner[1].i, corner[2].i, corner[3].i};
-    const std::array rows{corner[0].j, corner[1].j, corner[2].j, corner[3].j};
-    each_swept_point(at, [&](const SweptPoint& point) {
-      const LatticePlace found = old_.find(point.place, {.i = point.mix(columns), .j = point.mix(rows)});
+    swept_.each_swept(p, q, [&](const SweptPoint& point, const LatticePlace& found) {
       const double water = point.area * old_depth(point.place, found);
       through.level += water + point.area * bottom(point.place);
-      through.momentum.x += water * old_.value(old_values(0), found);
-      through.momentum.y += water * old_.value(old_values(1), found);
+      through.momentum += water * Point{old_value(0, found), old_value(1, found)};
       through.water += water;
     });
     // The momentum of the same water that the volumes count.
     const double exact = through.level - under;
     if (through.water != 0 && std::abs(exact - through.water) < 0.5 * std::abs(through.water)) {
-      through.momentum.x *= exact / through.water;
-      through.momentum.y *= exact / through.water;
+      through.momentum = exact / through.water * through.momentum;
     }
     through.water = exact;
     return through;
   }
 
-  /// Through an edge, from one cell into another; none of them: a side.
-  struct Passage {
-    std::optional<std::size_t> into, from;
-    Content content;
-  };
-
-  void sweep() {
-    const auto columns = shape_.columns;
-    for (std::size_t j = 0; j <= shape_.rows; ++j) {
-      for (std::size_t i = 0; i < columns; ++i) {
-        const bool closed = j == 0 || j == shape_.rows;
-        Passage one{.into = {}, .from = {}, .content = swept(shape_.node(i, j), shape_.node(i + 1, j), closed)};
-        if (j < shape_.rows) one.into = j * columns + i;
-        if (j > 0) one.from = (j - 1) * columns + i;
-        passages_.push_back(one);
-      }
-    }
-    for (std::size_t j = 0; j < shape_.rows; ++j) {
-      for (std::size_t i = 0; i <= columns; ++i) {
-        const bool closed = i == 0 || i == columns;
-        Passage one{.into = {}, .from = {}, .content = swept(shape_.node(i, j), shape_.node(i, j + 1), closed)};
-        if (i > 0) one.into = j * columns + i - 1;
-        if (i < columns) one.from = j * columns + i;
-        passages_.push_back(one);
-      }
-    }
-  }
-
   /// V* and P*. No cell loses more than most of its water to others: what would be too much stays, all in proportion.
   void carry() {
+    std::vector<Passage> passages;
     std::vector<double> leaves(shape_.cells(), 0.0);
-    const auto loser = [](const Passage& one) { return one.content.water > 0 ? one.from : one.into; };
-    for (const Passage& one : passages_) {
-      if (const auto cell = loser(one)) leaves[*cell] += std::abs(one.content.water);
-    }
+    swept_.each_edge([&](std::size_t p, std::size_t q, std::size_t into, std::size_t from) {
+      passages.push_back(passage(p, q, into, from));
+      const std::size_t loser = passages.back().loser();
+      if (loser != swept_.outside) leaves[loser] += std::abs(passages.back().water);
+    });
     std::vector<double> level(shape_.cells(), 0.0);
     momentum_.resize(shape_.cells());
-    for (const Passage& one : passages_) {
-      double part = 1;
-      if (const auto cell = loser(one)) part = std::min(1.0, most_lost * model_.first_volumes()[*cell] / leaves[*cell]);
-      now_.displaced += (1 - part) * std::abs(one.content.water);
+    for (const Passage& one : passages) {
+      const std::size_t loser = one.loser();
+      const double part =
+          loser == swept_.outside ? 1 : std::min(1.0, most_lost * model_.first_volumes()[loser] / leaves[loser]);
+      now_.displaced += (1 - part) * std::abs(one.water);
       const auto add = [&](std::size_t cell, double sign) {
-        level[cell] += sign * (one.content.level - (1 - part) * one.content.water);
-        momentum_[cell].x += sign * part * one.content.momentum.x;
-        momentum_[cell].y += sign * part * one.content.momentum.y;
+        if (cell == swept_.outside) return;
+        level[cell] += sign * (one.level - (1 - part) * one.water);
+        momentum_[cell] += sign * part * one.momentum;
       };
-      if (one.into) add(*one.into, 1);
-      if (one.from) add(*one.from, -1);
+      add(one.into, 1);
+      add(one.from, -1);
     }
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
       under_.push_back(bottom_under(corners_of(cell, true)));
@@ -210,36 +177,19 @@ class Remap {
         throw mechanics::Infeasible(fmt::format("cell {} would hold {:g} of water", cell, volume_[cell]),
                                     corners_of(cell, true)[0].x);
       }
-      const Point velocity = mean_velocity(cell, u_.first(n_), u_.subspan(n_, n_));
-      momentum_[cell].x += before * velocity.x;
-      momentum_[cell].y += before * velocity.y;
+      momentum_[cell] += before * swept_.mean(cell, [&](std::size_t k) { return Point{u_[k], u_[n_ + k]}; });
     }
   }
 
-  [[nodiscard]] double share(std::size_t k) const { return on_shore_[k] != 0 ? Shoreline::share_of_mass : 0.25; }
-
-  [[nodiscard]] Point mean_velocity(std::size_t cell, std::span<const double> u, std::span<const double> v) const {
-    double shares = 0;
-    Point sum;
-    for (const std::size_t k : shape_.corners(cell)) {
-      shares += share(k);
-      sum.x += share(k) * u[k];
-      sum.y += share(k) * v[k];
-    }
-    return {sum.x / shares, sum.y / shares};
-  }
-
-  [[nodiscard]] std::array<Point, 4> corners_of(std::size_t cell, bool fresh) const {
+  [[nodiscard]] Quadrilateral corners_of(std::size_t cell, bool fresh) const {
     const auto corners = shape_.corners(cell);
-    const auto at = [&](std::size_t a) { return fresh ? new_point(corners[a]) : old_point(corners[a]); };
+    const auto at = [&](std::size_t a) { return fresh ? swept_.new_point(corners[a]) : swept_.old_point(corners[a]); };
     return {at(0), at(1), at(2), at(3)};
   }
 
   [[nodiscard]] double new_level(std::size_t cell) const {
     const auto corners = shape_.corners(cell);
-    const auto at = [&](const std::vector<double>& values) {
-      return Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-    };
+    const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
     return bilinear_patch::volume(at(now_.lattice.x), at(now_.lattice.y), at(now_.lattice.z));
   }
 
@@ -248,16 +198,14 @@ class Remap {
     std::vector<double> water(n_, 0.0);
     std::vector<double> area(n_, 0.0);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      const auto at = corners_of(cell, true);
-      const auto j =
-          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+      const Corners j = jacobians(corners_of(cell, true));
       for (const std::size_t k : shape_.corners(cell)) {
         water[k] += volume_[cell];
         area[k] += 0.5 * (j.c0 + j.c2);
       }
     }
     for (std::size_t k = 0; k < n_; ++k) {
-      if (on_shore_[k] != 0) continue;
+      if (on_shore(k)) continue;
       now_.lattice.z[k] = std::max(now_.lattice.z[k], bed_[k] + thinnest * water[k] / area[k]);
     }
   }
@@ -269,9 +217,7 @@ class Remap {
     std::vector<double> area(n_, 0.0);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
       const auto corners = shape_.corners(cell);
-      const auto at = corners_of(cell, true);
-      const auto threes = bilinear_patch::threes(
-          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y}));
+      const Corners threes = bilinear_patch::threes(jacobians(corners_of(cell, true)));
       const std::array by_z{threes.c0 / 12, threes.c1 / 12, threes.c2 / 12, threes.c3 / 12};
       for (std::size_t a = 0; a < 4; ++a) area[corners[a]] += by_z[a];
     }
@@ -294,14 +240,14 @@ class Remap {
       const auto corners = shape_.corners(cell);
       const double lacking = volume_[cell] - (new_level(cell) - under_[cell]);
       double wet = 0;
-      for (const std::size_t k : corners) wet += on_shore_[k] != 0 ? 0.0 : 1.0;
+      for (const std::size_t k : corners) wet += on_shore(k) ? 0.0 : 1.0;
       for (const std::size_t k : corners) {
-        if (on_shore_[k] == 0) rise[k] += lacking / (wet * area[k]);
+        if (!on_shore(k)) rise[k] += lacking / (wet * area[k]);
       }
     }
     std::vector<char> sank(n_, 0);
     for (std::size_t k = 0; k < n_; ++k) {
-      if (on_shore_[k] != 0) continue;
+      if (on_shore(k)) continue;
       const double least = -most_sunk * (now_.lattice.z[k] - bed_[k]);
       sank[k] = rise[k] < least ? 1 : 0;
       now_.lattice.z[k] += std::max(rise[k], least);
@@ -326,33 +272,19 @@ class Remap {
   void move_water(std::size_t from, std::size_t into, double wanted) {
     const double part = std::min(wanted / volume_[from], 0.25);
     const double water = part * volume_[from];
-    const Point momentum{part * momentum_[from].x, part * momentum_[from].y};
+    const Point momentum = part * momentum_[from];
     volume_[from] -= water;
     volume_[into] += water;
-    momentum_[from].x -= momentum.x;
-    momentum_[from].y -= momentum.y;
-    momentum_[into].x += momentum.x;
-    momentum_[into].y += momentum.y;
+    momentum_[from] = momentum_[from] - momentum;
+    momentum_[into] += momentum;
     now_.displaced += water;
   }
 
   /// The same for the momentum.
   void level_momentum() {
-    std::vector<double> mass(n_, 0.0);
-    std::vector<double> after(shape_.cells());
-    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      after[cell] = new_level(cell) - under_[cell];
-      for (const std::size_t k : shape_.corners(cell)) mass[k] += share(k) * after[cell];
-    }
-    std::vector<Point> change(n_);
-    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      const Point velocity = mean_velocity(cell, now_.u, now_.v);
-      const Point lacking{momentum_[cell].x - after[cell] * velocity.x, momentum_[cell].y - after[cell] * velocity.y};
-      for (const std::size_t k : shape_.corners(cell)) {
-        change[k].x += share(k) * lacking.x / mass[k];
-        change[k].y += share(k) * lacking.y / mass[k];
-      }
-    }
+    std::vector<double> after;
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) after.push_back(new_level(cell) - under_[cell]);
+    const auto change = swept_.lacking(after, momentum_, [&](std::size_t k) { return Point{now_.u[k], now_.v[k]}; });
     for (std::size_t k = 0; k < n_; ++k) {
       now_.u[k] += change[k].x;
       now_.v[k] += change[k].y;
@@ -366,17 +298,14 @@ class Remap {
   static constexpr double thinnest = 0.25;   // column, over the mean depth of its cells
 
   const Model& model_;
-  plan_lattice::Shape shape_;
+  Shape shape_;
   std::size_t n_;
   Input q_, u_;
-  LatticeInterpolant old_;
-  std::vector<char> on_shore_;
-  std::vector<double> depth_;
-  BottomVolume quadrilateral_;
   Remapped now_;
-  std::vector<LatticePlace> places_;
-  std::vector<double> bed_;  // below the new nodes
-  std::vector<Passage> passages_;
+  SweptRemap swept_;
+  BottomVolume quadrilateral_;
+  std::vector<double> depth_;   // of the old nodes
+  std::vector<double> bed_;     // below the new nodes
   std::vector<double> under_;   // bottom_under of the new cells
   std::vector<double> volume_;  // V*
   std::vector<Point> momentum_;
@@ -389,10 +318,6 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
 }
 
 namespace {
-
-double distance(Point a, Point b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 /// What a sequence has of the pattern + - + -, by its fourth difference; it goes on symmetrically beyond its ends.
 std::vector<double> pattern(const std::vector<double>& values) {
@@ -426,7 +351,8 @@ ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
   for (std::size_t k = 0; k < shape_.nodes(); ++k) first_.push_back({first.x[k], first.y[k]});
   for (std::size_t i = 0; i <= shape_.columns; ++i) {
     const double length = distance(first_[i], outer(i));
-    line_.push_back({(outer(i).x - first_[i].x) / length, (outer(i).y - first_[i].y) / length});
+    const Point way = outer(i) - first_[i];
+    line_.push_back({way.x / length, way.y / length});
   }
 }
 
@@ -442,13 +368,12 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
       const Point place = end ? row.at(static_cast<double>(i)) : row.meet(i, first_[i], outer(i));
       places.x.push_back(place.x);
       places.y.push_back(place.y);
-      const Point from = first_[shape_.node(i, j)];
-      away.push_back((place.x - from.x) * line_[i].x + (place.y - from.y) * line_[i].y);
+      away.push_back(dot(place - first_[shape_.node(i, j)], line_[i]));
     }
     const std::vector<double> rough = pattern(away);
     for (std::size_t i = 0; i < count; ++i) {
-      places.x[shape_.node(i, j)] -= rough[i] * line_[i].x;
-      places.y[shape_.node(i, j)] -= rough[i] * line_[i].y;
+      const std::size_t k = shape_.node(i, j);
+      places.put(k, places[k] - rough[i] * line_[i]);
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -461,13 +386,20 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
   return places;
 }
 
+/// The nodes of a column within a row come nearer to it: to a part of their distances.
+void ShoreFollowing::draw_back(std::size_t column, std::size_t row, double part, Places& places) const {
+  const std::size_t base = shape_.node(column, row);
+  for (std::size_t k = column; k < base; k += shape_.columns + 1) {
+    places.put(k, {std::lerp(places.x[base], places.x[k], part), std::lerp(places.y[base], places.y[k], part)});
+  }
+}
+
 /// The cells beside a column, from the shoreline to a row, are a wedge of depth h over its width b; with its water it
 /// has the depth over its width asked for when it is sqrt(h/(b edge_slope)) as wide. The film is the widest wedge that
 /// is too thin, as long as all within it are.
 void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) const {
   const std::size_t count = shape_.columns + 1;
   for (std::size_t i = 0; i < count; ++i) {
-    const Point shore{places.x[i], places.y[i]};
     double water = 0;
     double area = 0;
     double part = 1;
@@ -478,17 +410,12 @@ void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) con
         water += volumes[cell];
         area += cell_area(shape_, q, cell);
       }
-      const std::size_t base = shape_.node(i, row + 1);
-      const double slope = 2 * water / area / distance(shore, {places.x[base], places.y[base]});
+      const double slope = 2 * water / area / distance(places[i], places[shape_.node(i, row + 1)]);
       if (!(slope < settings_.edge_slope)) break;
       part = std::sqrt(slope / settings_.edge_slope);
       film = row + 1;
     }
-    const std::size_t base = shape_.node(i, film);
-    for (std::size_t k = i; k < base; k += count) {
-      places.x[k] = std::lerp(places.x[base], places.x[k], part);
-      places.y[k] = std::lerp(places.y[base], places.y[k], part);
-    }
+    draw_back(i, film, part, places);
   }
 }
 
@@ -496,8 +423,7 @@ void ShoreFollowing::cut_tongues(Places& places) const {
   constexpr double least_left = 0.7;  // of a pressed cell's width
   const std::size_t count = shape_.columns + 1;
   const auto outwards = [&](std::size_t i, std::size_t j) {
-    const std::size_t k = shape_.node(i, j);
-    return (places.x[k] - first_[i].x) * line_[i].x + (places.y[k] - first_[i].y) * line_[i].y;
+    return dot(places[shape_.node(i, j)] - first_[i], line_[i]);
   };
   std::vector<double> shore(count);
   for (std::size_t i = 0; i < count; ++i) shore[i] = outwards(i, 0);
@@ -513,11 +439,7 @@ void ShoreFollowing::cut_tongues(Places& places) const {
     while (row + 1 < shape_.rows && outwards(i, row) - shore[i] < least_left * (outwards(i, row) - was)) ++row;
     const double base = outwards(i, row);
     const double part = (base - shore[i]) / (base - was);
-    const std::size_t out = shape_.node(i, row);
-    for (std::size_t k = i; k < out; k += count) {
-      places.x[k] = std::lerp(places.x[out], places.x[k], part);
-      places.y[k] = std::lerp(places.y[out], places.y[k], part);
-    }
+    draw_back(i, row, part, places);
   }
 }
 
@@ -526,12 +448,9 @@ void ShoreFollowing::keep_widths(Places& places) const {
     for (std::size_t i = 0; i <= shape_.columns; ++i) {
       const std::size_t k = shape_.node(i, j);
       const std::size_t inner = shape_.node(i, j - 1);
-      const Point line = line_[i];
-      const double width = (places.x[k] - places.x[inner]) * line.x + (places.y[k] - places.y[inner]) * line.y;
+      const double width = dot(places[k] - places[inner], line_[i]);
       const double lacking = settings_.narrowest * distance(first_[inner], first_[k]) - width;
-      if (!(lacking > 0)) continue;
-      places.x[k] += lacking * line.x;
-      places.y[k] += lacking * line.y;
+      if (lacking > 0) places.put(k, places[k] + lacking * line_[i]);
     }
   }
 }

@@ -108,6 +108,7 @@ class ShoreFollowing {
 
  private:
   [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }
+  void draw_back(std::size_t column, std::size_t row, double part, Places& places) const;
   void draw_back_films(Input q, Input volumes, Places& places) const;
   void cut_tongues(Places& places) const;
   void keep_widths(Places& places) const;

@@ -19,9 +19,6 @@ constexpr double noise = 8 * std::numeric_limits<double>::epsilon();
 double rise(Point gradient, Point place) {
   return std::abs(gradient.x * place.x) + std::abs(gradient.y * place.y);
 }
-Point along(Point from, double s, Point way) {
-  return {from.x + s * way.x, from.y + s * way.y};
-}
 
 }  // namespace
 
@@ -49,18 +46,16 @@ void Shoreline::land(Output q) const {
 void Shoreline::tilt_between(Input q0, Input q1, Normals& normals) const {
   for (const std::size_t k : markers_) {
     const Point from{q0[k], q0[nodes_ + k]};
-    const Point way{q1[k] - from.x, q1[nodes_ + k] - from.y};
+    const Point way = Point{q1[k], q1[nodes_ + k]} - from;
     const auto middle = bottom_->slope(from.x + 0.5 * way.x, from.y + 0.5 * way.y);
     Point slope{middle.along_x, middle.along_y};
     const double begin = bottom_->slope(from.x, from.y).elevation;
     const double end = bottom_->slope(from.x + way.x, from.y + way.y).elevation;
     const double lacking = end - begin - dot(slope, way);
     const double roundoff = noise * (std::abs(begin) + std::abs(end) + rise(slope, from));
-    if (std::abs(lacking) > roundoff) slope = along(slope, lacking / dot(way, way), way);
+    if (std::abs(lacking) > roundoff) slope += lacking / dot(way, way) * way;
     const double length = std::sqrt(1 + dot(slope, slope));
-    normals.x[k] = -slope.x / length;
-    normals.y[k] = -slope.y / length;
-    normals.z[k] = 1 / length;
+    normals.put(k, {-slope.x / length, -slope.y / length, 1 / length});
   }
 }
 
@@ -70,13 +65,13 @@ Shoreline::Ends Shoreline::ends(const Edge& edge, Input q) const {
 }
 
 Shoreline::Moment Shoreline::moment(const Edge& edge, const Ends& at) const {
-  const Point dp{at[0].x - edge.first[0].x, at[0].y - edge.first[0].y};
-  const Point dq{at[1].x - edge.first[1].x, at[1].y - edge.first[1].y};
+  const Point dp = at[0] - edge.first[0];
+  const Point dq = at[1] - edge.first[1];
   Moment moment;
   for (const auto [s, weight] : gauss_points()) {
-    const Point place_p = along(edge.first[0], s, dp);
-    const Point place_q = along(edge.first[1], s, dq);
-    const Point chord{place_q.x - place_p.x, place_q.y - place_p.y};
+    const Point place_p = edge.first[0] + s * dp;
+    const Point place_q = edge.first[1] + s * dq;
+    const Point chord = place_q - place_p;
     const auto bottom_p = bottom_->slope(place_p.x, place_p.y);
     const auto bottom_q = bottom_->slope(place_q.x, place_q.y);
     const double a = bottom_p.elevation;
@@ -89,24 +84,19 @@ Shoreline::Moment Shoreline::moment(const Edge& edge, const Ends& at) const {
     const double half = weight / 2;
     moment.value += half * (near_p * sweep_p + near_q * sweep_q);
     // A change of dp changes the sums by (change of dp) x turn_p, and b(P) by s times it.
-    const Point turn_p{near_p * (chord.x + s * dp.x) + near_q * s * dq.x,
-                       near_p * (chord.y + s * dp.y) + near_q * s * dq.y};
-    const Point turn_q{near_q * (chord.x - s * dq.x) - near_p * s * dp.x,
-                       near_q * (chord.y - s * dq.y) - near_p * s * dp.y};
+    const Point turn_p = near_p * (chord + s * dp) + near_q * s * dq;
+    const Point turn_q = near_q * (chord - s * dq) - near_p * s * dp;
     const double by_a = s * ((a / 2 + b / 6) * sweep_p + (a + b) / 6 * sweep_q);
     const double by_b = s * ((a + b) / 6 * sweep_p + (a / 6 + b / 2) * sweep_q);
-    moment.gradient[0].x += half * (turn_p.y + by_a * bottom_p.along_x);
-    moment.gradient[0].y += half * (-turn_p.x + by_a * bottom_p.along_y);
-    moment.gradient[1].x += half * (turn_q.y + by_b * bottom_q.along_x);
-    moment.gradient[1].y += half * (-turn_q.x + by_b * bottom_q.along_y);
+    moment.gradient[0] += half * Point{turn_p.y + by_a * bottom_p.along_x, -turn_p.x + by_a * bottom_p.along_y};
+    moment.gradient[1] += half * Point{turn_q.y + by_b * bottom_q.along_x, -turn_q.x + by_b * bottom_q.along_y};
   }
   return moment;
 }
 
 Shoreline::Moment Shoreline::moment_between(const Edge& edge, const Ends& from, const Ends& to) const {
   const Moment begin = moment(edge, from);
-  const Moment middle = moment(edge, {Point{0.5 * (from[0].x + to[0].x), 0.5 * (from[0].y + to[0].y)},
-                                      Point{0.5 * (from[1].x + to[1].x), 0.5 * (from[1].y + to[1].y)}});
+  const Moment middle = moment(edge, {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])});
   const Moment end = moment(edge, to);
   Moment result{.value = end.value - begin.value, .gradient = {}};
   double done = 0;
@@ -115,7 +105,7 @@ Shoreline::Moment Shoreline::moment_between(const Edge& edge, const Ends& from, 
   for (std::size_t k = 0; k < 2; ++k) {
     result.gradient[k] = {(begin.gradient[k].x + 4 * middle.gradient[k].x + end.gradient[k].x) / 6,
                           (begin.gradient[k].y + 4 * middle.gradient[k].y + end.gradient[k].y) / 6};
-    way[k] = {to[k].x - from[k].x, to[k].y - from[k].y};
+    way[k] = to[k] - from[k];
     done += dot(result.gradient[k], way[k]);
     square += dot(way[k], way[k]);
   }
@@ -123,7 +113,7 @@ Shoreline::Moment Shoreline::moment_between(const Edge& edge, const Ends& from, 
   double rounded = std::abs(begin.value) + std::abs(end.value);
   for (std::size_t k = 0; k < 2; ++k) rounded += rise(end.gradient[k], to[k]);
   if (std::abs(lacking) > noise * rounded) {
-    for (std::size_t k = 0; k < 2; ++k) result.gradient[k] = along(result.gradient[k], lacking / square, way[k]);
+    for (std::size_t k = 0; k < 2; ++k) result.gradient[k] += lacking / square * way[k];
   }
   return result;
 }

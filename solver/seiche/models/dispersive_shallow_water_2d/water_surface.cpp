@@ -28,9 +28,8 @@ WaterSurface::WaterSurface(plan_lattice::Shape shape, double gamma)
 }
 
 void WaterSurface::assemble(std::span<const double> volumes, mechanics::Input q) {
-  for (auto* part : {&matrix_.own, &matrix_.right, &matrix_.up, &matrix_.up_right, &matrix_.up_left, &push_}) {
-    std::ranges::fill(part->values(), 0.0);
-  }
+  matrix_.clear();
+  std::ranges::fill(push_.values(), 0.0);
   const double* const x = q.data();
   const double* const y = x + shape_.nodes();
   const double* const z = y + shape_.nodes();
@@ -55,16 +54,16 @@ void WaterSurface::assemble(std::span<const double> volumes, mechanics::Input q)
     push[c1] -= along_second;
     push[c2] += along_first;
     push[c3] += along_second;
-    matrix_.own.data()[c0] += 0.25 * area + below * first;
-    matrix_.own.data()[c1] += 0.25 * area + below * second;
-    matrix_.own.data()[c2] += 0.25 * area + below * first;
-    matrix_.own.data()[c3] += 0.25 * area + below * second;
-    matrix_.up_right.data()[c0] -= below * first;
-    matrix_.up_left.data()[c1] -= below * second;
-    matrix_.right.data()[c0] += below * both;
-    matrix_.up.data()[c1] -= below * both;
-    matrix_.right.data()[c3] += below * both;
-    matrix_.up.data()[c0] -= below * both;
+    matrix_[matrix_.own][c0] += 0.25 * area + below * first;
+    matrix_[matrix_.own][c1] += 0.25 * area + below * second;
+    matrix_[matrix_.own][c2] += 0.25 * area + below * first;
+    matrix_[matrix_.own][c3] += 0.25 * area + below * second;
+    matrix_[matrix_.up_right][c0] -= below * first;
+    matrix_[matrix_.up_left][c1] -= below * second;
+    matrix_[matrix_.right][c0] += below * both;
+    matrix_[matrix_.up][c1] -= below * both;
+    matrix_[matrix_.right][c3] += below * both;
+    matrix_[matrix_.up][c0] -= below * both;
   }
 }
 
@@ -79,7 +78,7 @@ std::span<const double> WaterSurface::read(std::span<const double> volumes, mech
     return matrix_.multiply_and_dot(in, out);
   };
   const auto precondition = [&](std::span<const double> residual, std::span<double> better, double) {
-    const double* const own = matrix_.own.data();
+    const double* const own = matrix_[matrix_.own];
     for (std::size_t node = 0; node < better.size(); ++node) better[node] = residual[node] / own[node];
   };
   solver_.solve(multiply, precondition, push_, beyond_, {.tolerance = accuracy});

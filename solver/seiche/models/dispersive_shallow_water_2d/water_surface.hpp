@@ -39,9 +39,9 @@ class WaterSurface {
 
   plan_lattice::Shape shape_;
   double gamma_;
-  linear::NinePointMatrix matrix_;  // areas and gamma K/4 of them
-  linear::LatticeArray push_;       // gamma K/2 z
-  linear::LatticeArray beyond_;     // zeta - z
+  linear::StencilMatrix matrix_;  // areas and gamma K/4 of them
+  linear::LatticeArray push_;     // gamma K/2 z
+  linear::LatticeArray beyond_;   // zeta - z
   linear::ConjugateGradients<> solver_;
   std::vector<double> surface_;
 };

@@ -7,13 +7,10 @@
 #include <cstddef>
 
 #include "seiche/lattice/cell_rows.hpp"
-#include "seiche/linear/constraint_solver.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
 struct Quadrilateral {
-  using Matrix = linear::NinePointMatrix;
-  using Solver = linear::NinePointSolver;
   static constexpr std::size_t axes = 2, corners = 4, stored = 4, mobilities = 2, momenta = 2, turns = 1;
 
   template <std::size_t corner, std::size_t axis>

@@ -27,33 +27,20 @@ double WallLoad::pressure_at(double elevation) const {
 }
 
 Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Forcing forcing, bool smooth_start)
-    : model_(std::make_unique<Model>(std::move(mesh), settings, std::move(forcing))),
-      state_(model_->state(velocity)),
-      stepper_(std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme)),
-      scheme_(scheme),
-      smooth_start_(smooth_start && scheme.stepping != Stepping::conservative &&
-                    scheme.composition == TimeComposition::none && model_->nodes().driven().empty()),
-      stable_step_(longest_stable_step(*model_)) {
-  try {
-    mechanics::Start(*model_).project(state_);
-  } catch (const mechanics::Infeasible& failure) {
-    throw Divergence(failure.what(), 0, 0, failure.place());
-  }
-  watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
+    : lattice::Flow<Model>(scheme) {
+  auto model = std::make_unique<Model>(std::move(mesh), settings, std::move(forcing));
+  const double stable = longest_stable_step(*model);
+  const bool smooth = smooth_start && model->nodes().driven().empty();
+  mechanics::State state = model->state(velocity);
+  begin_at_first(std::move(model), std::move(state), stable, smooth);
 }
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
   rezone_where_due();
   Walls walls = walls_now();
-  if (fresh_ && smooth_start_) {
-    mechanics::smooth_step(*model_, *stepper_, state_, tau);
-  } else {
-    stepper_->step(state_, tau);
-  }
-  fresh_ = false;
+  step(tau);
   walls_ = std::move(walls);
-  if (tau > stable_step_) ++beyond_stability_;
 }
 
 Flow::Walls Flow::walls_now() const {
@@ -105,46 +92,6 @@ std::vector<double> Flow::elevation_at(std::span<const double> places) const {
   return elevation;
 }
 
-Flow::Crest Flow::crest() const {
-  const auto xs = surface_x();
-  const auto ys = surface_y();
-  const auto highest = static_cast<std::size_t>(std::max_element(ys.begin(), ys.end()) - ys.begin());
-  if (highest < 2 || highest + 2 >= xs.size()) return {xs[highest], ys[highest]};
-  // Newton's divided differences around the highest node, then its maximum by Newton's iteration on the derivative.
-  std::array<double, 5> s{};
-  std::array<double, 5> c{};
-  for (std::size_t i = 0; i < 5; ++i) {
-    s[i] = xs[highest - 2 + i] - xs[highest];
-    c[i] = ys[highest - 2 + i];
-  }
-  for (std::size_t order = 1; order < 5; ++order) {
-    for (std::size_t i = 4; i >= order; --i) c[i] = (c[i] - c[i - 1]) / (s[i] - s[i - order]);
-  }
-  struct Local {
-    double value, slope, curvature;
-  };
-  const auto at = [&](double z) {
-    Local p{c[4], 0, 0};
-    for (std::size_t i = 4; i-- > 0;) {
-      p.curvature = 2 * p.slope + (z - s[i]) * p.curvature;
-      p.slope = p.value + (z - s[i]) * p.slope;
-      p.value = c[i] + (z - s[i]) * p.value;
-    }
-    return p;
-  };
-  double z = 0;
-  for (int iteration = 0; iteration < 20; ++iteration) {
-    const Local p = at(z);
-    if (!(p.curvature < 0)) break;
-    z = std::clamp(z - p.slope / p.curvature, s[1], s[3]);
-  }
-  return {xs[highest] + z, at(z).value};
-}
-
-double Flow::energy() const {
-  return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
-}
-
 void Flow::keep_upright(double drift) {
   require_within("drift", drift, 1e-6, 2);
   if (model_->forcing().body_force) throw std::invalid_argument("a rezoned mesh with a body force; allowed: none");
@@ -168,16 +115,10 @@ void Flow::rezone(const UprightColumns::Places& places) {
   Remapped now = remap(*model_, state_.q, state_.u, places.x, places.y);
   const double before = energy();
   auto model = std::make_unique<Model>(std::move(now.mesh), model_->settings(), model_->forcing());
+  const double stable = longest_stable_step(*model);
   mechanics::State state = model->state(now.velocity, state_.time);
-  mechanics::Start(*model).project(state);
   state.steps = state_.steps;
-  watch_.reset();
-  stepper_ = std::make_unique<mechanics::SchemeStepper<Model>>(*model, scheme_);
-  watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model, state);
-  model_ = std::move(model);
-  state_ = std::move(state);
-  stable_step_ = longest_stable_step(*model_);
-  fresh_ = true;
+  begin(std::move(model), std::move(state), stable);
   rezoning_.lost += before - energy();
 }
 
@@ -196,3 +137,5 @@ std::vector<Point> impulsive_start(const Mesh& mesh, const std::function<double(
 }
 
 }  // namespace seiche::lagrangian_mesh_2d
+
+template class seiche::lattice::Flow<seiche::lagrangian_mesh_2d::Model>;

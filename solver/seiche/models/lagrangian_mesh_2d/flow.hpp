@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "seiche/lattice/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
@@ -39,7 +40,7 @@ struct WallLoad {
   [[nodiscard]] double pressure_at(double elevation) const;
 };
 
-class Flow {
+class Flow : public lattice::Flow<Model> {
  public:
   using Velocity = InitialVelocity;
 
@@ -62,39 +63,13 @@ class Flow {
   [[nodiscard]] const Rezoning& rezoning() const { return rezoning_; }
 
   /// One step of length tau > 0. A throw leaves the state as it was, or as it was rezoned.
-  void advance(double tau);
-  void arrive(double time) { state_.time = time; }
+  void advance(double tau) override;
 
-  /// Longest stable step of the one-step scheme for a uniform layer: 2/omega of the fastest mode of the undeformed
-  /// mesh; infinite without gravity or a bottom.
-  [[nodiscard]] double stable_step() const { return stable_step_; }
-  /// Steps that were longer than that: a warning, not an error.
-  [[nodiscard]] long steps_beyond_stability() const { return beyond_stability_; }
-
-  [[nodiscard]] double time() const { return state_.time; }
-  [[nodiscard]] long steps() const { return state_.steps; }
-  [[nodiscard]] const Model& model() const { return *model_; }
-  [[nodiscard]] const mechanics::State& state() const { return state_; }
-  [[nodiscard]] std::span<const double> x() const { return part(state_.q, 0); }
-  [[nodiscard]] std::span<const double> y() const { return part(state_.q, 1); }
-  [[nodiscard]] std::span<const double> u() const { return part(state_.u, 0); }
-  [[nodiscard]] std::span<const double> v() const { return part(state_.u, 1); }
   /// Row `rows` of the nodes.
   [[nodiscard]] std::span<const double> surface_x() const { return top(x()); }
   [[nodiscard]] std::span<const double> surface_y() const { return top(y()); }
-  /// Multipliers of the cells at the middle of the last step [Pa]: dynamic pressure. Single values alternate.
-  [[nodiscard]] std::span<const double> multipliers() const { return state_.multipliers; }
-  /// Their mean over the last two steps: values at the beginning of the last step.
-  [[nodiscard]] std::vector<double> dynamic_pressure() const { return state_.nodal_multipliers(); }
-
   /// Surface elevation at places, linear between nodes; NaN beyond the surface's ends.
   [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const;
-  /// Highest point of the polynomial of degree four through the highest surface node and two neighbours on each side.
-  struct Crest {
-    double place = 0;
-    double elevation = 0;
-  };
-  [[nodiscard]] Crest crest() const;
 
   enum class WallSide { left, right };
   /// The load of a wall at the beginning of the last step, from the mean of the last two steps' multipliers. After two
@@ -103,25 +78,12 @@ class Flow {
   /// Whether two steps have been made since the beginning or the last rezoning.
   [[nodiscard]] bool knows_loads() const { return !state_.multipliers.empty() && !state_.earlier_multipliers.empty(); }
 
-  /// Shape of the worst corner: 1 at the beginning for rectangles, 0 where the mesh folds; a warning below 0.2.
-  [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
-  [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
-  /// Mass, momenta, energy, areas since the beginning. Costs several passes: `observe` takes a record.
-  void observe() { watch_->record(state_); }
-  /// Booked are those since the last rezoning.
-  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
-  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
-
  private:
   struct Walls {
     double time = 0;
     std::array<std::vector<double>, 2> y;  // of the nodes, left and right
   };
 
-  [[nodiscard]] std::span<const double> part(const std::vector<double>& values, std::size_t index) const {
-    const std::size_t n = model_->nodes().size();
-    return {values.data() + index * n, n};
-  }
   [[nodiscard]] std::span<const double> top(std::span<const double> values) const {
     return values.last(model_->mesh().columns + 1);
   }
@@ -129,20 +91,18 @@ class Flow {
   void rezone(const UprightColumns::Places& places);
   void rezone_where_due();
 
-  std::unique_ptr<Model> model_;
-  mechanics::State state_;
-  std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
-  std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
-  Scheme scheme_;
-  bool smooth_start_;
-  bool fresh_ = true;                              // no step yet since the beginning or the last rezoning
   std::unique_ptr<const UprightColumns> upright_;  // or none
   double drift_ = 0;
   Rezoning rezoning_;
-  double stable_step_;
-  long beyond_stability_ = 0;
   Walls walls_;  // before the last step
 };
+
+}  // namespace seiche::lagrangian_mesh_2d
+
+/// Compiled once, in flow.cpp.
+extern template class seiche::lattice::Flow<seiche::lagrangian_mesh_2d::Model>;
+
+namespace seiche::lagrangian_mesh_2d {
 
 /// First velocities of a mesh of water in potential flow, from the potential on its surface.
 ///

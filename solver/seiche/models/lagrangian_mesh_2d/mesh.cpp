@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
@@ -15,17 +16,12 @@ namespace seiche::lagrangian_mesh_2d {
 namespace {
 
 /// Twice the areas of the triangles at the four corners.
-std::array<double, 4> corner_triangles(const std::array<Point, 4>& r) {
-  const auto along = [&](std::size_t from, std::size_t to) { return Point{r[to].x - r[from].x, r[to].y - r[from].y}; };
-  return {cross(along(0, 1), along(0, 3)), cross(along(1, 2), along(1, 0)), cross(along(2, 3), along(2, 1)),
-          cross(along(3, 0), along(3, 2))};
-}
-
-std::array<Point, 4> points(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
-  std::array<Point, 4> r;
+std::array<double, 4> corner_triangles(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
+                                       std::size_t cell) {
   const auto corners = mesh.corners(cell);
-  for (std::size_t c = 0; c < 4; ++c) r[c] = {x[corners[c]], y[corners[c]]};
-  return r;
+  const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
+  const auto j = bilinear_patch::jacobians(at(x), at(y));
+  return {j.c0, j.c1, j.c2, j.c3};
 }
 
 void require_on(std::string_view side, const Wall& wall, const Mesh& mesh, double size, std::size_t first,
@@ -107,14 +103,14 @@ void Mesh::require_valid() const {
     size = std::max({size, std::abs(x[k]), std::abs(y[k])});
   }
   for (std::size_t cell = 0; cell < cells(); ++cell) {
-    const auto triangles = corner_triangles(points(*this, x, y, cell));
+    const auto triangles = corner_triangles(*this, x, y, cell);
     const auto worst = std::min_element(triangles.begin(), triangles.end());
     if (!(*worst > 0)) {
-      const Point at = points(*this, x, y, cell)[static_cast<std::size_t>(worst - triangles.begin())];
+      const std::size_t at = corners(cell)[static_cast<std::size_t>(worst - triangles.begin())];
       throw std::invalid_argument(
           fmt::format("cell {} (column {}, row {}) is not convex at its corner ({:g}, {:g}): triangle {:g}; allowed: "
                       "positive",
-                      cell, cell % columns, cell / columns, at.x, at.y, 0.5 * *worst));
+                      cell, cell % columns, cell / columns, x[at], y[at], 0.5 * *worst));
     }
   }
   require_side("left", sides.left, *this, size, 0, columns + 1, rows + 1);
@@ -129,7 +125,7 @@ double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const do
 }
 
 double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
-  auto triangles = corner_triangles(points(mesh, x, y, cell));
+  auto triangles = corner_triangles(mesh, x, y, cell);
   for (std::size_t c = 0; c < triangles.size(); ++c) {
     if (mesh.on_joined_sides(cell, c)) triangles[c] = std::numeric_limits<double>::infinity();
   }

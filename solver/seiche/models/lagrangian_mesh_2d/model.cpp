@@ -65,7 +65,6 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
     : Water{valid_cells(mesh, settings),
-            {mesh.columns, mesh.rows},
             {mesh.columns, mesh.rows, settings.solver, undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
       mesh_(std::move(mesh)),
@@ -90,29 +89,21 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
 }
 
 mechanics::State Model::state(const InitialVelocity& velocity, double time) const {
-  mechanics::State state{.q = mesh_.x, .u = std::vector<double>(rates(), 0.0), .time = time};
-  state.q.insert(state.q.end(), mesh_.y.begin(), mesh_.y.end());
-
-  const auto* given = std::get_if<std::vector<Point>>(&velocity);
-  if (given != nullptr && given->size() != n_) {
-    throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", given->size(), n_));
-  }
-  const auto velocity_of = [&](std::size_t k) {
-    if (given != nullptr) return (*given)[k];
-    const auto& at = std::get<VelocityAt>(velocity);
-    return at ? at({mesh_.x[k], mesh_.y[k]}) : Point{};
-  };
+  mechanics::State state{
+      .q = lattice::joined({mesh_.x, mesh_.y}), .u = std::vector<double>(rates(), 0.0), .time = time};
+  const auto given = lattice::nodal(velocity, n_, [&](const VelocityAt& at, std::size_t k) {
+    return at({mesh_.x[k], mesh_.y[k]});
+  });
   for (std::size_t k = 0; k < n_; ++k) {
     // A node that is held in one direction, or slides, keeps what it may do.
-    const Point u = velocity_of(k);
-    state.u[k] = nodes_.wx()[k] > 0 ? u.x : 0.0;
-    state.u[n_ + k] = nodes_.wy()[k] > 0 ? u.y : 0.0;
+    state.u[k] = nodes_.wx()[k] > 0 ? given[k].x : 0.0;
+    state.u[n_ + k] = nodes_.wy()[k] > 0 ? given[k].y : 0.0;
   }
   for (const Slide& slide : nodes_.slides()) {
     const Point node{mesh_.x[slide.node], mesh_.y[slide.node]};
     const double s = slide.curve->arc_length_at(node);
     const Point tangent = slide.curve->tangent(s);
-    const double speed = dot(tangent, velocity_of(slide.node));
+    const double speed = dot(tangent, given[slide.node]);
     state.u[slide.node] = speed * tangent.x;
     state.u[n_ + slide.node] = speed * tangent.y;
     // On the curve to the last bit, where it will be put after every step.
@@ -322,13 +313,3 @@ double longest_stable_step(const Model& model) {
 }
 
 }  // namespace seiche::lagrangian_mesh_2d
-
-namespace seiche::mechanics {
-
-template class OneStep<lagrangian_mesh_2d::Model>;
-template class ConservativeStep<lagrangian_mesh_2d::Model>;
-template class SchemeStepper<lagrangian_mesh_2d::Model>;
-template class Start<lagrangian_mesh_2d::Model>;
-template class InvariantsWatch<lagrangian_mesh_2d::Model>;
-
-}  // namespace seiche::mechanics

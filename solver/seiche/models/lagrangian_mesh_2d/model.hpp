@@ -167,14 +167,3 @@ class Model : public lattice::Water<Quadrilateral, Model> {
 double longest_stable_step(const Model& model);
 
 }  // namespace seiche::lagrangian_mesh_2d
-
-namespace seiche::mechanics {
-
-/// The integrators of the model, compiled once and not in every file that steps it.
-extern template class OneStep<lagrangian_mesh_2d::Model>;
-extern template class ConservativeStep<lagrangian_mesh_2d::Model>;
-extern template class SchemeStepper<lagrangian_mesh_2d::Model>;
-extern template class Start<lagrangian_mesh_2d::Model>;
-extern template class InvariantsWatch<lagrangian_mesh_2d::Model>;
-
-}  // namespace seiche::mechanics

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -10,8 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/geometry/swept_quadrilateral.hpp"
-#include "seiche/plan_lattice/lattice_interpolant.hpp"
+#include "seiche/plan_lattice/swept_remap.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
@@ -71,8 +69,7 @@ void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
   const std::size_t last = shape_.columns;
   const std::size_t n = shape_.nodes();
   const auto old = [&](std::size_t i) {
-    const std::size_t k = shape_.node(i, shape_.rows);
-    return Point{q[k], q[n + k]};
+    return Point{q[shape_.node(i, shape_.rows)], q[n + shape_.node(i, shape_.rows)]};
   };
   std::vector<double> gained(last);     // by edges
   std::vector<double> width(last + 1);  // twice the change of the area with the rise of a node along its column
@@ -91,9 +88,7 @@ void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
     }
     for (std::size_t i = 0; i <= last; ++i) {
       const double around = (i > 0 ? gained[i - 1] : 0.0) + (i < last ? gained[i] : 0.0);
-      const double rise = pass < local_passes ? -around / width[i] : -2 * all.value() / widths.value();
-      top[i].x += rise * direction_[i].x;
-      top[i].y += rise;
+      top[i] += (pass < local_passes ? -around / width[i] : -2 * all.value() / widths.value()) * direction_[i];
     }
   }
 }
@@ -107,7 +102,7 @@ Point UprightColumns::foot(mechanics::Input q, const plan_lattice::RowCurve& sur
   double s = bottom_->arc_length_at(old(0));
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Point low = bottom_->position(s);
-    top = surface.meet(i, low, {low.x + direction_[i].x, low.y + direction_[i].y});
+    top = surface.meet(i, low, low + direction_[i]);
     // What the column sweeps to its right on its way from the old nodes to the line.
     double swept = 0;
     for (std::size_t j = 0; j < shape_.rows; ++j) swept -= 0.5 * cross(old(j), old(j + 1));
@@ -149,137 +144,45 @@ double UprightColumns::drift(mechanics::Input q, const Places& places) const {
   return plan_lattice::farthest(shape_, q.first(n), q.subspan(n, n), places);
 }
 
-namespace {
-
-using plan_lattice::LatticePlace;
-
-class Remap {
- public:
-  Remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y)
-      : n_(model.mesh().nodes()),
-        q_(q),
-        u_(u),
-        was_(model.mesh()),
-        old_({.columns = was_.columns, .rows = was_.rows}, q.first(n_), q.subspan(n_, n_)) {
-    now_.mesh = was_;
-    now_.mesh.x = std::move(x);
-    now_.mesh.y = std::move(y);
-  }
-
-  Remapped run() {
-    require_unfolded();
-    interpolate();
-    sweep();
-    level_momentum();
-    return std::move(now_);
-  }
-
- private:
-  [[nodiscard]] Point old_point(std::size_t k) const { return {q_[k], q_[n_ + k]}; }
-  [[nodiscard]] Point new_point(std::size_t k) const { return {now_.mesh.x[k], now_.mesh.y[k]}; }
-  [[nodiscard]] Point velocity_at(const LatticePlace& place) const {
-    return {old_.value(u_.first(n_), place), old_.value(u_.subspan(n_, n_), place)};
-  }
-  [[nodiscard]] double old_area(std::size_t cell) const {
-    return cell_area(was_, q_.first(n_), q_.subspan(n_, n_), cell);
-  }
-  [[nodiscard]] double new_area(std::size_t cell) const { return cell_area(now_.mesh, now_.mesh.x, now_.mesh.y, cell); }
-
-  void require_unfolded() const {
-    for (std::size_t cell = 0; cell < was_.cells(); ++cell) {
-      if (new_area(cell) > 0 && least_triangle(now_.mesh, now_.mesh.x, now_.mesh.y, cell) > 0) continue;
-      const Point corner = new_point(was_.corners(cell)[0]);
-      throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y),
-                                  corner.x);
-    }
-  }
-
-  void interpolate() {
-    for (std::size_t j = 0; j <= was_.rows; ++j) {
-      for (std::size_t i = 0; i <= was_.columns; ++i) {
-        const LatticePlace guess{.i = static_cast<double>(i), .j = static_cast<double>(j)};
-        now_.velocity.push_back(velocity_at(old_.find(new_point(was_.node(i, j)), guess)));
-      }
-    }
-  }
-
-  /// Momentum per density that the edge p -> q sweeps towards its right.
-  [[nodiscard]] Point swept(std::size_t p, std::size_t q, LatticePlace guess) const {
-    Point momentum;
-    each_swept_point({old_point(p), new_point(p), new_point(q), old_point(q)}, [&](const SweptPoint& point) {
-      const Point velocity = velocity_at(old_.find(point.place, guess));
-      momentum.x += point.area * velocity.x;
-      momentum.y += point.area * velocity.y;
-    });
-    return momentum;
-  }
-
-  void sweep() {
-    gained_.assign(was_.cells(), {});
-    const auto add = [&](std::size_t cell, double sign, Point momentum) {
-      gained_[cell].x += sign * momentum.x;
-      gained_[cell].y += sign * momentum.y;
-    };
-    for (std::size_t j = 0; j <= was_.rows; ++j) {
-      for (std::size_t i = 0; i < was_.columns; ++i) {
-        const LatticePlace guess{.i = static_cast<double>(i) + 0.5, .j = static_cast<double>(j)};
-        const Point through = swept(was_.node(i, j), was_.node(i + 1, j), guess);
-        if (j < was_.rows) add(j * was_.columns + i, 1, through);
-        if (j > 0) add((j - 1) * was_.columns + i, -1, through);
-      }
-    }
-    for (std::size_t j = 0; j < was_.rows; ++j) {
-      for (std::size_t i = 0; i <= was_.columns; ++i) {
-        const LatticePlace guess{.i = static_cast<double>(i), .j = static_cast<double>(j) + 0.5};
-        const Point through = swept(was_.node(i, j), was_.node(i, j + 1), guess);
-        if (i > 0) add(j * was_.columns + i - 1, 1, through);
-        if (i < was_.columns) add(j * was_.columns + i, -1, through);
-      }
-    }
-  }
-
-  void level_momentum() {
-    std::vector<double> mass(n_, 0.0);
-    for (std::size_t cell = 0; cell < was_.cells(); ++cell) {
-      for (const std::size_t k : was_.corners(cell)) mass[k] += 0.25 * new_area(cell);
-    }
-    std::vector<Point> change(n_);
-    for (std::size_t cell = 0; cell < was_.cells(); ++cell) {
-      const auto corners = was_.corners(cell);
-      Point before{};
-      Point now{};
-      for (const std::size_t k : corners) {
-        before.x += u_[k] / 4;
-        before.y += u_[n_ + k] / 4;
-        now.x += now_.velocity[k].x / 4;
-        now.y += now_.velocity[k].y / 4;
-      }
-      const double was = old_area(cell);
-      const double is = new_area(cell);
-      const Point lacking{was * before.x + gained_[cell].x - is * now.x, was * before.y + gained_[cell].y - is * now.y};
-      for (const std::size_t k : corners) {
-        change[k].x += lacking.x / (4 * mass[k]);
-        change[k].y += lacking.y / (4 * mass[k]);
-      }
-    }
-    for (std::size_t k = 0; k < n_; ++k) {
-      now_.velocity[k].x += change[k].x;
-      now_.velocity[k].y += change[k].y;
-    }
-  }
-
-  std::size_t n_;
-  Input q_, u_;
-  const Mesh& was_;
-  plan_lattice::LatticeInterpolant old_;
-  Remapped now_;
-  std::vector<Point> gained_;  // momentum per density
-};
-
-}  // namespace
-
 Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y) {
-  return Remap(model, q, u, std::move(x), std::move(y)).run();
+  const Mesh& was = model.mesh();
+  const std::size_t n = was.nodes();
+  Remapped now{.mesh = was, .velocity = {}};
+  now.mesh.x = std::move(x);
+  now.mesh.y = std::move(y);
+  std::vector<double> area;
+  for (std::size_t cell = 0; cell < was.cells(); ++cell) {
+    area.push_back(cell_area(now.mesh, now.mesh.x, now.mesh.y, cell));
+    if (area[cell] > 0 && least_triangle(now.mesh, now.mesh.x, now.mesh.y, cell) > 0) continue;
+    const std::size_t corner = was.corners(cell)[0];
+    throw mechanics::Infeasible(
+        fmt::format("cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner], now.mesh.y[corner]),
+        now.mesh.x[corner]);
+  }
+  const plan_lattice::SweptRemap sweep({.columns = was.columns, .rows = was.rows}, q.first(n), q.subspan(n, n),
+                                       now.mesh.x, now.mesh.y, std::vector<double>(n, 0.25));
+  const auto velocity_at = [&](const plan_lattice::LatticePlace& place) {
+    return Point{sweep.old().value(u.first(n), place), sweep.old().value(u.subspan(n, n), place)};
+  };
+  for (std::size_t k = 0; k < n; ++k) now.velocity.push_back(velocity_at(sweep.place(k)));
+  // Momenta per density: those of the old cells, and what edges sweep.
+  std::vector<Point> momentum;
+  for (std::size_t cell = 0; cell < was.cells(); ++cell) {
+    momentum.push_back(cell_area(was, q.first(n), q.subspan(n, n), cell) * sweep.mean(cell, [&](std::size_t k) {
+      return Point{u[k], u[n + k]};
+    }));
+  }
+  sweep.each_edge([&](std::size_t p, std::size_t r, std::size_t into, std::size_t from) {
+    Point through;
+    sweep.each_swept(p, r, [&](const SweptPoint& point, const plan_lattice::LatticePlace& place) {
+      through += point.area * velocity_at(place);
+    });
+    if (into != sweep.outside) momentum[into] += through;
+    if (from != sweep.outside) momentum[from] = momentum[from] - through;
+  });
+  const auto lacking = sweep.lacking(area, momentum, [&](std::size_t k) { return now.velocity[k]; });
+  for (std::size_t k = 0; k < n; ++k) now.velocity[k] += lacking[k];
+  return now;
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

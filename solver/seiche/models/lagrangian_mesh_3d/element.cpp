@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "seiche/geometry/vector.hpp"
 #include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/simd_clones.hpp"
 
@@ -9,25 +10,8 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
-struct V3 {
-  double x, y, z;
-};
+using V3 = Vector3;
 
-SEICHE_INLINE V3 operator+(V3 a, V3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-SEICHE_INLINE V3 operator-(V3 a, V3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-SEICHE_INLINE V3 operator*(double s, V3 a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-SEICHE_INLINE V3 cross(V3 a, V3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-SEICHE_INLINE double dot(V3 a, V3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 /// Row and place in it of a corner: 0, 3, 4, 7 on the west side of the cell, 1, 2, 5, 6 on the east side.
 constexpr std::array<std::size_t, 8> row_of{0, 0, 1, 1, 2, 2, 3, 3};
 constexpr std::array<std::size_t, 8> east{0, 1, 1, 0, 0, 1, 1, 0};

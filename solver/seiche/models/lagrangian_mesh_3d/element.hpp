@@ -14,14 +14,11 @@
 #include <cstddef>
 
 #include "seiche/lattice/cell_rows.hpp"
-#include "seiche/linear/constraint_solver.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
 /// Gradients are kept as they are, number 3 corner + axis.
 struct Hexahedron {
-  using Matrix = linear::TwentySevenPointMatrix;
-  using Solver = linear::TwentySevenPointSolver;
   static constexpr std::size_t axes = 3, corners = 8, stored = 24, mobilities = 3, momenta = 3, turns = 3;
 
   template <std::size_t corner, std::size_t axis>

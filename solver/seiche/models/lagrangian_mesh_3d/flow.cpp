@@ -8,28 +8,16 @@
 
 namespace seiche::lagrangian_mesh_3d {
 
-namespace {
-
-Window over_level_bottom(Window window, const Model& model) {
-  if (window.reach && model.mesh().bottom) {
-    throw std::invalid_argument("a moving window over an uneven bottom; allowed: over a level one");
-  }
-  return window;
-}
-
-}  // namespace
-
 Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Window window, bool smooth_start,
            Forcing forcing)
-    : Flow(std::make_unique<Model>(std::move(mesh), settings, std::move(forcing)), velocity, scheme, std::move(window),
-           smooth_start) {}
-
-Flow::Flow(std::unique_ptr<Model>&& model, const Velocity& velocity, Scheme scheme, Window window, bool smooth_start)
-    : LatticeFlow(std::move(model), model->state(velocity), model->mesh().plan, model->mesh().sides,
-                  {.scheme = scheme,
-                   .window = over_level_bottom(std::move(window), *model),
-                   .stable_step = surely_stable_step(*model),
-                   .smooth_start = smooth_start && model->nodes().driven().empty()}) {}
+    : LatticeFlow(scheme, window) {
+  auto model = std::make_unique<Model>(std::move(mesh), settings, std::move(forcing));
+  if (window.reach && model->mesh().bottom) {
+    throw std::invalid_argument("a moving window over an uneven bottom; allowed: over a level one");
+  }
+  begin_between(model->mesh().sides, model->mesh().plan, std::move(model), model->state(velocity),
+                surely_stable_step(*model), smooth_start && model->nodes().driven().empty());
+}
 
 }  // namespace seiche::lagrangian_mesh_3d
 
@@ -39,24 +27,15 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// int N_a dr x dr of the corners of a patch.
 std::array<Vector, 4> corner_areas(const std::array<Vector, 4>& r) {
   std::array<Vector, 4> normal{};
   for (std::size_t a = 0; a < 4; ++a) {
-    normal[a] = cross(between(r[a], r[(a + 1) % 4]), between(r[a], r[(a + 3) % 4]));
+    normal[a] = cross(r[(a + 1) % 4] - r[a], r[(a + 3) % 4] - r[a]);
   }
   std::array<Vector, 4> area{};
   for (std::size_t a = 0; a < 4; ++a) {
-    const auto mean = [&](double Vector::*axis) {
-      return (4 * normal[a].*axis + 2 * (normal[(a + 1) % 4].*axis + normal[(a + 3) % 4].*axis) +
-              normal[(a + 2) % 4].*axis) /
-             36;
-    };
-    area[a] = {mean(&Vector::x), mean(&Vector::y), mean(&Vector::z)};
+    area[a] = (4 * normal[a] + 2 * (normal[(a + 1) % 4] + normal[(a + 3) % 4]) + normal[(a + 2) % 4]) / 36;
   }
   return area;
 }
@@ -82,18 +61,17 @@ std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double
     const double phi = potential(x, y);
     const auto area = corner_areas(r);
     for (std::size_t a = 0; a < 4; ++a) {
-      Vector& sum = impulse[nodes[a]];
-      sum = {sum.x + phi * area[a].x, sum.y + phi * area[a].y, sum.z + phi * area[a].z};
+      impulse[nodes[a]] = impulse[nodes[a]] + phi * area[a];
     }
   }
   const std::vector<double>& mass = model.nodes().mass();
   std::vector<Vector> velocities(n);
   for (std::size_t k = top; k < n; ++k) {
-    velocities[k] = {impulse[k].x / mass[k], impulse[k].y / mass[k], impulse[k].z / mass[k]};
+    velocities[k] = impulse[k] / mass[k];
   }
   mechanics::State state = model.state(velocities);
   mechanics::Start(model).project(state);
-  for (std::size_t k = 0; k < n; ++k) velocities[k] = {state.u[k], state.u[n + k], state.u[2 * n + k]};
+  for (std::size_t k = 0; k < n; ++k) velocities[k] = vector_at(state.u, k);
   return velocities;
 }
 

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -36,9 +35,6 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   [[nodiscard]] std::span<const double> surface_x() const { return x().last(shape().nodes()); }
   [[nodiscard]] std::span<const double> surface_y() const { return y().last(shape().nodes()); }
   [[nodiscard]] std::span<const double> surface_z() const { return z().last(shape().nodes()); }
-
- private:
-  Flow(std::unique_ptr<Model>&& model, const Velocity& velocity, Scheme scheme, Window window, bool smooth_start);
 };
 
 }  // namespace seiche::lagrangian_mesh_3d

@@ -14,7 +14,7 @@ namespace seiche::lagrangian_mesh_3d {
 namespace {
 
 double determinant(const Vector& a, const Vector& b, const Vector& c) {
-  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+  return dot(a, cross(b, c));
 }
 
 /// Of the depth: how far a node may be off the bottom that it slides on.
@@ -74,8 +74,7 @@ void Mesh::require_bottom() const {
   }
   if (!bottom) return;
   if (free_bottom) throw std::invalid_argument("a free bottom and an uneven one; allowed: one of them");
-  for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
-    if (!std::holds_alternative<plan_lattice::DrivenSide>(*side)) continue;
+  if (plan_lattice::any_side<plan_lattice::DrivenSide>(sides)) {
     throw std::invalid_argument("a driven side over an uneven bottom; allowed: walls, held and free sides");
   }
 }
@@ -85,12 +84,7 @@ double hexahedron_volume(const CellCorners& r) {
   // det(a,f,e))/3]; the mode of xi eta zeta drops out.
   const auto mode = [&](const std::array<int, 8>& signs) {
     Vector sum;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const Vector from_first = between(r[0], r[k]);
-      sum.x += signs[k] * from_first.x / 8;
-      sum.y += signs[k] * from_first.y / 8;
-      sum.z += signs[k] * from_first.z / 8;
-    }
+    for (std::size_t k = 0; k < 8; ++k) sum = sum + signs[k] / 8.0 * (r[k] - r[0]);
     return sum;
   };
   const Vector a = mode({-1, 1, 1, -1, -1, 1, 1, -1});
@@ -106,7 +100,7 @@ std::array<double, 8> corner_volumes(const CellCorners& r) {
   std::array<double, 8> volumes{};
   for (std::size_t a = 0; a < 8; ++a) {
     const auto [p, q, s] = edges[a];
-    volumes[a] = determinant(between(r[a], r[p]), between(r[a], r[q]), between(r[a], r[s]));
+    volumes[a] = determinant(r[p] - r[a], r[q] - r[a], r[s] - r[a]);
   }
   return volumes;
 }

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
+#include "seiche/geometry/vector.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
@@ -53,14 +54,7 @@ struct Mesh {
   void require_bottom() const;
 };
 
-struct Vector {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
-inline Vector between(const Vector& from, const Vector& to) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
+using Vector = Vector3;
 using CellCorners = std::array<Vector, 8>;
 
 /// Volume of the trilinear hexahedron.

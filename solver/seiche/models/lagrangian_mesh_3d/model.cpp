@@ -68,7 +68,6 @@ linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
     : Water{valid_cells(mesh, settings),
-            {mesh.plan.columns, mesh.plan.rows, mesh.layers},
             {undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
       mesh_(std::move(mesh)),
@@ -85,31 +84,20 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
 }
 
 mechanics::State Model::state(const Velocity& velocity, double time) const {
-  const std::size_t n = n_;
-  mechanics::State state{.q = mesh_.x, .u = std::vector<double>(rates(), 0.0), .time = time};
-  state.q.insert(state.q.end(), mesh_.y.begin(), mesh_.y.end());
-  state.q.insert(state.q.end(), mesh_.z.begin(), mesh_.z.end());
-  const auto* given = std::get_if<std::vector<Vector>>(&velocity);
-  if (given != nullptr && given->size() != n) {
-    throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", given->size(), n));
-  }
-  const auto velocity_of = [&](std::size_t k) {
-    if (given != nullptr) return (*given)[k];
-    const auto& at = std::get<VelocityAt>(velocity);
-    return at ? at({mesh_.x[k], mesh_.y[k], mesh_.z[k]}) : Vector{};
-  };
+  mechanics::State state{
+      .q = lattice::joined({mesh_.x, mesh_.y, mesh_.z}), .u = std::vector<double>(rates(), 0.0), .time = time};
+  const auto given = lattice::nodal(velocity, n_, [&](const VelocityAt& at, std::size_t k) {
+    return at({mesh_.x[k], mesh_.y[k], mesh_.z[k]});
+  });
   Bottom bottom = bottom_;
   bottom.turn(mesh_.x, mesh_.y, mesh_.x, mesh_.y);
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vector given_there = velocity_of(k);
-    Vector u = nodes_.allowed(k, given_there);
+  for (std::size_t k = 0; k < n_; ++k) {
+    Vector u = nodes_.allowed(k, given[k]);
     if (k < bottom.nodes()) {
-      const auto left = lattice::times(bottom.left(k), {given_there.x, given_there.y, given_there.z});
+      const auto left = lattice::times(bottom.left(k), {given[k].x, given[k].y, given[k].z});
       u = {left[0], left[1], left[2]};
     }
-    state.u[k] = u.x;
-    state.u[n + k] = u.y;
-    state.u[2 * n + k] = u.z;
+    put_vector(u, k, state.u);
   }
   settle({time, 0}, state.q, state.u);
   return state;
@@ -243,13 +231,3 @@ double surely_stable_step(const Model& model) {
 }
 
 }  // namespace seiche::lagrangian_mesh_3d
-
-namespace seiche::mechanics {
-
-template class OneStep<lagrangian_mesh_3d::Model>;
-template class ConservativeStep<lagrangian_mesh_3d::Model>;
-template class SchemeStepper<lagrangian_mesh_3d::Model>;
-template class Start<lagrangian_mesh_3d::Model>;
-template class InvariantsWatch<lagrangian_mesh_3d::Model>;
-
-}  // namespace seiche::mechanics

@@ -102,8 +102,9 @@ class Model : public lattice::Water<Hexahedron, Model> {
   void settle(Interval when, Output q, Output u) const;
   [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % n_]; }
 
-  [[nodiscard]] double potential_energy(Input q) const {  ///< [J], zero for still water
-    return settings_.density * settings_.gravity * surface_.moment(q);
+  /// [J], zero for still water. @param counted  marks the columns of cells whose water counts; empty: all
+  [[nodiscard]] double potential_energy(Input q, std::span<const char> counted = {}) const {
+    return settings_.density * settings_.gravity * surface_.moment(q, counted);
   }
 
   /// Over a level bottom: drops the west column and puts a column at rest, as wide as the last one was at the
@@ -171,14 +172,3 @@ class Model : public lattice::Water<Hexahedron, Model> {
 double surely_stable_step(const Model& model);
 
 }  // namespace seiche::lagrangian_mesh_3d
-
-namespace seiche::mechanics {
-
-/// The integrators of the model, compiled once and not in every file that steps it.
-extern template class OneStep<lagrangian_mesh_3d::Model>;
-extern template class ConservativeStep<lagrangian_mesh_3d::Model>;
-extern template class SchemeStepper<lagrangian_mesh_3d::Model>;
-extern template class Start<lagrangian_mesh_3d::Model>;
-extern template class InvariantsWatch<lagrangian_mesh_3d::Model>;
-
-}  // namespace seiche::mechanics

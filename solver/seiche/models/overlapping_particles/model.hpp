@@ -72,7 +72,7 @@ struct Settings {
 /// Velocity of the water at a place; empty: at rest.
 using VelocityAt = std::function<Point(Point place)>;
 
-class Model {
+class Model : public mechanics::PointMasses<Model> {
  public:
   /// Throws std::invalid_argument (particles.hpp, walls.hpp): settings out of range, particles at one place, behind a
   /// wall, or without a neighbour.
@@ -101,16 +101,7 @@ class Model {
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return particles_.x[rate % size()]; }
 
-  [[nodiscard]] double mass() const { return mechanics::total_mass(particles_.mass); }  ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input /*q*/, Input u) const {
-    return mechanics::plane_momentum(particles_.mass, u);
-  }  ///< [kg/s]
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {
-    return mechanics::plane_angular_momentum(particles_.mass, q, u);
-  }  ///< about the origin [kg m/s]
-  [[nodiscard]] double kinetic_energy(Input /*q*/, Input u) const {
-    return mechanics::plane_kinetic_energy(particles_.mass, u);
-  }                                                      ///< [J/m]
+  [[nodiscard]] std::span<const double> masses() const { return particles_.mass; }
   [[nodiscard]] double potential_energy(Input q) const;  ///< g sum m y [J/m]
 
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation

@@ -1,0 +1,150 @@
+#include "validation/instruments/plan/plan_soliton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/samples.hpp"
+#include "validation/instruments/straight_line.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using exact::SerreSolitary;
+
+constexpr double behind = 30;  // the wave's 4 a exp(-2 kappa s) is 1e-13 there for a = 0.3
+constexpr double ahead = 30;
+
+struct Tank {
+  double begin, end;
+  std::size_t columns;
+};
+
+Tank tank_of(const PlanSolitonRun& run) {
+  const double length = behind + ahead + std::sqrt(1 + run.amplitude) * run.time;
+  const auto columns = static_cast<std::size_t>(std::ceil(length / run.spacing));
+  return {-behind, -behind + run.spacing * static_cast<double>(columns), columns};
+}
+
+struct Motion {
+  double u, w;  ///< at the surface
+};
+
+Motion motion_at(const SerreSolitary& wave, double x) {
+  const double u = wave.depth_averaged_velocity(x);
+  return {u, (u - wave.speed()) * wave.elevation_slope(x)};
+}
+
+/// Top of the parabola through the highest node of the first `count` and its neighbours.
+void add_crest(SolitonTravel& result, double time, std::span<const double> x, std::span<const double> z,
+               std::size_t count) {
+  Largest highest;
+  for (std::size_t k = 1; k + 1 < count; ++k) highest.add(z[k], static_cast<double>(k));
+  const auto i = static_cast<std::size_t>(highest.where());
+  const double left = (z[i] - z[i - 1]) / (x[i] - x[i - 1]);
+  const double curvature = ((z[i + 1] - z[i]) / (x[i + 1] - x[i]) - left) / (x[i + 1] - x[i - 1]);
+  const double top = 0.5 * (x[i] + x[i - 1] - left / curvature);
+  result.time.push_back(time);
+  result.place.push_back(top);
+  result.height.push_back(z[i] + (top - x[i]) * (left + curvature * (top - x[i - 1])));
+}
+
+template <class Flow, class Crest>
+SolitonTravel travelled(Flow& flow, const PlanSolitonRun& run, const Crest& crest) {
+  SolitonTravel result{.settled = run.settled};
+  long steps = 0;
+  march(flow, run.time, run.tau, [&] {
+    crest(result);
+    if (++steps % 5 == 0) flow.observe();
+  });
+  flow.observe();
+  const auto& energy = flow.ledger().entry("energy");
+  result.energy_defect = energy.largest_defect / energy.initial;
+  result.volume_defect = flow.ledger().entry("volume_worst").largest_defect /
+                         (flow.ledger().entry("mass").initial / static_cast<double>(flow.model().constraints()));
+  return result;
+}
+
+}  // namespace
+
+std::span<const double> SolitonTravel::from_then(const std::vector<double>& values) const {
+  const auto first = std::lower_bound(time.begin(), time.end(), settled);
+  return std::span(values).subspan(static_cast<std::size_t>(first - time.begin()));
+}
+
+double SolitonTravel::mean_height() const {
+  const auto heights = from_then(height);
+  return std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
+}
+
+double SolitonTravel::lowest() const {
+  return smallest(from_then(height));
+}
+
+double SolitonTravel::highest() const {
+  return largest(from_then(height));
+}
+
+double SolitonTravel::speed() const {
+  return straight_line(from_then(time), from_then(place)).slope;
+}
+
+dispersive_shallow_water_2d::Flow plan_soliton_flow(const PlanSolitonRun& run) {
+  const Tank tank = tank_of(run);
+  const SerreSolitary wave(run.amplitude);
+  auto lattice = dispersive_shallow_water_2d::rectangular_lattice({.begin = tank.begin,
+                                                                   .end = tank.end,
+                                                                   .south = 0,
+                                                                   .north = run.spacing * static_cast<double>(run.rows),
+                                                                   .columns = tank.columns,
+                                                                   .rows = run.rows});
+  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
+    lattice.x[k] = wave.place_of(lattice.x[k]);
+    lattice.z[k] = wave.elevation(lattice.x[k]);
+  }
+  return dispersive_shallow_water_2d::Flow(std::move(lattice),
+                                           [&](double x, double) {
+                                             const Motion motion = motion_at(wave, x);
+                                             return dispersive_shallow_water_2d::Velocity{motion.u, 0, motion.w};
+                                           },
+                                           run.scheme, {.tolerance = run.tolerance});
+}
+
+lagrangian_mesh_3d::Flow layered_soliton_flow(const PlanSolitonRun& run, std::size_t layers) {
+  const Tank tank = tank_of(run);
+  const SerreSolitary wave(run.amplitude);
+  auto mesh = lagrangian_mesh_3d::layer_mesh({.begin = tank.begin,
+                                              .end = tank.end,
+                                              .south = 0,
+                                              .north = run.spacing * static_cast<double>(run.rows),
+                                              .columns = tank.columns,
+                                              .rows = run.rows,
+                                              .layers = layers});
+  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    mesh.x[k] = wave.place_of(mesh.x[k]);
+    mesh.z[k] += wave.elevation(mesh.x[k]) * (1 + mesh.z[k]);
+  }
+  return lagrangian_mesh_3d::Flow(
+      std::move(mesh),
+      [&](lagrangian_mesh_3d::Place r) {
+        const Motion motion = motion_at(wave, r.x);
+        return lagrangian_mesh_3d::Vector{motion.u, 0, motion.w * (1 + r.z) / (1 + wave.elevation(r.x))};
+      },
+      run.scheme, {.tolerance = run.tolerance});
+}
+
+SolitonTravel travel(dispersive_shallow_water_2d::Flow& flow, const PlanSolitonRun& run) {
+  return travelled(flow, run, [&](SolitonTravel& result) {
+    add_crest(result, flow.time(), flow.x(), flow.z(), flow.shape().columns + 1);
+  });
+}
+
+SolitonTravel travel(lagrangian_mesh_3d::Flow& flow, const PlanSolitonRun& run) {
+  return travelled(flow, run, [&](SolitonTravel& result) {
+    add_crest(result, flow.time(), flow.surface_x(), flow.surface_z(), flow.shape().columns + 1);
+  });
+}
+
+}  // namespace seiche::validation

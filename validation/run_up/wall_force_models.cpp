@@ -1,0 +1,261 @@
+/*
+Which model should one take for the force of a wave on a wall? A high solitary wave meets a vertical wall, by seven
+models: shallow water, the discrete dispersive shallow water, the Lagrangian mesh, free particles under Gauss's
+principle, Dirichlet cells, particles of variable mass, and weakly compressible SPH. Fully nonlinear potential flow by
+the boundary-integral method tells how far off each is.
+
+**Set-up.** Depth, gravity and density are 1. The wave starts from its exact surface and velocities so far from the wall
+that it is less than two ten-thousandths of its height there; the dispersive model starts from the solitary wave of its
+own equations. SPH has the mirror image of the water in place of the wall. Each model is refined in space and time
+together.
+
+**What is compared.** Force per unit width on the wall. All models give it in the same way: it is the force of the water
+at rest on the opposite wall, less what the momentum of the water gains in a time of a tenth; the exact force is
+averaged over the same times. The error is the root mean square from the moment when the crest would be four depths from
+the wall until the water there has fallen to half its height, over the largest force beyond that at rest.
+
+**What to look at.** Above a height of some 0.4 depths the force has two maxima, with a dip between them while the water
+is highest: it falls almost freely then (Cooker, Weidman and Bale 1997). The models that resolve the vertical
+acceleration show both; shallow water turns the wave into a bore and shows none.
+*/
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/overturning/wall_runup.hpp"
+#include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/side_by_side/tank_wave.hpp"
+
+namespace seiche::validation::cases::wall_force_models {
+namespace {
+
+using exact::SolitaryWave;
+
+const std::string source = "Cooker, Weidman and Bale (1997); exact flow";
+constexpr double interval = 0.1;  ///< over which forces are means
+constexpr double at_rest = 0.5;   ///< force of still water
+constexpr double first_look = 4;  ///< distance of the crest from the wall, from which forces count [depth]
+
+using Curve = std::vector<double>;  ///< force less that at rest, of one interval after another
+
+/// How much lower the force is between its two largest maxima than at the lower of them; 0 with one maximum.
+double dip(const Curve& force) {
+  double deepest = 0;
+  for (std::size_t k = 1; k + 1 < force.size(); ++k) {
+    const auto here = force.begin() + static_cast<std::ptrdiff_t>(k);
+    const double sides = std::min(*std::max_element(force.begin(), here), *std::max_element(here, force.end()));
+    deepest = std::max(deepest, sides - *here);
+  }
+  return deepest;
+}
+
+/// The exact force on the wall of a tank, over the intervals of a run.
+struct Wall {
+  SolitaryWave wave;
+  double start = 0;       ///< of the crest, from the wall at the left; as far from the other
+  std::size_t first = 0;  ///< interval from which forces count
+  Curve force;
+  double largest = 0;
+  double uncertainty = 0;  ///< of the largest, relative
+
+  explicit Wall(const SolitaryWave& incident)
+      : wave(incident), start(std::ceil(-std::log(5e-5) / incident.decay_rate())) {
+    const exact::WallLoad load(wave.amplitude());
+    const double earlier = (load.separation() - start) / wave.speed();  // its clock began before
+    first = static_cast<std::size_t>(std::ceil((start - first_look) / wave.speed() / interval));
+    const auto intervals = static_cast<long>((load.history().back().time - earlier) / interval);
+    for (long k = 0; k < intervals; ++k) {
+      const auto at = [&](double part) {
+        return load.at(earlier + interval * (static_cast<double>(k) + part)).force - at_rest;
+      };
+      force.push_back((at(0) + 4 * at(0.25) + 2 * at(0.5) + 4 * at(0.75) + at(1)) / 12);  // Simpson's rule
+    }
+    largest = std::ranges::max(force);
+    uncertainty = load.uncertainty();
+  }
+  [[nodiscard]] double end() const { return interval * static_cast<double>(force.size()); }
+};
+
+Racer start_shallow_water(const Wall& wall, long cells) {
+  using namespace shallow_water_finite_volume;
+  const double length = 2 * wall.start;
+  const auto count = static_cast<std::size_t>(std::lround(length * static_cast<double>(cells)));
+  std::vector<double> depth;
+  std::vector<double> discharge;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(cells);
+    const double elevation = wall.wave.elevation(x - wall.start);
+    depth.push_back(1 + elevation);
+    discharge.push_back(wall.wave.speed() * elevation);  // a wave of permanent form
+  }
+  const auto flow =
+      std::make_shared<FiniteVolumeFlow>(FiniteVolumeFlow::Settings{.gravity = 1}, 0, length, depth, discharge);
+  return {[flow](double time) { march(*flow, time); },
+          [flow, cells] {
+            double energy = 0;
+            for (std::size_t i = 0; i < flow->cells(); ++i) {
+              const double h = flow->depth()[i];
+              energy += h * flow->velocity()[i] * flow->velocity()[i] / 2 + (h - 1) * (h - 1) / 2;
+            }
+            return Sight{.off = {}, .energy = energy / static_cast<double>(cells)};
+          },
+          [flow] { return flow->momentum(); }};
+}
+
+/// What is off is the force, of the intervals so far. `curve` keeps that of the last start, the finest.
+Contender by_force(Contender one, const Wall& wall, Curve& curve) {
+  one.start = [start = std::move(one.start), &wall, &curve](long n) {
+    const auto racer = std::make_shared<Racer>(start(n));
+    const auto momentum = std::make_shared<double>(racer->momentum());
+    curve.clear();
+    const auto advance = [racer, momentum, &curve](double time) {
+      while (interval * (static_cast<double>(curve.size()) + 0.5) < time) {
+        racer->advance_to(interval * static_cast<double>(curve.size() + 1));
+        const double before = std::exchange(*momentum, racer->momentum());
+        curve.push_back((before - *momentum) / interval);
+      }
+    };
+    const auto look = [racer, &wall, &curve] {
+      Sight sight{.off = {}, .energy = racer->look().energy};
+      for (std::size_t k = wall.first; k < curve.size(); ++k) {
+        sight.off.push_back((curve[k] - wall.force[k]) / wall.largest);
+      }
+      return sight;
+    };
+    return Racer{advance, look};
+  };
+  return one;
+}
+
+struct Results {
+  Contest contest;
+  std::map<std::string, Curve> force;  ///< by the model's id, on its finest resolution
+  Curve exact;
+  std::size_t first = 0;
+  double largest = 0;
+};
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  const Claims<Results> all = claims.at("the finest");
+  const auto contest = all.of(&Results::contest);
+  claims_of(contest, "mesh")
+      .check(
+          "mesh-order", "The mesh is of second order in the force.", "order of the rms error of the force",
+          [](const Entry& entry) { return entry.order(); },
+          Order{.theory = 2,
+                .tolerance = 0.4,
+                .reason = "second order in space and time, where the mesh resolves the dip"});
+  const auto high = all.only_if(values.real("amplitude") >= 0.45, "lower waves have one maximum, or a faint dip");
+  const Wall wall(SolitaryWave(values.real("amplitude")));
+  const double exact = dip(wall.force) / wall.largest;
+  for (const Named& model : {Named{"particles", "free particles"}, {"mesh", "the Lagrangian mesh"}}) {
+    high.check(
+        model.id + "-dip", fmt::format("The force has two maxima with a dip between them ({}).", model.name),
+        "dip over the largest force beyond that at rest",
+        [id = model.id](const Results& r) { return dip(r.force.at(id)) / r.largest; },
+        Bound{.limit = 0.5 * exact,
+              .reason = "half of the exact dip: a force with one maximum is off by all of it",
+              .expected = exact});
+  }
+  high.check(
+      "shallow-water-one-maximum", "The hydrostatic force of shallow water has one maximum.",
+      "dip over the largest force beyond that at rest",
+      [](const Results& r) { return dip(r.force.at("shallow-water")) / r.largest; },
+      Bound{.limit = 0.5 * exact, .reason = "the pressure knows no vertical acceleration: half of the exact dip"});
+  claim_dissipates(claims_of(contest, "sph"), {"sph", "SPH"},
+                   "the viscosity acts on approaching pairs against their approach", source);
+}
+
+Results compute(const Run& run) {
+  const Wall wall(SolitaryWave(run.real("amplitude")));
+  const TankWave tank = solitary_tank(wall.wave, wall.start, 2 * wall.start, 4 * wall.start);
+  const auto dispersive = [&](double spacing) {
+    using namespace dispersive_shallow_water_1d;
+    const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+    return Flow(channel, solitary_markers(channel, 0, tank.length, spacing,
+                                          {.amplitude = wall.wave.amplitude(), .crest = wall.start}));
+  };
+  const TankSizes sizes = tank_sizes(run);
+  std::vector<Contender> contenders = tank_contenders(tank, dispersive, sizes);
+  contenders.push_back({.id = "shallow-water",
+                        .name = "shallow water, finite volumes",
+                        .size_of = "cell",
+                        .role = Role::data,
+                        .resolutions = ladder_to(sizes.markers, {0.5, 1}),
+                        .size = [](long n) { return 1 / static_cast<double>(n); },
+                        .start = [&wall](long n) { return start_shallow_water(wall, n); }});
+  Results results{.exact = wall.force, .first = wall.first, .largest = wall.largest};
+  for (Contender& one : contenders) one = by_force(std::move(one), wall, results.force[one.id]);
+  results.contest = contest(run, contenders,
+                            {.end = wall.end(),
+                             .last = wall.end(),
+                             .looks = 4,
+                             .useless = 1,
+                             .useless_in_words = "the force is off by all of it",
+                             .energy_scale = wall.wave.kinetic_energy(),
+                             .reference_uncertainty = wall.uncertainty});
+  return results;
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const auto times = [&](std::size_t count) {
+    Curve middle;
+    for (std::size_t k = r.first; k < count; ++k) middle.push_back(interval * (static_cast<double>(k) + 0.5));
+    return middle;
+  };
+  const auto draw = [&](auto& panel, const std::string& name, const Curve& force, Role role) {
+    panel.line(name, times(force.size()), Curve(force.begin() + static_cast<std::ptrdiff_t>(r.first), force.end()),
+               role);
+  };
+  auto& panel = exhibit
+                    .figure("force", "Force on the wall",
+                            fmt::format("Beyond that at rest, per unit width; wave of {:g} depths, each model on its "
+                                        "finest resolution.",
+                                        values.real("amplitude")))
+                    .panel({.x = "t [sqrt(depth/g)]", .y = "force - 1/2 [rho g depth^2]"});
+  evidence::Table table{.id = "force",
+                        .title = "Largest force, and the dip between two maxima",
+                        .caption = "Means over a tenth of sqrt(depth/g), beyond the force at rest.",
+                        .columns = {{"model", ""}, {"largest force", "1"}, {"over the exact", "1"}, {"dip", "1"}}};
+  const auto row = [&](const std::string& name, const Curve& force) {
+    const double largest = force.empty() ? 0 : std::ranges::max(force);
+    table.rows.push_back({name, largest, largest / r.largest, dip(force) / r.largest});
+  };
+  draw(panel, "exact", r.exact, Role::exact);
+  row("exact", r.exact);
+  for (const Entry& entry : r.contest.entries()) {
+    const Curve& force = r.force.at(entry.id);
+    if (force.size() > r.first) draw(panel, entry.name, force, entry.role);
+    row(entry.name, force);
+  }
+  exhibit.table(std::move(table));
+  r.contest.show(exhibit, {.size = "depth", .error = "largest force", .time = "sqrt(depth/g)"});
+}
+
+}  // namespace
+
+Case wall_force_models() {
+  Case c;
+  c.title = "Which model should one take? Force of a solitary wave on a wall";
+  c.source =
+      "M. J. Cooker, P. D. Weidman, D. S. Bale, Reflection of a high-amplitude solitary wave at a vertical wall, J. "
+      "Fluid Mech. 342 (1997) 141";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("amplitude", 0.5, "depth", {0.1, 0.6}, "crest above still water"),
+      integer("particles", {3, 8, 8}, {2, 16}, "cells of the free particles to the depth, finest of three"),
+      integer("mesh", {16, 32, 32}, {8, 64}, "rows of the Lagrangian mesh, finest of four"),
+      integer("cells", {6, 12, 12}, {6, 32}, "rows of Dirichlet cells and variable masses, the finest"),
+      integer("markers", {32, 64, 64}, {8, 512}, "of dispersive and of plain shallow water to the depth, the finest"),
+      integer("sph", {7, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
+  };
+  c.study = Study(claims, compute, show, source);
+  return c;
+}
+
+}  // namespace seiche::validation::cases::wall_force_models

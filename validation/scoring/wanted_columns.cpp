@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "validation/scoring/submitted.hpp"
+
+namespace seiche::validation {
+
+const std::vector<std::string>& other_names(const std::string& wanted) {
+  static const std::map<std::string, std::vector<std::string>> names{
+      {"t", {"time", "times", "tsec", "sec", "seconds"}},
+      {"x", {"xp", "x_coord", "posx"}},
+      {"y", {"yp", "y_coord", "posy"}},
+      {"eta",
+       {"elevation", "surface_elevation", "free_surface", "watlev", "level", "water_level", "zeta", "wl", "ssh"}},
+      {"h", {"depth", "water_depth", "total_depth"}},
+      {"u", {"x-vel", "u_x", "vel_x", "uvel", "velocity", "hu"}},
+      {"v", {"y-vel", "u_y", "vel_y", "vvel", "hv"}},
+      {"p", {"pressure"}}};
+  static const std::vector<std::string> none;
+  const auto found = names.find(wanted);
+  return found == names.end() ? none : found->second;
+}
+
+std::string plain_name(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == ' ' ? '_' : std::tolower(c); });
+  return name;
+}
+
+std::vector<Column> columns_of(const WantedTable& wanted) {
+  std::vector<Column> columns;
+  if (wanted.group) columns.push_back(*wanted.group);
+  if (wanted.abscissa) columns.push_back(*wanted.abscissa);
+  for (const WantedQuantity& q : wanted.quantities) columns.push_back(q.column);
+  return columns;
+}
+
+std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed) {
+  std::vector<std::string> names;
+  for (const WantedTable& table : wanted) {
+    for (const Column& column : columns_of(table)) {
+      const auto found = renamed.find(column.name);
+      names.push_back(found == renamed.end() ? column.name : found->second);
+      const std::vector<std::string>& others = other_names(column.name);
+      if (found == renamed.end()) names.insert(names.end(), others.begin(), others.end());
+    }
+  }
+  return names;
+}
+
+RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::size_t>& rows) {
+  RowOrder order{.rows = rows};
+  if (rows.empty()) return order;
+  const auto [low, high] = std::minmax_element(rows.begin(), rows.end(),
+                                               [&](std::size_t a, std::size_t b) { return abscissa[a] < abscissa[b]; });
+  const double late =
+      abscissa[*low] + 0.05 * (abscissa[*high] - abscissa[*low]);  // a restart is not from the beginning
+  std::set<double> seen;
+  bool repeats = false;
+  bool back = false;
+  bool onwards = true;  // every part that begins earlier goes on to where the one before it was
+  bool later = true;
+  double reached = abscissa[rows.front()];
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double x = abscissa[rows[k]];
+    repeats = !seen.insert(x).second || repeats;
+    if (k > 0 && x < abscissa[rows[k - 1]]) {
+      back = true;
+      onwards = onwards && abscissa[rows[k - 1]] >= reached;
+      later = later && x > late;
+    }
+    if (x > reached) reached = x;
+  }
+  onwards = onwards && abscissa[rows.back()] >= reached;
+  order.sorted = back && !(onwards && (repeats || later));
+  if (order.sorted)
+    std::stable_sort(order.rows.begin(), order.rows.end(),
+                     [&](std::size_t a, std::size_t b) { return abscissa[a] < abscissa[b]; });
+  std::vector<std::size_t> stays;
+  for (std::size_t k = order.rows.size(); k-- > 0;) {
+    if (stays.empty() || abscissa[order.rows[k]] < abscissa[stays.back()]) stays.push_back(order.rows[k]);
+  }
+  std::reverse(stays.begin(), stays.end());
+  order.replaced = rows.size() - stays.size();
+  order.rows = stays;
+  return order;
+}
+
+std::string template_of(const WantedTable& wanted, const std::string& opening) {
+  std::string text = opening;
+  std::vector<std::string> header;
+  for (const Column& column : columns_of(wanted)) {
+    text += fmt::format("# {}: {} [{}]\n", column.name, column.meaning, column.unit);
+    header.push_back(fmt::format("{} [{}]", column.name, column.unit));
+  }
+  for (const std::string& command : *wanted.exact) text += fmt::format("# the reference: {}\n", command);
+  text += fmt::format("{}\n", fmt::join(header, ","));
+  const std::string blanks(wanted.quantities.size() - (wanted.abscissa ? 0 : 1), ',');
+  for (const double g : wanted.group ? *wanted.groups : std::vector<double>{0}) {
+    const std::string group = wanted.group ? fmt::format("{}{}", g, wanted.abscissa ? "," : "") : "";
+    if (!wanted.abscissa) {
+      text += fmt::format("{}{}{}\n", group, wanted.group ? "," : "", blanks);
+      continue;
+    }
+    for (const double x : wanted.points(g)) text += fmt::format("{}{}{}\n", group, x, blanks);
+  }
+  return text;
+}
+
+}  // namespace seiche::validation
