@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
@@ -147,55 +147,6 @@ TEST_CASE("the conservative scheme of free particles is its own inverse", "[cons
   };
   returns("places", "places", places.value());
   returns("velocities", "velocities", rates.value());
-}
-
-TEST_CASE("water between two separate walls keeps its momentum along them", "[conservation]") {
-  Check check("gauss_particles_circulation", "Free particles between two walls",
-              "A periodic channel filled from its bottom to its lid, and a free block between two upright walls. The "
-              "stream function is zero on one wall and an unknown constant on the other, or there would be no flux "
-              "between them: the uniform flow is in the space, and its momentum is kept while eddies turn in it.");
-  struct Channel {
-    std::string id, text;
-    LatticePlan plan;
-    std::size_t along;  ///< 0: x, 1: y
-  };
-  const std::vector<Channel> channels{
-      {"lid",
-       "Between a bottom and a lid",
-       {.cell_x = 0.25, .left_wall = 0.0, .period = 2, .bottom = true, .lid = 1},
-       0},
-      {"upright", "Between upright walls", {.cell_x = 0.25, .left_wall = 0.0, .right_wall = 2.0}, 1}};
-  for (const Channel& channel : channels) {
-    Model model(layer({.begin = 0,
-                       .end = 2,
-                       .columns = 48,
-                       .rows = 24,
-                       .surface = [](double) { return 1.0; },
-                       .bottom = [](double) { return 0.0; },
-                       .end_corrected = false}),
-                std::make_unique<SplineSpace>(channel.plan), {.gravity = 0, .penalty = 0});
-    // An eddy of the stream function 0.2 sin(pi x) sin(pi y), on a uniform flow along the walls.
-    State state = model.state([&](Point r) {
-      const double pi = std::acos(-1.0);
-      const Point eddy{0.2 * pi * std::sin(pi * r.x) * std::cos(pi * r.y),
-                       -0.2 * pi * std::cos(pi * r.x) * std::sin(pi * r.y)};
-      return channel.along == 0 ? Point{eddy.x + 1, eddy.y} : Point{eddy.x, eddy.y + 1};
-    });
-    OneStep<Model> step(model);
-    InvariantsWatch watch(model, state);
-    constexpr int count = 500;
-    for (int k = 0; k < count; ++k) {
-      step.step(state, 2e-3);
-      watch.record(state);
-    }
-    const std::string entry = channel.along == 0 ? "momentum_x" : "momentum_y";
-    check.holds(channel.text + ": the momentum along the walls.",
-                {watch.ledger().entry(entry).largest_defect / watch.ledger().entry(entry).initial},
-                Roundoff{count, 2, "one rounded velocity, of at most twice the mean, per step"});
-    check.holds(channel.text + ": the energy.",
-                {watch.ledger().largest_defect("energy") / watch.ledger().entry("energy").initial},
-                Roundoff{count, 1, "one rounded energy per step"});
-  }
 }
 
 }  // namespace seiche::verification::gauss_particles_invariants_test

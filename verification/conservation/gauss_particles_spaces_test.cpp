@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seiche/exact/affine_drop.hpp"
-#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -8,7 +8,7 @@
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/mechanics/scheme.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -89,9 +89,10 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
     p.period = 2;
   });
   with_plan({"right_wall", "periodic"}, [](LatticePlan& p) { p.period = 2; });
-  with_plan({"lid", "bottom"}, [](LatticePlan& p) {
+  refusals.refused({"two walls that do not meet"}, [] {
+    LatticePlan p = tank();
     p.bottom = false;
-    p.lid = 2;
+    Flow flow(layer(water()), std::make_unique<SplineSpace>(p));
   });
   with_plan({"slope jumps", "x = 1"}, [](LatticePlan& p) {
     p.ground.profile =

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
@@ -79,24 +78,16 @@ long Flow::solves() const {
   return model_->solves();
 }
 
-std::vector<double> Flow::u() const {
-  std::vector<double> u(model_->size());
-  std::vector<double> v(model_->size());
-  model_->velocities(state_.q, state_.u, u, v);
-  return u;
+std::vector<double> Flow::velocity(std::size_t axis) const {
+  std::array<std::vector<double>, 2> uv;
+  for (std::vector<double>& component : uv) component.resize(model_->size());
+  model_->velocities(state_.q, state_.u, uv[0], uv[1]);
+  return uv[axis];
 }
 
-std::vector<double> Flow::v() const {
-  std::vector<double> u(model_->size());
-  std::vector<double> v(model_->size());
-  model_->velocities(state_.q, state_.u, u, v);
-  return v;
-}
-
-std::vector<double> Flow::elevation_at(std::span<const double> places) const {
+std::vector<double> Flow::interpolated(std::span<const double> ys, std::span<const double> places) const {
   const Channel& channel = model_->channel();
   const std::span<const double> xs = x();
-  const std::span<const double> ys = y();
   const std::size_t n = xs.size();
   const auto between = [](double place, double x0, double y0, double x1, double y1) {
     return y0 + (y1 - y0) * (place - x0) / (x1 - x0);
@@ -140,3 +131,13 @@ double Flow::energy() const {
 }
 
 }  // namespace seiche::dispersive_shallow_water_1d
+
+namespace seiche::mechanics {
+
+template class OneStep<dispersive_shallow_water_1d::Model>;
+template class ConservativeStep<dispersive_shallow_water_1d::Model>;
+template class SchemeStepper<dispersive_shallow_water_1d::Model>;
+template class Start<dispersive_shallow_water_1d::Model>;
+template class InvariantsWatch<dispersive_shallow_water_1d::Model>;
+
+}  // namespace seiche::mechanics

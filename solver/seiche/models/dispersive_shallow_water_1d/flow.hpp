@@ -14,9 +14,22 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/model.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
+
+// The integrators of the model, compiled once and not in every file that steps it.
+namespace seiche::mechanics {
+
+extern template class OneStep<dispersive_shallow_water_1d::Model>;
+extern template class ConservativeStep<dispersive_shallow_water_1d::Model>;
+extern template class SchemeStepper<dispersive_shallow_water_1d::Model>;
+extern template class Start<dispersive_shallow_water_1d::Model>;
+extern template class InvariantsWatch<dispersive_shallow_water_1d::Model>;
+
+}  // namespace seiche::mechanics
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -55,13 +68,17 @@ class Flow {
   [[nodiscard]] std::span<const double> p() const { return {state_.u.data(), model_->size()}; }
   [[nodiscard]] std::span<const double> r() const { return {state_.u.data() + model_->size(), model_->size()}; }
   /// Velocities of the markers.
-  [[nodiscard]] std::vector<double> u() const;
-  [[nodiscard]] std::vector<double> v() const;
+  [[nodiscard]] std::vector<double> u() const { return velocity(0); }
+  [[nodiscard]] std::vector<double> v() const { return velocity(1); }
   /// Pressure multipliers of the cells at the middle of the last step [Pa], lambda = rho g y + dynamic pressure.
   [[nodiscard]] std::span<const double> multipliers() const { return state_.multipliers; }
 
   /// Surface elevation at places, linear between markers; the bottom beyond a tip, NaN beyond other ends.
-  [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const;
+  [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const {
+    return interpolated(y(), places);
+  }
+  /// The same of any other elevations at the markers.
+  [[nodiscard]] std::vector<double> interpolated(std::span<const double> ys, std::span<const double> places) const;
   /// Highest point of the parabola through the highest marker and its neighbours (of markers that are not ends).
   struct Crest {
     double place = 0;
@@ -79,6 +96,7 @@ class Flow {
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  private:
+  [[nodiscard]] std::vector<double> velocity(std::size_t axis) const;
   void step_and_lose(double tau);
 
   std::unique_ptr<Model> model_;

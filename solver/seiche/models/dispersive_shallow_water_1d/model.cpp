@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/mechanics/invariants.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -136,9 +137,7 @@ void Model::velocities(Input q, Input rates, Output u, Output v) const {
 }
 
 double Model::mass() const {
-  CompensatedSum sum;
-  for (const double m : mass_) sum.add(m);
-  return sum.value();
+  return mechanics::total_mass(mass_);
 }
 
 std::array<double, 1> Model::momentum(Input q, Input u) const {

@@ -1,7 +1,6 @@
 // Configurations: bottom and frames under the markers, gradients, the matrix; motion along the frames.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -94,14 +93,11 @@ void Model::require_sound() {
   const double* const y = rows_.y.row();
   const double* const bed = rows_.bed.elevation.row();
   const auto cells = static_cast<std::ptrdiff_t>(cells_);
-  double narrowest = std::numeric_limits<double>::infinity();
-  for (std::ptrdiff_t j = 0; j < cells; ++j) narrowest = std::min(narrowest, width[j]);
   const std::ptrdiff_t first = !channel_.periodic() && channel_.left == End::tip ? 1 : 0;
   const std::ptrdiff_t last = !channel_.periodic() && channel_.right == End::tip ? size_ - 1 : size_;
-  double shallowest = std::numeric_limits<double>::infinity();
-  for (std::ptrdiff_t i = first; i < last; ++i) shallowest = std::min(shallowest, y[i] - bed[i]);
-  if (narrowest > 0 && shallowest > 0) {
-    smallest_depth_ = shallowest;
+  const Smallest found = smallest(rows_, {0, cells}, {first, last});
+  if (found.width > 0 && found.depth > 0) {
+    smallest_depth_ = found.depth;
     return;
   }
   for (std::ptrdiff_t j = 0; j < cells; ++j) {
@@ -136,14 +132,9 @@ void Model::assemble_and_factor() {
     over_cells(block, [&](bool level_cells, Range cells) { assemble(rows_, level_cells, cells); });
     couple(rows_, level(block), markers_of(block));
   }
-  const std::span<const double> diagonal(rows_.diagonal.row(), cells_);
+  if (channel_.periodic()) rows_.coupling.row()[size_ - 1] = rows_.coupling.row()[-1];
   try {
-    if (channel_.periodic()) {
-      rows_.coupling.row()[size_ - 1] = rows_.coupling.row()[-1];
-      periodic_matrix_.factor({diagonal, {rows_.coupling.row(), cells_}});
-    } else {
-      open_matrix_.factor({diagonal, {rows_.coupling.row(), cells_}});
-    }
+    matrix_.factor(channel_.periodic(), {rows_.diagonal.row(), cells_}, {rows_.coupling.row(), cells_});
   } catch (const linear::NotPositiveDefinite& failure) {
     throw mechanics::Infeasible(failure.what(), rows_.x.row()[failure.row()]);
   }
@@ -279,11 +270,7 @@ void Model::react(Input mu, Output u) const {
 
 void Model::solve(Input right_hand_side, Output mu) {
   ++solves_;
-  if (channel_.periodic()) {
-    periodic_matrix_.solve(right_hand_side, mu);
-  } else {
-    open_matrix_.solve(right_hand_side, mu);
-  }
+  matrix_.solve(right_hand_side, mu);
 }
 
 void Model::settle(Interval, Output q, Output u) const {

@@ -85,13 +85,8 @@ void Model::exchange(const std::vector<double>& inertia, Output u, const PairFac
     pair_diagonal_[k] += factor;
     pair_coupling_[j] = -factor;
   }
-  if (channel_.periodic()) {
-    periodic_pairs_.factor({pair_diagonal_, pair_coupling_});
-    periodic_pairs_.solve({rates_.data(), n_}, u);
-  } else {
-    open_pairs_.factor({pair_diagonal_, pair_coupling_});
-    open_pairs_.solve({rates_.data(), n_}, u);
-  }
+  pairs_.factor(channel_.periodic(), pair_diagonal_, pair_coupling_);
+  pairs_.solve({rates_.data(), n_}, u);
 }
 
 /// u' = 2 u~ - u,  J u~ = 0,  M (1 + h k/2) u~ = M u + J^T mu: takes h k M u~^2 along the bottom. k belongs to |u~|

@@ -63,24 +63,25 @@ void ActiveFunctions::choose(const Lattice& lattice, const OccupiedCells& cells,
   }
 }
 
-/// Walls that meet are one wall, on which Phi = 0; of two that do not the second has a constant of its own.
+/// Walls that meet are one wall, on which Phi = 0.
 void ActiveFunctions::fix_walls(const Lattice& lattice) {
   const bool across = lattice.y.wall_below() || lattice.y.wall_above();
   const bool upright = lattice.x.wall_below() || lattice.x.wall_above();
-  const bool two =
-      across ? lattice.y.wall_below() && lattice.y.wall_above() : lattice.x.wall_below() && lattice.x.wall_above();
-  wall_constant_ = two && across != upright;
-  const auto column = [&](long i, State state) {
-    for (long j = 0; j < rows_; ++j) state_[index(i, j)] = state;
+  const SplineAxis& axis = across ? lattice.y : lattice.x;
+  if (across != upright && axis.wall_below() && axis.wall_above()) {
+    throw mechanics::Infeasible("a lattice between two walls that do not meet; allowed: a bottom between upright walls",
+                                lattice.x.begin());
+  }
+  const auto column = [&](long i) {
+    for (long j = 0; j < rows_; ++j) state_[index(i, j)] = State::zero;
   };
-  const auto row = [&](long j, State state) {
-    for (long i = 0; i < columns_; ++i) state_[index(i, j)] = state;
+  const auto row = [&](long j) {
+    for (long i = 0; i < columns_; ++i) state_[index(i, j)] = State::zero;
   };
-  const State second = wall_constant_ ? State::constant : State::zero;
-  if (lattice.x.wall_above()) column(columns_ - 1, lattice.x.wall_below() ? second : State::zero);
-  if (lattice.y.wall_above()) row(rows_ - 1, lattice.y.wall_below() ? second : State::zero);
-  if (lattice.x.wall_below()) column(0, State::zero);
-  if (lattice.y.wall_below()) row(0, State::zero);
+  if (lattice.x.wall_above()) column(columns_ - 1);
+  if (lattice.y.wall_above()) row(rows_ - 1);
+  if (lattice.x.wall_below()) column(0);
+  if (lattice.y.wall_below()) row(0);
 }
 
 /// Cells of markers alone, with no mass in the cells around them.
@@ -127,7 +128,7 @@ bool ActiveFunctions::known(long i, long j) const {
     return false;
   }
   const State state = state_[index(i, j)];
-  return state == State::inner || state == State::zero || state == State::constant;
+  return state == State::inner || state == State::zero;
 }
 
 bool ActiveFunctions::complete(const Block& block) const {
@@ -206,7 +207,6 @@ void ActiveFunctions::number() {
       places_.push_back({i, j});
     }
   }
-  unknowns_ = places_.size() + (wall_constant_ ? 1 : 0);
 }
 
 void ActiveFunctions::write_terms(const Lattice& lattice) {
@@ -215,7 +215,6 @@ void ActiveFunctions::write_terms(const Lattice& lattice) {
   auto next = continuations_.begin();
   const auto add = [&](std::size_t f, double weight) {
     if (state_[f] == State::inner) terms_.push_back({unknown_[f], weight});
-    if (state_[f] == State::constant) terms_.push_back({unknowns_ - 1, weight});
   };
   for (std::size_t f = 0; f < state_.size(); ++f) {
     begin_[f] = terms_.size();

@@ -2,7 +2,7 @@
 ///
 /// A function is
 ///
-///     fixed    zero on a wall, or constant on the second of two separate walls (circulation)
+///     fixed    zero on the walls, which meet: they are one
 ///     inner    its support holds a cell with at least f times the mass of a full one: an unknown
 ///     outer    it touches a particle, but only of cut cells: its coefficient continues the polynomial of the nearest
 ///              q + 1 inner or fixed functions of its column or row, or else of the nearest complete block of (q +
@@ -37,18 +37,18 @@ class ActiveFunctions {
   };
 
   /// @param full_mass  of a full cell [kg/m]. @param fraction  f, of it
+  /// Throws mechanics::Infeasible for a lattice between two walls that do not meet: the stream function of the second
+  /// would be a constant that is not known.
   void choose(const Lattice& lattice, const OccupiedCells& cells, double full_mass, double fraction);
 
-  [[nodiscard]] std::size_t unknowns() const { return unknowns_; }
+  [[nodiscard]] std::size_t unknowns() const { return places_.size(); }
   [[nodiscard]] std::size_t inner_cells() const { return inner_cells_; }
-  /// Whether there is the constant of a second wall; it is the last unknown.
-  [[nodiscard]] bool has_wall_constant() const { return wall_constant_; }
   /// The function at (i, j) of the lattice, counted along y first; i is wrapped.
   [[nodiscard]] std::size_t index(long i, long j) const {
     return static_cast<std::size_t>((i >= columns_ ? i - columns_ : i) * rows_ + j);
   }
   [[nodiscard]] std::size_t functions() const { return state_.size(); }
-  /// Column and row of an unknown's function; not of the wall's constant.
+  /// Column and row of an unknown's function.
   struct Place {
     long i;
     long j;
@@ -70,7 +70,7 @@ class ActiveFunctions {
   void restrict(std::span<const double> b, std::span<double> r) const;
 
  private:
-  enum class State : std::uint8_t { untouched, zero, constant, inner, outer, continued, lost };
+  enum class State : std::uint8_t { untouched, zero, inner, outer, continued, lost };
   /// Functions i ... i + columns - 1, j ... j + rows - 1.
   struct Block {
     long i, j, columns, rows;
@@ -94,8 +94,6 @@ class ActiveFunctions {
   long columns_ = 0;
   long rows_ = 0;
   bool periodic_ = false;
-  bool wall_constant_ = false;
-  std::size_t unknowns_ = 0;
   std::size_t inner_cells_ = 0;
   std::vector<State> state_;
   std::vector<std::size_t> unknown_;

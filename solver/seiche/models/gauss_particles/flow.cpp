@@ -52,10 +52,7 @@ void Flow::advance(double tau) {
   const double entered = model_.work() - model_.penalty_loss();
   watch_.ledger().book("energy", entered - booked_);
   booked_ = entered;
-  const SpaceFacts& facts = model_.space().facts();
-  residual_.add(facts.residual, state_.time);
-  free_.add(static_cast<double>(facts.free_particles), state_.time);
-  beyond_.add(static_cast<double>(facts.beyond_walls), state_.time);
+  free_.add(static_cast<double>(model_.space().facts().free_particles), state_.time);
 }
 
 std::vector<Point> Flow::markers() const {
@@ -71,3 +68,12 @@ double Flow::energy() const {
 }
 
 }  // namespace seiche::gauss_particles
+
+namespace seiche::mechanics {
+
+template class OneStep<gauss_particles::Model>;
+template class ProjectedStep<gauss_particles::Model>;
+template class Start<gauss_particles::Model>;
+template class InvariantsWatch<gauss_particles::Model>;
+
+}  // namespace seiche::mechanics

@@ -21,9 +21,22 @@
 #include <span>
 #include <vector>
 
-#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/projected_step.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/models/gauss_particles/model.hpp"
 #include "seiche/samples.hpp"
+
+// The integrators of the model, compiled once and not in every file that steps it.
+namespace seiche::mechanics {
+
+extern template class OneStep<gauss_particles::Model>;
+extern template class ProjectedStep<gauss_particles::Model>;
+extern template class Start<gauss_particles::Model>;
+extern template class InvariantsWatch<gauss_particles::Model>;
+
+}  // namespace seiche::mechanics
 
 namespace seiche::gauss_particles {
 
@@ -71,10 +84,8 @@ class Flow {
   [[nodiscard]] std::vector<Invariant> invariants() const { return watch_.invariants(state_); }
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_.ledger(); }
 
-  /// Largest over all steps: the residual of the normal equations, particles in free flight, particles beyond walls.
-  [[nodiscard]] double largest_residual() const { return residual_.value(); }
+  /// Most particles in free flight, over all steps.
   [[nodiscard]] double most_free_particles() const { return free_.value(); }
-  [[nodiscard]] double most_beyond_walls() const { return beyond_.value(); }
 
  private:
   Model model_;
@@ -84,7 +95,7 @@ class Flow {
   mechanics::ProjectedStep<Model> projected_step_;
   mechanics::InvariantsWatch<Model> watch_;
   double booked_ = 0;
-  Largest residual_, free_, beyond_;
+  Largest free_;
 };
 
 }  // namespace seiche::gauss_particles

@@ -35,10 +35,9 @@ long GramSystem::column_difference(long from, long to) const {
 
 void GramSystem::begin(const Lattice& lattice, const ActiveFunctions& functions) {
   const long columns = lattice.x.periodic() ? lattice.x.cells() : 0;
-  const bool same = degree_ == lattice.x.degree() && columns == columns_ && constant_ == functions.has_wall_constant();
+  const bool same = degree_ == lattice.x.degree() && columns == columns_;
   degree_ = lattice.x.degree();
   columns_ = columns;
-  constant_ = functions.has_wall_constant();
   offset_ = {lattice.x.first(), lattice.y.first()};
   if (!same) {
     extra_.clear();
@@ -56,23 +55,21 @@ void GramSystem::begin(const Lattice& lattice, const ActiveFunctions& functions)
 
 /// Whether all unknowns have slots and these are not far too many.
 bool GramSystem::fit(const ActiveFunctions& functions) {
-  const std::size_t single = functions.unknowns() - (constant_ ? 1 : 0);
-  if (place_.empty() || place_.size() > 2 * single + 64) return false;
-  slot_of_.resize(functions.unknowns());
-  for (std::size_t k = 0; k < single; ++k) {
+  const std::size_t unknowns = functions.unknowns();
+  if (place_.empty() || place_.size() > 2 * unknowns + 64) return false;
+  slot_of_.resize(unknowns);
+  for (std::size_t k = 0; k < unknowns; ++k) {
     slot_of_[k] = slot(absolute(functions, k));
     if (slot_of_[k] < 0) return false;
   }
-  if (constant_) slot_of_[single] = static_cast<int>(place_.size());
   return true;
 }
 
 /// The unknowns and their next neighbours, except functions that walls hold.
 void GramSystem::choose_slots(const Lattice& lattice, const ActiveFunctions& functions) {
-  const std::size_t single = functions.unknowns() - (constant_ ? 1 : 0);
   Place low = absolute(functions, 0);
   Place high = low;
-  for (std::size_t k = 0; k < single; ++k) {
+  for (std::size_t k = 0; k < functions.unknowns(); ++k) {
     const Place place = absolute(functions, k);
     low = {std::min(low.i, place.i), std::min(low.j, place.j)};
     high = {std::max(high.i, place.i), std::max(high.j, place.j)};
@@ -86,7 +83,7 @@ void GramSystem::choose_slots(const Lattice& lattice, const ActiveFunctions& fun
            (lattice.x.wall_above() && i == offset_.i + lattice.x.functions() - 1) ||
            (lattice.y.wall_above() && j == offset_.j + lattice.y.functions() - 1);
   };
-  for (std::size_t k = 0; k < single; ++k) {
+  for (std::size_t k = 0; k < functions.unknowns(); ++k) {
     const Place place = absolute(functions, k);
     for (long i = place.i - 1; i <= place.i + 1; ++i) {
       for (long j = place.j - 1; j <= place.j + 1; ++j) {
@@ -128,9 +125,9 @@ void GramSystem::couple(Place a, Place b) {
 }
 
 void GramSystem::analyse() {
-  const int slots = static_cast<int>(place_.size()) + (constant_ ? 1 : 0);
+  const int slots = static_cast<int>(place_.size());
   std::vector<std::vector<int>> below(static_cast<std::size_t>(slots));
-  for (int a = 0; a < static_cast<int>(place_.size()); ++a) {
+  for (int a = 0; a < slots; ++a) {
     auto& column = below[static_cast<std::size_t>(a)];
     const Place at = place_[static_cast<std::size_t>(a)];
     for (long i = -degree_; i <= degree_; ++i) {
@@ -146,9 +143,7 @@ void GramSystem::analyse() {
         }
       }
     }
-    if (constant_) column.push_back(slots - 1);
   }
-  if (constant_) below.back().push_back(slots - 1);
   for (const Coupling& coupling : extra_) {
     const int a = slot(coupling.a);
     const int b = slot(coupling.b);
@@ -211,31 +206,23 @@ void GramSystem::add_plain(std::span<const std::size_t> unknowns, const double* 
 
 void GramSystem::add(std::span<const std::size_t> unknowns, const double* matrix) {
   const std::size_t n = unknowns.size();
-  const auto singles = static_cast<int>(place_.size());
   const long reach = 2 * degree_ + 1;
   for (std::size_t a = 0; a < n; ++a) {
     const int from = slot_of_[unknowns[a]];
     for (std::size_t b = 0; b <= a; ++b) {
       const int to = slot_of_[unknowns[b]];
-      int place = -1;
-      if (from < singles && to < singles) {
-        const Place p = place_[static_cast<std::size_t>(from)];
-        const Place q = place_[static_cast<std::size_t>(to)];
-        const long i = column_difference(p.i, q.i);
-        const long j = q.j - p.j;
-        if (std::abs(i) <= degree_ && std::abs(j) <= degree_) {
-          place = stencil_[static_cast<std::size_t>((from * reach + i + degree_) * reach + j + degree_)];
-        } else {
-          place = entry(from, to);
-          if (place < 0) {
-            couple(p, q);
-            continue;
-          }
-        }
+      const Place p = place_[static_cast<std::size_t>(from)];
+      const Place q = place_[static_cast<std::size_t>(to)];
+      const long i = column_difference(p.i, q.i);
+      const long j = q.j - p.j;
+      const bool near = std::abs(i) <= degree_ && std::abs(j) <= degree_;
+      const int place = near ? stencil_[static_cast<std::size_t>((from * reach + i + degree_) * reach + j + degree_)]
+                             : entry(from, to);
+      if (place < 0) {
+        couple(p, q);
       } else {
-        place = entry(from, to);
+        values_[static_cast<std::size_t>(place)] += matrix[a * n + b];
       }
-      values_[static_cast<std::size_t>(place)] += matrix[a * n + b];
     }
   }
 }

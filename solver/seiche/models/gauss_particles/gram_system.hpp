@@ -58,15 +58,14 @@ class GramSystem {
   void gather(std::span<const double> r);
 
   long degree_ = 0;
-  long columns_ = 0;  // of a periodic lattice, else 0
-  bool constant_ = false;
+  long columns_ = 0;    // of a periodic lattice, else 0
   Place offset_{0, 0};  // absolute place of function (0, 0)
 
   Place corner_{0, 0};  // of the window of slots
   long window_columns_ = 0;
   long window_rows_ = 0;
   std::vector<int> slot_at_;        // in the window; -1: none
-  std::vector<Place> place_;        // of the slots, without the wall's constant, which is the last
+  std::vector<Place> place_;        // of the slots
   std::vector<Coupling> extra_;     // of continued cells, beyond the reach of a cell's splines
   std::vector<Place> extra_reach_;  // differences of places so coupled: what one place needs its neighbours will need
   std::vector<int> stencil_;        // entry of a slot's coupling with its neighbours; -1: none

@@ -77,16 +77,11 @@ void LatticePlan::check() const {
   require_positive("cell_x", cell_x);
   require_not_negative("cell_y", cell_y);
   require_not_negative("period", period);
-  require_not_negative("lid", lid);
   if (left_wall) require_finite("left_wall", *left_wall);
   if (right_wall) require_finite("right_wall", *right_wall);
   if (period > 0 && right_wall) throw std::invalid_argument("right_wall in a periodic channel; allowed: none");
   if (period > 0) whole_cells("period", period, cell_x);
   if (left_wall && right_wall) whole_cells("right_wall - left_wall", *right_wall - *left_wall, cell_x);
-  if (lid > 0) {
-    if (!bottom) throw std::invalid_argument("lid without a bottom; allowed: both or none");
-    whole_cells("lid", lid, cell_y > 0 ? cell_y : cell_x);
-  }
   require_finite("level of the ground", ground.level);
   if (ground.profile) {
     const double reach = 1e3 * cell_x;
@@ -120,12 +115,8 @@ Lattice LatticePlan::operator()(mechanics::Interval when, const Bounds& water) c
     }
     return free_axis(degree, cell_x, moved(cell_x, 0), water.left, water.right);
   }();
-  const SplineAxis y = [&]() -> SplineAxis {
-    if (lid > 0) return {degree, 0, high_cell, whole_cells("lid", lid, high_cell), Ends::walls};
-    if (bottom) return {degree, 0, high_cell, beyond(water.high, high_cell), Ends::wall_below};
-    return free_axis(degree, high_cell, moved(high_cell, 1), water.low, water.high);
-  }();
-  return {x, y};
+  return {x, bottom ? SplineAxis(degree, 0, high_cell, beyond(water.high, high_cell), Ends::wall_below)
+                    : free_axis(degree, high_cell, moved(high_cell, 1), water.low, water.high)};
 }
 
 }  // namespace seiche::gauss_particles

@@ -55,7 +55,6 @@ struct LatticePlan {
   double period = 0;
   bool bottom = false;  ///< a wall at eta = 0
   Ground ground = {};
-  double lid = 0;  ///< height of a wall above the ground; 0: none
   bool shift =
       false;  ///< moves the lattice along directions without walls, by another random part of a cell at each step
   std::uint64_t seed = 1;

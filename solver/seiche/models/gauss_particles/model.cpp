@@ -30,9 +30,7 @@ Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings se
   require_not_negative("gravity", settings_.gravity);
   require_positive("density", settings_.density);
   require_not_negative("penalty", settings_.penalty);
-  CompensatedSum total;
-  for (const double m : particles_.mass) total.add(m);
-  total_mass_ = total.value();
+  total_mass_ = mechanics::total_mass(particles_.mass);
   if (settings_.surface) surface_.emplace(*settings_.surface, particles_, settings_.density * settings_.gravity);
   const mechanics::State first = state();
   if (surface_) {
@@ -182,33 +180,6 @@ void Model::settle(Interval when, Output, Output u) {
 double Model::place(std::size_t rate) const {
   const std::size_t particle = rate % size();
   return places_.empty() ? particles_.x[particle] : places_[particle];
-}
-
-std::array<double, 2> Model::momentum(Input, Input u) const {
-  CompensatedSum along;
-  CompensatedSum up;
-  for (std::size_t k = 0; k < size(); ++k) {
-    along.add(particles_.mass[k] * u[k]);
-    up.add(particles_.mass[k] * u[size() + k]);
-  }
-  return {along.value(), up.value()};
-}
-
-std::array<double, 1> Model::angular_momentum(Input q, Input u) const {
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < size(); ++k) {
-    sum.add(particles_.mass[k] * q[k] * u[size() + k]);
-    sum.add(-particles_.mass[k] * q[size() + k] * u[k]);
-  }
-  return {sum.value()};
-}
-
-double Model::kinetic_energy(Input, Input u) const {
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < size(); ++k) {
-    sum.add(0.5 * particles_.mass[k] * (u[k] * u[k] + u[size() + k] * u[size() + k]));
-  }
-  return sum.value();
 }
 
 double Model::potential_energy(Input q) const {

@@ -45,6 +45,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/curve.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/particles.hpp"
@@ -95,11 +96,17 @@ class Model {
   void settle(Interval when, Output q, Output u);
   [[nodiscard]] double place(std::size_t rate) const;
 
-  [[nodiscard]] double mass() const { return total_mass_; }                      ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
-  [[nodiscard]] double potential_energy(Input q) const;                          ///< from the first state's [J/m]
+  [[nodiscard]] double mass() const { return total_mass_; }             ///< [kg/m]
+  [[nodiscard]] std::array<double, 2> momentum(Input, Input u) const {  ///< [kg/s]
+    return mechanics::plane_momentum(particles_.mass, u);
+  }
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {  ///< about the origin [kg m/s]
+    return mechanics::plane_angular_momentum(particles_.mass, q, u);
+  }
+  [[nodiscard]] double kinetic_energy(Input, Input u) const {  ///< [J/m]
+    return mechanics::plane_kinetic_energy(particles_.mass, u);
+  }
+  [[nodiscard]] double potential_energy(Input q) const;  ///< from the first state's [J/m]
 
   /// Work done so far by forces other than gravity, and energy taken by the penalty [J/m]: the energy changes by their
   /// difference, to round-off, with OneStep.

@@ -41,7 +41,20 @@ double SplineSpace::resolution() const {
 
 template <class Work>
 void SplineSpace::for_cells(Work&& work) const {
-  linear::share_out(cells_.cells().size(), particles_ >= linear::worth_threads, work);
+  linear::share_out(cells_.cells().size(), particles_ >= linear::worth_threads, [&](std::size_t c) {
+    if (!functions_.free(c)) work(c);
+  });
+}
+
+/// work(c, functions) for the cells that do not fly freely, one after the other, with the numbers of their functions.
+template <class Work>
+void SplineSpace::visit_cells(const Work& work) const {
+  std::array<std::size_t, CellKernels::most_functions> functions{};
+  for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
+    if (functions_.free(c)) continue;
+    local_functions(c, functions.data());
+    work(c, std::span<const std::size_t>(functions.data(), local_));
+  }
 }
 
 double SplineSpace::particles_per_cell(std::span<const double> mass) const {
@@ -134,14 +147,27 @@ double SplineSpace::penalty_weight(std::size_t c) const {
   return penalty_factor_ * std::min(1.0, cells_.cells()[c].mass / full_mass_);
 }
 
+std::span<const double> SplineSpace::penalty_matrix(std::size_t c) {
+  const OccupiedCells::Cell& cell = cells_.cells()[c];
+  return penalty_.matrix(lattice().x.kind(cell.x), lattice().y.kind(cell.y));
+}
+
+template <class Use>
+void SplineSpace::penalty_load(std::size_t c, std::span<const std::size_t> functions, const Use& use) {
+  const std::span<const double> form = penalty_matrix(c);
+  for (std::size_t a = 0; a < local_; ++a) {
+    double sum = 0;
+    for (std::size_t b = 0; b < local_; ++b) sum += form[a * local_ + b] * coefficients_[functions[b]];
+    use(functions[a], sum);
+  }
+}
+
 void SplineSpace::assemble() {
   const auto count = cells_.cells().size();
   const std::size_t size = local_ * local_;
   if (penalty_factor_ != 0) {
     // Fills the tables of all kinds of cells, which the threads then only read.
-    for (const OccupiedCells::Cell& cell : cells_.cells()) {
-      static_cast<void>(penalty_.matrix(lattice().x.kind(cell.x), lattice().y.kind(cell.y)));
-    }
+    for (std::size_t c = 0; c < count; ++c) static_cast<void>(penalty_matrix(c));
   }
   matrices_.resize(chunk * size);
   do {
@@ -154,8 +180,7 @@ void SplineSpace::assemble() {
         double* const matrix = matrices_.data() + k * size;
         kernels_->mass_matrix(particles(c), splines(c), matrix);
         if (penalty_factor_ != 0) {
-          const OccupiedCells::Cell& cell = cells_.cells()[c];
-          const std::span<const double> form = penalty_.matrix(lattice().x.kind(cell.x), lattice().y.kind(cell.y));
+          const std::span<const double> form = penalty_matrix(c);
           const double weight = penalty_weight(c);
           for (std::size_t i = 0; i < size; ++i) matrix[i] += weight * form[i];
         }
@@ -216,7 +241,6 @@ void SplineSpace::evaluate() {
   coefficients_.resize(functions_.functions());
   functions_.extend(z_, coefficients_);
   for_cells([this](std::size_t c) {
-    if (functions_.free(c)) return;
     std::array<std::size_t, CellKernels::most_functions> functions;
     std::array<double, CellKernels::most_functions> local;
     local_functions(c, functions.data());
@@ -239,24 +263,19 @@ void SplineSpace::take_impulses(std::span<const double> impulse_x, std::span<con
     dx_[k] = impulse_x[particle[k]];
     dy_[k] = impulse_y[particle[k]];
   }
-  std::array<std::size_t, CellKernels::most_functions> functions{};
   std::array<double, CellKernels::most_functions> load{};
-  for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
-    if (functions_.free(c)) continue;
+  visit_cells([&](std::size_t c, std::span<const std::size_t> functions) {
     const std::size_t begin = cells_.cells()[c].begin;
     CellParticles at = particles(c);
     at.mass = ones_.data() + begin;
     kernels_->load(at, splines(c), dx_.data() + begin, dy_.data() + begin, load.data());
-    local_functions(c, functions.data());
     for (std::size_t a = 0; a < local_; ++a) impulse_load_[functions[a]] += load[a];
-  }
+  });
 }
 
 void SplineSpace::residual(std::span<double> r) {
-  const std::size_t count = cells_.cells().size();
-  loads_.resize(count * local_);
+  loads_.resize(cells_.cells().size() * local_);
   for_cells([this](std::size_t c) {
-    if (functions_.free(c)) return;
     const OccupiedCells::Cell& cell = cells_.cells()[c];
     for (std::size_t k = cell.begin; k < cell.begin + cell.places; ++k) {
       dx_[k] = wx_[k] - ux_[k];
@@ -266,42 +285,24 @@ void SplineSpace::residual(std::span<double> r) {
                    loads_.data() + c * local_);
   });
   function_load_ = impulse_load_;
-  std::array<std::size_t, CellKernels::most_functions> functions{};
-  for (std::size_t c = 0; c < count; ++c) {
-    if (functions_.free(c)) continue;
-    local_functions(c, functions.data());
+  visit_cells([&](std::size_t c, std::span<const std::size_t> functions) {
     const double* const load = loads_.data() + c * local_;
     for (std::size_t a = 0; a < local_; ++a) function_load_[functions[a]] += load[a];
-    if (penalty_factor_ == 0) continue;
-    const OccupiedCells::Cell& cell = cells_.cells()[c];
-    const std::span<const double> form = penalty_.matrix(lattice().x.kind(cell.x), lattice().y.kind(cell.y));
+    if (penalty_factor_ == 0) return;
     const double weight = penalty_weight(c);
-    for (std::size_t a = 0; a < local_; ++a) {
-      double sum = 0;
-      for (std::size_t b = 0; b < local_; ++b) sum += form[a * local_ + b] * coefficients_[functions[b]];
-      function_load_[functions[a]] -= weight * sum;
-    }
-  }
+    penalty_load(c, functions, [&](std::size_t f, double sum) { function_load_[f] -= weight * sum; });
+  });
   functions_.restrict(function_load_, r);
 }
 
 double SplineSpace::penalty_form() {
-  if (penalty_factor_ == 0) return 0;
-  std::array<std::size_t, CellKernels::most_functions> functions{};
   double total = 0;
-  for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
-    if (functions_.free(c)) continue;
-    local_functions(c, functions.data());
-    const OccupiedCells::Cell& cell = cells_.cells()[c];
-    const std::span<const double> form = penalty_.matrix(lattice().x.kind(cell.x), lattice().y.kind(cell.y));
+  if (penalty_factor_ == 0) return total;
+  visit_cells([&](std::size_t c, std::span<const std::size_t> functions) {
     double sum = 0;
-    for (std::size_t a = 0; a < local_; ++a) {
-      double row = 0;
-      for (std::size_t b = 0; b < local_; ++b) row += form[a * local_ + b] * coefficients_[functions[b]];
-      sum += coefficients_[functions[a]] * row;
-    }
+    penalty_load(c, functions, [&](std::size_t f, double row) { sum += coefficients_[f] * row; });
     total += penalty_weight(c) * sum;
-  }
+  });
   return total;
 }
 

@@ -59,6 +59,10 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] CellSplines splines(std::size_t c) const;
   void local_functions(std::size_t c, std::size_t* functions) const;
   double penalty_weight(std::size_t c) const;
+  [[nodiscard]] std::span<const double> penalty_matrix(std::size_t c);
+  /// use(function, its row of the cell's penalty times the coefficients) for the cell's functions.
+  template <class Use>
+  void penalty_load(std::size_t c, std::span<const std::size_t> functions, const Use& use);
   void take_impulses(std::span<const double> impulse_x, std::span<const double> impulse_y);
   /// Loads of w - field - penalty, restricted to the unknowns.
   void residual(std::span<double> r);
@@ -66,6 +70,8 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] double penalty_form();
   template <class Work>
   void for_cells(Work&& work) const;
+  template <class Work>
+  void visit_cells(const Work& work) const;
 
   Ground ground_;
   LatticeAt at_;

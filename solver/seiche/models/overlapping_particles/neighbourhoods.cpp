@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace seiche::overlapping_particles {
 
@@ -14,6 +15,9 @@ long cell_at(double place, double begin, double cell, long cells) {
   const double s = std::floor((place - begin) / cell);
   return static_cast<long>(std::clamp(s, 0.0, static_cast<double>(cells - 1)));
 }
+
+/// Of the reach, beyond it: more makes the matrix fuller, less the lists shorter-lived.
+constexpr double margin = 0.1;
 
 }  // namespace
 
@@ -42,67 +46,42 @@ void CellGrid::sort(std::span<const double> x, std::span<const double> y, double
   cell_of_.resize(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
     cell_of_[k] = row_of(y[k]) * columns_ + column_of(x[k]);
-    ++begin_[static_cast<std::size_t>(cell_of_[k]) + 1];
+    ++begin_[static_cast<std::size_t>(cell_of_[k])];
   }
-  for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   particle_.resize(x.size());
-  std::vector<int>& next = begin_;
+  // From the last particle on, each cell is filled from its end, which becomes its beginning.
   for (std::size_t k = x.size(); k-- > 0;) {
-    // From the last particle on, each cell is filled from its end, which becomes its beginning.
-    const auto cell = static_cast<std::size_t>(cell_of_[k]) + 1;
-    particle_[static_cast<std::size_t>(--next[cell])] = static_cast<int>(k);
+    particle_[static_cast<std::size_t>(--begin_[static_cast<std::size_t>(cell_of_[k])])] = static_cast<int>(k);
   }
-  // Entry c + 1 is now where cell c begins.
-  begin_.erase(begin_.begin());
-  begin_.push_back(static_cast<int>(x.size()));
 }
-
-namespace {
-
-/// Of the reach, beyond it: more makes the matrix fuller, less the lists shorter-lived.
-constexpr double margin = 0.1;
-
-}  // namespace
 
 bool Neighbourhoods::update(std::span<const double> x, std::span<const double> y, const Walls& walls) {
   if (!begin_.empty()) {
     grid_.sort(x, y, reach_);
-    if (listed_pairs(x, y, walls) == pairs_on_grid(x, y, walls)) return false;
+    if (complete(x, y, walls)) return false;
   }
   list(x, y, walls);
   return true;
 }
 
-long Neighbourhoods::listed_pairs(std::span<const double> x, std::span<const double> y, const Walls& walls) const {
+/// Whether the lists hold as many pairs within the reach as there are.
+bool Neighbourhoods::complete(std::span<const double> x, std::span<const double> y, const Walls& walls) const {
   const double square = reach_ * reach_;
-  long pairs = 0;
+  long missing = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
     each_image({x[k], y[k]}, walls, reach_, [&](Point r) {
-      for (auto e = static_cast<std::size_t>(begin_[k]); e < static_cast<std::size_t>(begin_[k + 1]); ++e) {
-        const auto s = static_cast<std::size_t>(member_[e]);
-        const double dx = r.x - x[s];
-        const double dy = r.y - y[s];
-        pairs += dx * dx + dy * dy < square ? 1 : 0;
-      }
-    });
-  }
-  return pairs;
-}
-
-long Neighbourhoods::pairs_on_grid(std::span<const double> x, std::span<const double> y, const Walls& walls) const {
-  const double square = reach_ * reach_;
-  long pairs = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    each_image({x[k], y[k]}, walls, reach_, [&](Point r) {
-      grid_.near(r, [&](int member) {
+      const auto within = [&](int member) {
         const auto s = static_cast<std::size_t>(member);
         const double dx = r.x - x[s];
         const double dy = r.y - y[s];
-        pairs += dx * dx + dy * dy < square ? 1 : 0;
-      });
+        return dx * dx + dy * dy < square ? 1 : 0;
+      };
+      grid_.near(r, [&](int s) { missing += within(s); });
+      for (int e = begin_[k]; e < begin_[k + 1]; ++e) missing -= within(member_[static_cast<std::size_t>(e)]);
     });
   }
-  return pairs;
+  return missing == 0;
 }
 
 void Neighbourhoods::list(std::span<const double> x, std::span<const double> y, const Walls& walls) {

@@ -67,8 +67,7 @@ class Neighbourhoods {
   [[nodiscard]] std::span<const int> members() const { return member_; }
 
  private:
-  [[nodiscard]] long listed_pairs(std::span<const double> x, std::span<const double> y, const Walls& walls) const;
-  [[nodiscard]] long pairs_on_grid(std::span<const double> x, std::span<const double> y, const Walls& walls) const;
+  [[nodiscard]] bool complete(std::span<const double> x, std::span<const double> y, const Walls& walls) const;
   void list(std::span<const double> x, std::span<const double> y, const Walls& walls);
 
   double reach_;

@@ -45,12 +45,6 @@ std::optional<double> AsWritten::end_velocity(bool right, double time) const {
   return std::holds_alternative<Wall>(end) ? std::optional(0.0) : std::nullopt;
 }
 
-double AsWritten::momentum() const {
-  CompensatedSum sum;
-  for (std::size_t i = 0; i < size(); ++i) sum.add(row_.mass[i] * row_.velocity[i]);
-  return sum.value();
-}
-
 std::vector<double> AsWritten::edges() const {
   std::vector<double> edges = row_.left;
   edges.push_back(row_.right.back());

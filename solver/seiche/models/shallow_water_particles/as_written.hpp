@@ -26,8 +26,8 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/models/shallow_water_particles/ends.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
+#include "seiche/models/shallow_water_particles/settings.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -58,7 +58,7 @@ class AsWritten {
   };
   /// Returns whether the right one of the pair (i, i + 1) was rebuilt.
   static bool rebuild(Row& row, std::size_t i);
-  [[nodiscard]] double momentum() const;
+  [[nodiscard]] double momentum() const { return total_momentum(row_.mass, row_.velocity); }
   /// What moves an end: a velocity, or nothing where it goes with its particle.
   [[nodiscard]] std::optional<double> end_velocity(bool right, double time) const;
 

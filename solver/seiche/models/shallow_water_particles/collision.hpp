@@ -11,7 +11,7 @@
 
 #include <cstddef>
 
-#include "seiche/models/shallow_water_particles/edge_riemann.hpp"
+#include "seiche/models/shallow_water_particles/edges.hpp"
 #include "seiche/models/shallow_water_particles/hand_over.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 

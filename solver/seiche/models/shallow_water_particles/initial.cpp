@@ -1,24 +1,18 @@
 #include "seiche/models/shallow_water_particles/initial.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/require.hpp"
 
 namespace seiche::shallow_water_particles {
 
 namespace {
-
-// Gauss-Legendre, 5 points on [-1, 1].
-constexpr std::array<double, 5> gauss_points = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
-                                                0.9061798459386640};
-constexpr std::array<double, 5> gauss_weights = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
-                                                 0.4786286704993665, 0.2369268850561891};
 
 void require_interval(double left, double right) {
   require_finite("left", left);
@@ -91,13 +85,10 @@ Particles particles_from_profile(Array edges, const Function& depth, const Funct
     double mass = 0;
     double momentum = 0;
     for (int part = 0; part < parts; ++part) {
-      const double centre = p.edge[i] + (part + 0.5) * width;
-      for (std::size_t k = 0; k < gauss_points.size(); ++k) {
-        const double x = centre + 0.5 * width * gauss_points[k];
-        const double h = depth(x);
-        mass += 0.5 * width * gauss_weights[k] * h;
-        momentum += 0.5 * width * gauss_weights[k] * h * velocity(x);
-      }
+      const double left = p.edge[i] + part * width;
+      using Gauss = boost::math::quadrature::gauss<double, 5>;
+      mass += Gauss::integrate(depth, left, left + width);
+      momentum += Gauss::integrate([&](double x) { return depth(x) * velocity(x); }, left, left + width);
     }
     p.mass.push_back(mass);
     p.velocity.push_back(momentum / mass);

@@ -27,7 +27,6 @@ ParticleFlow::ParticleFlow(Particles initial, Ends ends, Forcing forcing, Scheme
   structures_.reserve(now_.size());
   ledger_.initial_mass = mass();
   ledger_.initial_momentum = momentum();
-  ledger_.initial_length = length();
   for (const bool right : {false, true}) {
     const Side s = side(right);
     open_width_[s.index()] = now_.width(s.particle(0));
@@ -211,18 +210,6 @@ void ParticleFlow::advance(double tau) {
     if (end_is<Open>(side(right))) regulate(side(right));
   }
   detect_jumps();
-}
-
-double ParticleFlow::mass() const {
-  CompensatedSum sum;
-  for (const double m : now_.mass) sum.add(m);
-  return sum.value();
-}
-
-double ParticleFlow::momentum() const {
-  CompensatedSum sum;
-  for (std::size_t i = 0; i < now_.size(); ++i) sum.add(now_.mass[i] * now_.velocity[i]);
-  return sum.value();
 }
 
 double ParticleFlow::mean_energy() const {

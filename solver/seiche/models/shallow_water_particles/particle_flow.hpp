@@ -34,17 +34,15 @@
 #include <string_view>
 #include <vector>
 
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/model.hpp"
 #include "seiche/models/shallow_water_particles/collision.hpp"
-#include "seiche/models/shallow_water_particles/dry_front.hpp"
-#include "seiche/models/shallow_water_particles/edge_values.hpp"
-#include "seiche/models/shallow_water_particles/ends.hpp"
+#include "seiche/models/shallow_water_particles/edges.hpp"
 #include "seiche/models/shallow_water_particles/hand_over.hpp"
-#include "seiche/models/shallow_water_particles/ledger.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
 #include "seiche/models/shallow_water_particles/row_kernels.hpp"
-#include "seiche/models/shallow_water_particles/scheme.hpp"
+#include "seiche/models/shallow_water_particles/settings.hpp"
 #include "seiche/samples.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
@@ -61,7 +59,6 @@ struct StepLimit {
 
 /// Counters of events that a report may want.
 struct Events {
-  long hand_overs = 0;          ///< steps in which a jump left its particle
   long collisions = 0;          ///< meetings of two jumps that were followed exactly
   long adjacent_discarded = 0;  ///< jumps dropped because their neighbour held a larger one of the same facing
   /// Largest part of their mass that, of such particles, seemed to lie on the far side of the jump: it is the same one,
@@ -101,8 +98,8 @@ class ParticleFlow {
   /// Largest tau c/w of all steps so far.
   [[nodiscard]] double largest_courant() const { return largest_courant_; }
 
-  [[nodiscard]] double mass() const;      ///< total [m^2]
-  [[nodiscard]] double momentum() const;  ///< total [m^3/s]
+  [[nodiscard]] double mass() const { return mechanics::total_mass(now_.mass); }              ///< total [m^2]
+  [[nodiscard]] double momentum() const { return total_momentum(now_.mass, now_.velocity); }  ///< total [m^3/s]
   [[nodiscard]] double length() const { return now_.edge.back() - now_.edge.front(); }
   [[nodiscard]] double mass_defect() const { return mass() - ledger_.initial_mass - ledger_.booked_mass(); }
   [[nodiscard]] double momentum_defect() const {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seiche/models/shallow_water_particles/edge_riemann.hpp"
+#include "seiche/models/shallow_water_particles/edges.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 
 namespace seiche::shallow_water_particles {
@@ -157,7 +157,6 @@ void ParticleFlow::solve_end(Side s, double tau) {
 void ParticleFlow::hand_over_jumps(double tau) {
   for (const InteriorJump& jump : jumps_) {
     const std::size_t k = jump.facing == Facing::right ? jump.particle + 1 : jump.particle;
-    if ((1 - jump.behind_by_volume) * now_.mass[jump.particle] < tau * jump.mass_flux) ++events_.hand_overs;
     hand_over(forcing_.gravity, jump, now_.mass[jump.particle], tau, edge_velocity_[k], edge_thrust_[k]);
   }
   for (const Collision& collision : collisions_) {

@@ -5,6 +5,13 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 
 namespace seiche::shallow_water_particles {
+namespace {
+
+Array::iterator at(Array& array, std::size_t k) {
+  return array.begin() + static_cast<std::ptrdiff_t>(k);
+}
+
+}  // namespace
 
 void ParticleFlow::solve_open_end(Side s, const Open& open, State inner, double tau) {
   const double g = forcing_.gravity;
@@ -75,7 +82,6 @@ void ParticleFlow::split(Side s) {
   const double right_mass = mass - left_mass;
   const double du = 0.5 * (e.u_right - e.u_left);  // between the centres of the halves
   const double u = now_.velocity[i];
-  const auto at = [](Array& a, std::size_t k) { return a.begin() + static_cast<std::ptrdiff_t>(k); };
   now_.mass[i] = left_mass;
   now_.mass.insert(at(now_.mass, i + 1), right_mass);
   now_.velocity[i] = u - du * right_mass / mass;
@@ -87,7 +93,6 @@ void ParticleFlow::merge(Side s) {
   const std::size_t i = std::min(s.particle(0), s.particle(1));
   const double mass = now_.mass[i] + now_.mass[i + 1];
   const double momentum = now_.mass[i] * now_.velocity[i] + now_.mass[i + 1] * now_.velocity[i + 1];
-  const auto at = [](Array& a, std::size_t k) { return a.begin() + static_cast<std::ptrdiff_t>(k); };
   now_.mass[i] = mass;
   now_.velocity[i] = momentum / mass;
   now_.mass.erase(at(now_.mass, i + 1));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::shallow_water_particles {
@@ -23,6 +24,12 @@ void Particles::validate() const {
           fmt::format("edge[{}] = {:g} must be greater than edge[{}] = {:g}", i + 1, edge[i + 1], i, edge[i]));
     }
   }
+}
+
+double total_momentum(std::span<const double> mass, std::span<const double> velocity) {
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < mass.size(); ++i) sum.add(mass[i] * velocity[i]);
+  return sum.value();
 }
 
 }  // namespace seiche::shallow_water_particles

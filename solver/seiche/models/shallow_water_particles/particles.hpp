@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <new>
+#include <span>
 #include <vector>
 
 namespace seiche::shallow_water_particles {
@@ -42,5 +43,8 @@ struct Particles {
   /// increase strictly and masses are positive (a dry region is the absence of particles).
   void validate() const;
 };
+
+/// Sum of m u [m^3/s].
+double total_momentum(std::span<const double> mass, std::span<const double> velocity);
 
 }  // namespace seiche::shallow_water_particles

@@ -1,6 +1,7 @@
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace seiche::shallow_water_particles {
@@ -20,6 +21,35 @@ State Reconstruction::at(double x) const {
   const double surface = piece.surface_left + s * (piece.surface_right - piece.surface_left);
   const double depth = bed_ ? std::max(surface - bed_->elevation(x), 0.0) : surface;
   return {depth, piece.velocity_left + s * (piece.velocity_right - piece.velocity_left)};
+}
+
+shallow_water::State TipProfile::at(double gravity, double s) const {
+  const double depth = exponent == 0 ? edge_depth : edge_depth * std::pow(s, exponent);
+  return {depth, front_velocity - 2 * std::sqrt(gravity * depth)};
+}
+
+double tip_velocity_ratio(double exponent) {
+  return (exponent + 1) * std::sqrt(exponent + 1) / (1.5 * exponent + 1);
+}
+
+TipProfile tip_profile(double gravity, shallow_water::State mean, double front_velocity, double highest) {
+  const double ratio = (front_velocity - mean.velocity) / (2 * shallow_water::celerity(gravity, mean.depth));
+  double low = 0;
+  double high = 2;
+  if (ratio <= tip_velocity_ratio(low)) {
+    high = low;
+  } else if (ratio >= tip_velocity_ratio(high)) {
+    low = high;
+  }
+  // The ratio grows with the exponent; 60 halvings of [0,2] exhaust the mantissa.
+  for (int k = 0; k < 60 && low < high; ++k) {
+    const double middle = 0.5 * (low + high);
+    (tip_velocity_ratio(middle) < ratio ? low : high) = middle;
+  }
+  const double exponent = 0.5 * (low + high);
+  const double edge_depth = std::clamp((exponent + 1) * mean.depth, mean.depth, std::max(mean.depth, highest));
+  // A clamped edge depth changes the exponent: the profile keeps the mass of the particle.
+  return {edge_depth / mean.depth - 1, edge_depth, front_velocity};
 }
 
 }  // namespace seiche::shallow_water_particles

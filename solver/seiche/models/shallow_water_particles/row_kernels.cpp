@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "seiche/models/shallow_water_particles/edge_riemann.hpp"
+#include "seiche/models/shallow_water_particles/edges.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_particles {

@@ -229,7 +229,8 @@ void wall_pressure(const PairWork& work, std::size_t first, std::size_t last) {
         });
     for (int l = 0; l < cluster.count; ++l) {
       const double per_weight = weights[l] > 0 ? 1 / weights[l] : 0;
-      work.means[cluster.first + l] = {pressure[l] * per_weight, lever_x[l] * per_weight, lever_z[l] * per_weight};
+      work.means[cluster.first + l - work.first_wall] = {pressure[l] * per_weight, lever_x[l] * per_weight,
+                                                         lever_z[l] * per_weight};
     }
   }
 }

@@ -97,9 +97,11 @@ void Corrections::shift(double tau, const Stage& stage, const Neighbours& neighb
 
 void Corrections::extrapolate(const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
                               const Neighbours& neighbours) {
-  means_.resize(neighbours.particles());
+  const std::size_t fluid = neighbours.fluid();
+  means_.resize(neighbours.particles() - fluid);
   PairWork work = stage.work(neighbours);
   work.means = means_.data();
+  work.first_wall = static_cast<std::int32_t>(fluid);
   // Walls list fluid only, so no wall density that is being set is read.
   neighbours.share(neighbours.fluid_clusters(), neighbours.clusters().size(), [&](std::size_t first, std::size_t last) {
     loops_->wall_pressure(work, first, last);
@@ -107,7 +109,8 @@ void Corrections::extrapolate(const std::function<std::array<double, 2>(std::siz
     const auto behind = static_cast<std::size_t>(end.first + end.count);
     for (auto i = static_cast<std::size_t>(neighbours.clusters()[first].first); i < behind; ++i) {
       const auto [gravity_x, gravity_z] = gravity(i);
-      const double extrapolated = means_[i].pressure + gravity_x * means_[i].lever_x + gravity_z * means_[i].lever_z;
+      const WallMeans& mean = means_[i - fluid];
+      const double extrapolated = mean.pressure + gravity_x * mean.lever_x + gravity_z * mean.lever_z;
       // Beyond it Tait's law has no density; a run that comes there stops by its own checks.
       stage.set_density(i, fluid_.density_at(std::max(extrapolated, -0.99 * fluid_.stiffness())));
     }

@@ -73,7 +73,7 @@ class Corrections {
   double smoothing_;                        ///< h_0
   std::vector<DensityGradient> gradients_;  ///< of the records
   std::vector<double> at_surface_;          ///< of the records, 1 or 0
-  std::vector<WallMeans> means_;            ///< of all particles; those of the fluid are not used
+  std::vector<WallMeans> means_;            ///< of the walls
 };
 
 }  // namespace seiche::wcsph

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/models/wcsph/input_checks.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::wcsph {
@@ -38,6 +37,49 @@ Box expected_box(const Particles& particles) {
   const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
   const double margin = std::max(*right - *left, *top - *bottom);
   return {*left - margin, *right + margin, *bottom - margin, *top + margin};
+}
+
+/// A period of at least three supports with their reserve: a particle meets one image of another at most.
+void check_period(const Settings& settings, double smoothing_length) {
+  const double shortest = 3 * support * smoothing_length * (1 + skin);
+  for (const auto& [name, period] :
+       {std::pair{"period.x", settings.period.x}, std::pair{"period.z", settings.period.z}}) {
+    if (period < shortest) {
+      throw std::invalid_argument(
+          fmt::format("{} = {:.17g} is out of range: must be at least three supports, {:g}", name, period, shortest));
+    }
+  }
+}
+
+/// No two fluid particles in one place, none in a wall.
+void check_distances(const Particles& particles, std::span<const Image> images, std::span<const Cluster> clusters,
+                     double spacing) {
+  const std::size_t count = particles.size();
+  // A lattice that stands exactly at the limit is all right.
+  const double nearest_wall = 0.5 * spacing * (1 - 1e-9);
+  const double nearest_fluid = 1e-6 * spacing;
+  for (const Cluster& cluster : clusters) {
+    for (std::int32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      if (particles.kind[a] != Kind::fluid) continue;
+      for (const std::int32_t* j = cluster.begin; j != cluster.end; ++j) {
+        const auto record = static_cast<std::size_t>(*j);
+        const Image other = record < count ? Image{*j, 0, 0} : images[record - count];
+        const auto b = static_cast<std::size_t>(other.source);
+        if (b == a) continue;
+        const double x = particles.x[b] + other.shift_x;
+        const double z = particles.z[b] + other.shift_z;
+        const double distance = std::hypot(particles.x[a] - x, particles.z[a] - z);
+        const bool wall = particles.kind[b] != Kind::fluid;
+        if (distance >= (wall ? nearest_wall : nearest_fluid)) continue;
+        throw std::invalid_argument(fmt::format(
+            "particles {} at ({:.9g}, {:.9g}) and {} at ({:.9g}, {:.9g}) are {:.3g} apart: {}", particles.identity[a],
+            particles.x[a], particles.z[a], particles.identity[b], x, z, distance,
+            wall ? fmt::format("fluid must keep {:g}, half a spacing, from walls", 0.5 * spacing)
+                 : fmt::format("two fluid particles must keep {:g}, a millionth of the spacing", nearest_fluid)));
+      }
+    }
+  }
 }
 
 Particles checked(Particles particles, const Settings& settings, double spacing, std::span<const Paddle> paddles) {

@@ -39,7 +39,6 @@
 #include "seiche/models/wcsph/corrections.hpp"
 #include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
-#include "seiche/models/wcsph/paddle.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/right_hand_side.hpp"
 #include "seiche/models/wcsph/settings.hpp"

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/input_checks.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::wcsph {

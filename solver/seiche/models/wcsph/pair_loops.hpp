@@ -89,7 +89,8 @@ struct PairWork {
   double spacing = 0;
   double travel = 0;  ///< 4 u_max tau [m]
   // Extrapolated walls and the density filter.
-  WallMeans* means = nullptr;
+  WallMeans* means = nullptr;  ///< of the walls, the first of which is particle first_wall
+  std::int32_t first_wall = 0;
   FilterMoments* moments = nullptr;
 };
 

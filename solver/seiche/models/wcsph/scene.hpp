@@ -26,7 +26,6 @@
 #include <vector>
 
 #include "seiche/models/wcsph/lattice.hpp"
-#include "seiche/models/wcsph/paddle.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 
