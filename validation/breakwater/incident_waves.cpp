@@ -48,7 +48,7 @@ TankHistory run_tank(const Berm& basin, const BermResolution& mesh, const Incide
   water.sides.left = lagrangian_mesh_2d::MovingWall{
       .place = [waves, begin = -tank.length](double t) { return begin + waves.piston(t); },
       .velocity = [waves](double t) { return waves.piston_velocity(t); }};
-  Flow flow(std::move(water), {}, {}, {.hourglass = waves.hourglass});
+  Flow flow(std::move(water));
   BermGauge gauge(flow, tank);
   TankHistory history;
   double between = 0;

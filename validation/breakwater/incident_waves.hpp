@@ -35,7 +35,6 @@ struct IncidentWaves {
   double end = 1;            ///< of the run
   long settled_periods = 4;  ///< last periods, in which the tank counts as settled
   double tau = 0.1;
-  double hourglass = 0;  ///< kappa_0 of the mesh's potential
 
   [[nodiscard]] double piston(double time) const;
   [[nodiscard]] double piston_velocity(double time) const;

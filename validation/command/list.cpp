@@ -142,7 +142,7 @@ Baseline read_baseline() {
 /// Tiles of the atlas by their ids.
 std::map<std::string, toml::table> read_atlas() {
   std::map<std::string, toml::table> tiles;
-  const toml::table atlas = toml::parse_file(validation::data_folder("atlas.toml").string());
+  const toml::table atlas = toml::parse_file((validation::data_folder("record").parent_path() / "atlas.toml").string());
   atlas["source"].as_array()->for_each([&](const toml::table& source) {
     source["tile"].as_array()->for_each(
         [&](const toml::table& tile) { tiles[*tile["id"].value<std::string>()] = tile; });
