@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 namespace seiche {
 
@@ -19,5 +20,11 @@ class CompensatedSum {
   double sum_ = 0;
   double carry_ = 0;
 };
+
+inline double compensated_sum(std::span<const double> terms) {
+  CompensatedSum sum;
+  for (const double term : terms) sum.add(term);
+  return sum.value();
+}
 
 }  // namespace seiche

@@ -137,7 +137,7 @@ void Model::velocities(Input q, Input rates, Output u, Output v) const {
 }
 
 double Model::mass() const {
-  return mechanics::total_mass(mass_);
+  return compensated_sum(mass_);
 }
 
 std::array<double, 1> Model::momentum(Input q, Input u) const {

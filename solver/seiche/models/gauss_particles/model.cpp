@@ -30,7 +30,6 @@ Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings se
   require_not_negative("gravity", settings_.gravity);
   require_positive("density", settings_.density);
   require_not_negative("penalty", settings_.penalty);
-  total_mass_ = mechanics::total_mass(particles_.mass);
   if (settings_.surface) surface_.emplace(*settings_.surface, particles_, settings_.density * settings_.gravity);
   const mechanics::State first = state();
   if (surface_) {

@@ -76,7 +76,7 @@ struct Forcing {
   std::function<Point(Point place, double time)> body_force = {};
 };
 
-class Model {
+class Model : public mechanics::PointMasses<Model> {
  public:
   /// Throws std::invalid_argument (particles.hpp; no space; settings out of range; what the space finds infeasible in
   /// the particles given).
@@ -96,17 +96,8 @@ class Model {
   void settle(Interval when, Output q, Output u);
   [[nodiscard]] double place(std::size_t rate) const;
 
-  [[nodiscard]] double mass() const { return total_mass_; }             ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input, Input u) const {  ///< [kg/s]
-    return mechanics::plane_momentum(particles_.mass, u);
-  }
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {  ///< about the origin [kg m/s]
-    return mechanics::plane_angular_momentum(particles_.mass, q, u);
-  }
-  [[nodiscard]] double kinetic_energy(Input, Input u) const {  ///< [J/m]
-    return mechanics::plane_kinetic_energy(particles_.mass, u);
-  }
-  [[nodiscard]] double potential_energy(Input q) const;  ///< from the first state's [J/m]
+  [[nodiscard]] std::span<const double> masses() const { return particles_.mass; }  ///< [kg/m]
+  [[nodiscard]] double potential_energy(Input q) const;                             ///< from the first state's [J/m]
 
   /// Work done so far by forces other than gravity, and energy taken by the penalty [J/m]: the energy changes by their
   /// difference, to round-off, with OneStep.
@@ -132,7 +123,6 @@ class Model {
   std::unique_ptr<FieldSpace> space_;
   Settings settings_;
   Forcing forcing_;
-  double total_mass_ = 0;
   Interval when_;
   std::optional<SurfaceGravity> surface_;
   double first_potential_ = 0;  // of the surface

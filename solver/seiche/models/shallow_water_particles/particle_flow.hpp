@@ -34,7 +34,7 @@
 #include <string_view>
 #include <vector>
 
-#include "seiche/mechanics/invariants.hpp"
+#include "seiche/compensated_sum.hpp"
 #include "seiche/model.hpp"
 #include "seiche/models/shallow_water_particles/collision.hpp"
 #include "seiche/models/shallow_water_particles/edges.hpp"
@@ -98,7 +98,7 @@ class ParticleFlow {
   /// Largest tau c/w of all steps so far.
   [[nodiscard]] double largest_courant() const { return largest_courant_; }
 
-  [[nodiscard]] double mass() const { return mechanics::total_mass(now_.mass); }              ///< total [m^2]
+  [[nodiscard]] double mass() const { return compensated_sum(now_.mass); }                    ///< total [m^2]
   [[nodiscard]] double momentum() const { return total_momentum(now_.mass, now_.velocity); }  ///< total [m^3/s]
   [[nodiscard]] double length() const { return now_.edge.back() - now_.edge.front(); }
   [[nodiscard]] double mass_defect() const { return mass() - ledger_.initial_mass - ledger_.booked_mass(); }
