@@ -45,13 +45,14 @@ using Curve = std::vector<double>;  ///< force less that at rest, of one interva
 
 /// How much lower the force is between its two largest maxima than at the lower of them; 0 with one maximum.
 double dip(const Curve& force) {
-  double deepest = 0;
+  Largest deepest;
+  deepest.add(0);
   for (std::size_t k = 1; k + 1 < force.size(); ++k) {
     const auto here = force.begin() + static_cast<std::ptrdiff_t>(k);
     const double sides = std::min(*std::max_element(force.begin(), here), *std::max_element(here, force.end()));
-    deepest = std::max(deepest, sides - *here);
+    deepest.add(sides - *here);
   }
-  return deepest;
+  return deepest.value();
 }
 
 /// The exact force on the wall of a tank, over the intervals of a run.
