@@ -94,6 +94,7 @@ ColumnFront column_front(const std::string& name, const Values& values) {
 void measure_shift(evidence::Exhibit& exhibit, const ShiftedFront& fit) {
   exhibit.measure("points", static_cast<double>(fit.points));
   exhibit.measure("rms_as_it_stands", fit.raw_rms);
+  exhibit.measure("rms_shifted", fit.rms);
 }
 
 }  // namespace seiche::validation
