@@ -98,9 +98,9 @@ class Models(unittest.TestCase):
 
     def test_the_columns_are_those_that_contests_write(self):
         source = (REPORTS.parent / "validation/studies/side_by_side/contest.cpp").read_text(encoding="utf-8")
-        written = source[source.index(".columns ="):].split("}};")[0]
-        self.assertEqual(tuple(re.findall(r'\{"([^"]*)", ', written)), side_by_side.COLUMNS)
-        self.assertIn(f'.id = "{side_by_side.TABLE}"', source)
+        written = source[source.index('{"model"'):].split("});")[0]
+        self.assertEqual(tuple(re.findall(r'"([^"\[]*?)(?: \[[^"]*)?"', written)), side_by_side.COLUMNS)
+        self.assertIn(f'exhibit, "{side_by_side.TABLE}"', source)
         self.assertIn(f'.figure("{side_by_side.FIGURE}"', source)
 
 
