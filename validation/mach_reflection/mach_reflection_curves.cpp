@@ -171,7 +171,8 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
       .only_if(series.amplitude == 0.3 && std::ranges::count(series.angles, 36.0) > 0,
                "the highest stem of waves of 0.3 is at 36 degrees, and lower waves settle later still")
       .check(
-          "settling", "a = 0.3: the highest stem has not settled after 500 units of time.",
+          with("settling", series),
+          fmt::format("a = {:g}: the highest stem has not settled after 500 units of time.", series.amplitude),
           "a_w at t = 500 over its limit for infinite time",
           [](const ReflectionSeries& s) -> Measurement {
             const Reflection& highest = s.highest();
@@ -277,7 +278,9 @@ void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries
               .reason = "Miles's angles are small ones; tan(psi_r) = sqrt(3a) cos(psi_i) for finite angles gives "
                         "20.2 to 20.9 degrees for the 20.6 to 21.2 that are found, not 22.2"})
       .check(
-          "angle-of-theory", "a = 0.05: where reflection is irregular, the angle of reflection equals Miles's.",
+          with("angle-of-theory", series),
+          fmt::format("a = {:g}: where reflection is irregular, the angle of reflection equals Miles's.",
+                      series.amplitude),
           "largest relative difference from Miles's sqrt(3a)",
           [](const ReflectionSeries& s) { return worst(over_miles(s)); },
           Bound{.limit = 0.05, .reason = "what theory leaves out is of the order of the amplitude"});
