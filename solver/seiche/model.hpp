@@ -32,8 +32,9 @@ struct Invariant {
 /// A flow in time.
 ///
 /// advance(tau) makes one step, tau > 0. Throws std::invalid_argument for tau, Divergence where the step cannot be
-/// made; the flow is then as before. stable_step() is the longest step that the flow proposes by its present state,
-/// infinite where it knows of no limit. arrive(time) is for `march`: the present time, without what rounding took.
+/// made; time and steps are then as before, and so is the state but where a flow's header says otherwise.
+/// stable_step() is the longest step that the flow proposes by its present state, infinite where it knows of no limit.
+/// arrive(time) is for `march`: the present time, without what rounding took.
 template <class M>
 concept AnyFlow = requires(M& flow, const M& seen, double tau) {
   flow.advance(tau);

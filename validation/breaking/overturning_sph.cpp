@@ -64,13 +64,12 @@ double period_of(const SteepWave& wave) {
 
 struct Instant {
   std::string id;
-  std::string when;     ///< begins a sentence
-  bool past_the_front;  ///< the front is vertical, or was
+  std::string when;  ///< begins a sentence
 };
-const std::array instants{
-    Instant{"half", "Halfway to a vertical front", false}, Instant{"steep", "With a steep front", false},
-    Instant{"vertical", "With a vertical front", true},
-    Instant{"turning", "Halfway from there to a developed jet", true}, Instant{"jet", "With a developed jet", true}};
+const std::array instants{Instant{"half", "Halfway to a vertical front"}, Instant{"steep", "With a steep front"},
+                          Instant{"vertical", "With a vertical front"},
+                          Instant{"turning", "Halfway from there to a developed jet"},
+                          Instant{"jet", "With a developed jet"}};
 
 std::vector<double> times_of(const exact::OverturningWave& wave) {
   const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
@@ -172,10 +171,6 @@ std::vector<double> of_all(const std::vector<PolylineDistance>& row, double Poly
   return each(row, [&](const PolylineDistance& distance) { return distance.*member; });
 }
 
-evidence::ObservedOrder order_at(const Results& r, std::size_t instant) {
-  return evidence::observed_order(r.sizes(), of_all(r.distances[instant], &PolylineDistance::rms));
-}
-
 /// A number of the finest lattice.
 template <class Measure>
 auto on_finest(Measure measure) {
@@ -186,12 +181,6 @@ auto on_finest(Measure measure) {
 
 void claim_distances(const Claims<Results>& claims, const Values& values) {
   const double spacing = wavelength / static_cast<double>(values.integer("columns"));
-  // The weight of the water compresses a column by g d^2/(2 c_0^2), c_0^2 = sound^2 g d: at any spacing.
-  const double compressed = values.real("depth") / (2 * values.real("sound") * values.real("sound"));
-  const auto orders = claims.only_if(values.tier() != Tier::quick, "its coarsest lattices do not resolve the jet")
-                          .only_if(compressed < 0.5 * spacing,
-                                   "what the finite sound speed leaves at any spacing, g d^2/(2 c_0^2), is not less "
-                                   "than half a spacing, which is what the lattice adds: their sum has no order");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
@@ -204,15 +193,6 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
         },
         Bound{.limit = spacing,
               .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
-    // Before, what the finite sound speed leaves is no smaller than what the lattice adds.
-    if (!instants[i].past_the_front) continue;
-    orders.check(
-        "order-" + instants[i].id, fmt::format("{} the distance falls with the spacing.", instants[i].when),
-        "observed order of the rms distance", [i](const Results& r) { return order_at(r, i); },
-        Order{.theory = 1,
-              .tolerance = 0.75,
-              .reason = "first order, for the surface is known to a part of the spacing and the viscosity is in "
-                        "proportion to it; not far from half an order, nor from one and a half"});
   }
 }
 

@@ -147,13 +147,19 @@ void claim_events(const Claims<Frames>& claims) {
         [](const Frames& frames) { return frames.heights.at(4).jet > 0.5 * a || frames.heights.at(5).jet > 0.5 * a; });
 }
 
-void claim_contained(const Claims<SphCollapse>& claims) {
-  claims.check(
-      "contained", "No particle leaves through a wall.", "particles beside or below the tank at the end",
-      [](const SphCollapse& series) -> Measurement {
-        return {.value = static_cast<double>(series.lost), .resolution = series.resolution()};
-      },
-      Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
+/// @param passed  whether a run by these parameters is known to lose one
+void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
+  claims
+      .fails(
+          {.width = std::numeric_limits<double>::infinity(),
+           .reason = "cause unknown: by sixty spacings to the column one of 4776 particles passes the rows of a wall"},
+          passed)
+      .check(
+          "contained", "No particle leaves through a wall.", "particles beside or below the tank at the end",
+          [](const SphCollapse& series) -> Measurement {
+            return {.value = static_cast<double>(series.lost), .resolution = series.resolution()};
+          },
+          Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -162,7 +168,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_sound(finest.of(&Frames::collapse), values);
   claim_front(series, column_front("martin_moyce_square", values), values.integer("cells") >= 30);
   claim_events(finest);
-  claim_contained(series);
+  claim_contained(series, values.integer("cells") >= 60);
 }
 
 void show_numbers(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& data) {

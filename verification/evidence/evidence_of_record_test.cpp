@@ -52,9 +52,23 @@ TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
   const auto read = evidence::read_recorded_claims(file);
   CHECK(evidence::to_csv(read) == csv);
   CHECK(evidence::changes(claims, read).empty());
+  CHECK((read[1].name == "bore" && read[1].set == "bzz-fig-12" && read[1].claim == "known" && read[1].kind == "bound"));
+  CHECK((read[1].measured == 0.5 && read[1].uncertainty == 0.003 && read[1].expected == 1 && read[1].limit == 0.1));
+  CHECK((read[1].band == 0.2 && read[1].verdict == "declared fail" && std::isnan(read[0].band)));
   std::ofstream(file, std::ios::app) << "bore,,x,bound,one,,1,1,,pass\n";
   CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 7: 'one'"));
   std::filesystem::remove(file);
+}
+
+TEST_CASE("claims are in the order of case, set and claim", "[evidence]") {
+  RecordedClaim other = bound(1);
+  other.name = "alpha";
+  RecordedClaim later = roundoff(0);
+  later.claim = "volume";
+  std::vector<RecordedClaim> claims{later, bound(1), roundoff(0), other};
+  evidence::sort(claims);
+  CHECK((claims[0].name == "alpha" && claims[1].claim == "mass" && claims[2].claim == "volume"));
+  CHECK(claims[3].set == "bzz-fig-12");
 }
 
 TEST_CASE("digits tell a thousandth of the limit, and no more of a round-off", "[evidence]") {

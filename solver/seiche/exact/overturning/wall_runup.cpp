@@ -165,6 +165,11 @@ WallLoad::Load WallLoad::load(const ow::Moment& moment, ow::SurfaceVelocity& equ
 }
 
 WallLoad::Load WallLoad::at(double time) const {
+  const double last = collision().motion().now().time / std::sqrt(collision().wavenumber());
+  require_that<std::out_of_range>(time >= 0 && time <= last,
+                                  "t = {:.17g} is outside [0, {:.6g}], until the water at the wall has fallen to half "
+                                  "its height",
+                                  time, last);
   ow::SurfaceVelocity equation(2 * collision().wall(), collision().wavenumber());
   return load(collision().motion().at(time * std::sqrt(collision().wavenumber())), equation);
 }
