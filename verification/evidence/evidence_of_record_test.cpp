@@ -71,6 +71,18 @@ TEST_CASE("claims are in the order of case, set and claim", "[evidence]") {
   CHECK(claims[3].set == "bzz-fig-12");
 }
 
+TEST_CASE("a record that did not finish has a claim of its run", "[evidence]") {
+  evidence::Summary stopped;
+  stopped.name = "bore";
+  stopped.shows = "bzz-fig-12";
+  stopped.error = "diverged";
+  const auto claims = evidence::recorded_claims({stopped});
+  REQUIRE(claims.size() == 1);
+  CHECK((claims[0].name == "bore" && claims[0].set == "bzz-fig-12" && claims[0].claim == "run"));
+  CHECK(claims[0].verdict == "error");
+  CHECK(evidence::recorded_claims({evidence::Summary{}}).empty());
+}
+
 TEST_CASE("digits tell a thousandth of the limit, and no more of a round-off", "[evidence]") {
   CHECK_THAT(evidence::to_csv({roundoff(3.8412e-15)}), Contains(",3.84e-15,"));
   RecordedClaim sharp = bound(1.00000000123456);
