@@ -24,6 +24,7 @@
 #include "validation/scoring/diagnosis.hpp"
 #include "validation/scoring/first_look.hpp"
 #include "validation/scoring/ladder.hpp"
+#include "validation/scoring/ranks.hpp"
 #include "validation/scoring/repeats.hpp"
 #include "validation/scoring/resolving_power.hpp"
 #include "validation/scoring/score.hpp"
@@ -362,33 +363,6 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
   return false;
 }
 
-/// Of every error: how many results of other solvers for the case in the folder have a larger one.
-std::vector<std::string> ranks(const ScoreOptions& options, const std::string& stem) {
-  const auto own = evidence::read_summary(std::filesystem::path(options.out) / (stem + ".json"));
-  std::vector<evidence::Summary> others;
-  for (const std::filesystem::path& file : evidence::record_files(options.out)) {
-    try {
-      evidence::Summary other = evidence::read_summary(file);
-      if (other.name == own.name && other.solver != own.solver) others.push_back(std::move(other));
-    } catch (const std::runtime_error&) {
-      continue;  // of somebody else: no verdict hangs on it
-    }
-  }
-  std::vector<std::string> told;
-  for (const auto& claim : own.claims) {
-    std::vector<double> errors;
-    for (const evidence::Summary& other : others) {
-      const auto same = std::ranges::find(other.claims, claim.id, &evidence::Summary::Outcome::id);
-      if (same != other.claims.end() && std::isfinite(same->measured)) errors.push_back(validation::error_of(*same));
-    }
-    if (errors.empty() || claim.kind == "qualitative" || claim.kind == "roundoff") continue;
-    const double error = validation::error_of(claim);
-    told.push_back(fmt::format("{}: error {:.3g}, better than {} of {}", claim.id, error,
-                               std::ranges::count_if(errors, [&](double e) { return e > error; }), errors.size()));
-  }
-  return told;
-}
-
 /// Keeps what was judged: the checksum of every file, of a folder that of its files' checksums.
 void note_files(const std::vector<validation::ResultFile>& files, evidence::Record& record) {
   for (const validation::ResultFile& file : files) {
@@ -500,7 +474,7 @@ int score(const ScoreOptions& options) {
   const std::string written = (std::filesystem::path(options.out) / (record.stem() + ".json")).string();
   std::vector<std::string> since;
   const bool worse = !options.baseline.empty() && compare_with_baseline(options, record.stem(), baseline, since);
-  const std::vector<std::string> beside = ranks(options, record.stem());
+  const std::vector<std::string> beside = validation::ranks(options.out, record.stem());
   if (options.json) {
     auto json = as_json(all, record, findings, look, written);
     if (!beside.empty()) json["ranks"] = beside;

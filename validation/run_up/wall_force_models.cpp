@@ -176,6 +176,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "mesh-lasts", "The run reaches the end time (the Lagrangian mesh).", "share of the time that was asked for",
           [](const Entry& entry) { return entry.finest().lasted / entry.finest().asked; },
           Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = 1});
+  contest.check(
+      "particles-force", "The error of the free particles' force is below a tenth of dispersive shallow water's error.",
+      "rms error of the force over that of the dispersive model",
+      [](const Contest& c) { return error_of_finest(c.of("particles")) / error_of_finest(c.of("dispersive")); },
+      Bound{.limit = 0.1,
+            .reason = "equations without a vertical structure of the acceleration are off by as much however fine; "
+                      "ten times less tells that it is resolved"});
   claim_dissipates(claims_of(contest, "sph"), {"sph", "SPH"},
                    "the viscosity acts on approaching pairs against their approach", source);
 }
