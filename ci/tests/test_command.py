@@ -94,13 +94,14 @@ class Command(Scratch):
         table, runs = self.out / "full.csv", self.out / "long_runs.csv"
         others = [",,c,bound,1,,0,2,,pass", ",gone,c,bound,1,,0,2,,pass"]
         table.write_text("case,set,claim,kind,measured,uncertainty,expected,limit,band,verdict\n"
-                         + "".join(f"{case}{row}\n" for case in ("moving_bore", "no_case") for row in others))
+                         + "".join(f"{case}{row}\n" for case in ("bore_reflection", "moving_bore", "no_case") for row in others))
         runs.write_text("tier,case,set,commit,date,seconds\n" + "".join(
             f"full,{case},,0a1b2c3d,2026-01-01,9\n" for case in ("bore_reflection", "moving_bore", "no_case")))
         self.assertEqual(seiche("record", self.out / "long", "--tier", "full", "--out", table).returncode, 0)
         rows = [line.split(",")[:3] for line in table.read_text().splitlines()]
         self.assertEqual([row for row in rows if row[0] not in ("case", "bore_reflection")], [["moving_bore", "", "c"]])
         self.assertIn(["bore_reflection", "", "mass"], rows)
+        self.assertNotIn(["bore_reflection", "", "c"], rows)  # of the run before
         kept = [line.split(",") for line in runs.read_text().splitlines()[1:]]
         self.assertEqual([(row[1], row[3] == "0a1b2c3d") for row in kept], [("bore_reflection", False), ("moving_bore", True)])
         # The table of one record, from the command's own comparison with an empty one.
