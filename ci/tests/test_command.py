@@ -64,6 +64,9 @@ class Command(Scratch):
         for name, tile in runs:
             self.assertIn(f"seiche run {name} --as {tile}", listed)
         self.assertRegex(listed, r"bzz-fig-5 +picture only\n +bzz-fig-7 +reproduced\n")
+        words = subprocess.run(["python3", "-m", "render.atlas"], cwd=SOURCE / "reports", capture_output=True, text=True,
+                               input=seiche("list", "--json").stdout, check=True).stdout
+        self.assertEqual((SOURCE / "reports/record/tiles.json").read_text(), words, "ci/checks/record writes it")
         # What equals the tier's defaults is the tier's own run; one of its tiles names the set as well as another.
         self.assertEqual(seiche("run", "dry_dam_break", "--as", "bzz-fig-7", "--out", self.out).returncode, 0)
         record = self.record("dry_dam_break")
@@ -376,7 +379,6 @@ class Command(Scratch):
             self.assertRegex(result.stdout, "2c is constant")
         result = seiche("exact", "solitary", "--self-test")
         self.assertRegex(result.stdout, r"3 V = \(F\^2 - 1\) M: defect \S+, accuracy \S+ ")
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,6 +1,8 @@
 """The atlas: one tile for every figure, table and stated result of the sources, filled by the records that claim it."""
 import dataclasses
+import json
 import pathlib
+import sys
 import tomllib
 
 from render import files
@@ -12,7 +14,6 @@ TILES = _REPORTS / "atlas.toml"
 WORDS = ("reproduced", "reproduced by another method", "source contradicted", "reduced size", "picture only", "not yet")
 ORIGINS = {"stated": "Stated by the source", "chosen": "Chosen, the source is silent", "different": "Different from the source"}
 AS_DECLARED = ("pass", "declared fail")
-
 
 @dataclasses.dataclass
 class Tile:
@@ -61,10 +62,7 @@ class Tile:
 
     @property
     def word(self):
-        """One of WORDS, from the runs with the parameters of the source: all claims of what it states hold, with its method
-        and parameters or with others, or where only its method as written misses some; or those alone fail whose failure,
-        declared, proves the source wrong; or the runs are of a longer tier than the report has. A sketch is a picture.
-        Anything else is not yet reproduced."""
+        """One of WORDS, by the runs with the parameters of the source, or by what longer tiers would have of them."""
         if not self.at_source:
             longer = self.published and any(
                 record.own and record.standard and TIERS.index(record.tier) < TIERS.index(self.published["tier"])
@@ -72,18 +70,25 @@ class Tile:
             return "reduced size" if longer else "not yet"
         if any(record.unexpected for record in self.at_source):
             return "not yet"
+        return self.word_of([record.published_set(self.id) for record in self.at_source],
+                            {claim.id for record in self.at_source for claim in record.claims if claim.verdict != "pass"})[0]
+
+    def word_of(self, sets, failed):
+        """A word and the claims that decide it, by claims that fail as declared in runs with the parameters of the source: all
+        claims of what it states hold, with its method and parameters or with others, or where only its method as written
+        misses some; or those alone fail whose failure proves the source wrong. A sketch is a picture. Anything else is not
+        yet reproduced."""
         if self.kind == "set-up":
-            return "picture only"
-        sets = [record.published_set(self.id) for record in self.at_source]
-        failed = {claim.id for record in self.at_source for claim in record.claims if claim.verdict != "pass"} - set(self.beyond)
+            return "picture only", set()
+        failed = failed - set(self.beyond)
         missed = {name for name in failed if "as_written" in name}
         wrong = failed & {name for one in sets for name in one["contradicted"]}
         if failed - missed - wrong:
-            return "not yet"
+            return "not yet", failed - missed - wrong
         if wrong and not missed:
-            return "source contradicted"
+            return "source contradicted", wrong
         other = missed or any(one["differs"] or one["different"] for one in sets)
-        return "reproduced by another method" if other else "reproduced"
+        return ("reproduced by another method" if other else "reproduced"), missed
 
     @property
     def parameters(self):
@@ -98,12 +103,10 @@ class Tile:
                                                  here["value"] if here["value"] != value else None))
         return [(ORIGINS[origin], members) for origin, members in found.items() if members]
 
-
 def read(path=TILES):
     """[(source dictionary, [Tile])] in the order of the file."""
     content = tomllib.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     return [(source, [Tile(**tile) for tile in source["tile"]]) for source in content["source"]]
-
 
 def fill(sources, records, drawn, kept=None):
     """Gives every tile its records and a picture (or a table); returns [(record, id)] of tiles that do not exist.
@@ -127,7 +130,6 @@ def fill(sources, records, drawn, kept=None):
             tile.kept = (kept or {}).get((case, tile.published["tiles"][0]), "")
     return unknown
 
-
 def _illustrate(tile, record, drawn):
     """The figure that names the tile, else the table that does, else (for the case as a whole) its first figure."""
     pictures = sorted(record.shown, key=lambda figure: tile.id not in figure["atlas"])
@@ -139,7 +141,6 @@ def _illustrate(tile, record, drawn):
             tile.picture = (record, figure, result)
     if tile.table is None and own_tables:
         tile.table = (record, own_tables[0])
-
 
 def kept_sets(folder=files.RECORD):
     """{(case, published set): tier, commit and day} of the baseline results, where every claim is as declared."""
@@ -155,19 +156,40 @@ def kept_sets(folder=files.RECORD):
                      if all(one in AS_DECLARED for one in found)})
     return kept
 
+def baseline_words(cases, folder=files.RECORD):
+    """{case: {tile: word, with the claims that decide it}} of the baseline results, for `seiche list --published`.
+
+    @param cases  as `seiche list --json` has them
+    """
+    tiles = {tile.id: tile for _, members in read() for tile in members}
+    rows = {tier: files.table(pathlib.Path(folder) / f"{tier}.csv") for tier in TIERS}
+    words = {}
+    for case in cases:
+        for set_ in case["published"]:
+            # Sets of the same values are one run, by the name of the first.
+            place = case["name"], next(one for one in case["published"] if one["values"] == set_["values"])["tiles"][0]
+            run = [row for row in rows[set_["tier"]] if (row["case"], row["set"]) == place]
+            failed = {row["claim"] for row in run if row["verdict"] != "pass"}
+            unexpected = {row["claim"] for row in run if row["verdict"] not in AS_DECLARED}
+            for tile in set_["tiles"]:
+                word, why = ("not yet", unexpected) if unexpected or not run else tiles[tile].word_of([set_], failed)
+                why = ", ".join(sorted(why)) if run else "no baseline results"
+                words.setdefault(case["name"], {})[tile] = f"{word}: {why}" if why else word
+    return words
 
 def strip(sources, most=8):
     """Tiles with a picture, for the first screen: as many of each source as there is room for."""
     shown = [[tile for tile in members if tile.picture] for _, members in sources]
     return [tile for members in shown for tile in members[:most // max(len(shown), 1) + 1]][:most]
 
-
 def count(sources):
     """{word: how many tiles have it}, and "all"."""
     words = [tile.word for _, members in sources for tile in members]
     return {"all": len(words), **{word: words.count(word) for word in WORDS}}
 
-
 def in_words(counts):
     """The counts in one phrase."""
     return ", ".join(f"{counts[word]} {word}" for word in WORDS if counts[word] or word == "reproduced")
+
+if __name__ == "__main__":  # seiche list --json | python3 -m render.atlas > reports/record/tiles.json
+    print(json.dumps(baseline_words(json.load(sys.stdin)["cases"]), indent=1))

@@ -37,8 +37,7 @@ namespace {
 /// The reflection at a right wall, or its mirror image at a left one.
 struct Mirrored {
   exact::BoreReflection reflection;
-  double start;
-  double end;
+  double start, end;
   bool left_wall;
 
   [[nodiscard]] double mirrored(double x) const { return left_wall ? start + end - x : x; }

@@ -30,8 +30,7 @@ struct Parameter {
 };
 
 struct Range {
-  double lowest;
-  double highest;
+  double lowest, highest;
 };
 
 /// Declarations. Ranges are closed; NaN and infinities are never accepted.

@@ -47,8 +47,7 @@ int report(const ReportOptions& options);
 
 struct ExactOptions {
   std::string name;
-  std::vector<std::string> settings;
-  std::vector<std::string> points;
+  std::vector<std::string> settings, points;
   std::string grid;
   std::string format = "csv";
   std::string out;
@@ -67,9 +66,7 @@ struct ScoreOptions {
   std::vector<std::string> data;
   std::vector<std::string> files;  ///< without --data
   std::string solver = "yours";
-  std::vector<std::string> map;
-  std::vector<std::string> uncertainty;
-  std::vector<std::string> settings;
+  std::vector<std::string> map, uncertainty, settings;
   std::string config;
   std::string out = "evidence";
   std::string table;

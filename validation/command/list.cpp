@@ -1,15 +1,11 @@
-#include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/evidence/build_facts.hpp"
-#include "reports/evidence/evidence_of_record.hpp"
 #include "seiche/exact/catalogue.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "validation/case/data_folder.hpp"
@@ -45,8 +41,13 @@ Json to_json(const Case& one, const validation::Published& set) {
     values[name] = to_json(value);
     origins[name] = set.origin(name);
   }
-  return {{"tiles", set.tiles}, {"tier", name(set.tier)},     {"values", values},
-          {"origins", origins}, {"different", set.different}, {"differs", set.differs}};
+  return {{"tiles", set.tiles},
+          {"tier", name(set.tier)},
+          {"values", values},
+          {"origins", origins},
+          {"different", set.different},
+          {"differs", set.differs},
+          {"contradicted", set.contradicted}};
 }
 
 Json to_json(const Parameter& p) {
@@ -127,65 +128,17 @@ void print_table() {
   fmt::print("\n'seiche run CASE --help-parameters' shows what a case lets you set.\n");
 }
 
-/// Claims of the baseline results by case, published set and tier.
-using Baseline = std::map<std::tuple<std::string, std::string, Tier>, std::vector<evidence::RecordedClaim>>;
-
-Baseline read_baseline() {
-  Baseline baseline;
-  for (const Tier tier : {Tier::quick, Tier::full, Tier::paper}) {
-    const auto file = validation::data_folder("record") / fmt::format("{}.csv", name(tier));
-    for (const auto& row : evidence::read_recorded_claims(file)) baseline[{row.name, row.set, tier}].push_back(row);
-  }
-  return baseline;
-}
-
-/// Tiles of the atlas by their ids.
-std::map<std::string, toml::table> read_atlas() {
-  std::map<std::string, toml::table> tiles;
-  const toml::table atlas = toml::parse_file((validation::data_folder("record").parent_path() / "atlas.toml").string());
-  atlas["source"].as_array()->for_each([&](const toml::table& source) {
-    source["tile"].as_array()->for_each(
-        [&](const toml::table& tile) { tiles[*tile["id"].value<std::string>()] = tile; });
-  });
-  return tiles;
-}
-
-/// The word of a tile by what the baseline results have of a set, and the claims that fail; the report's rule
-/// (reports/render/atlas.py), of one case.
-std::string word_of(const toml::table& tile, const validation::Published& set,
-                    const std::vector<evidence::RecordedClaim>& rows) {
-  if (rows.empty()) return "not yet: no baseline results";
-  std::vector<std::string> beyond;
-  if (const toml::array* ids = tile["beyond"].as_array()) {
-    ids->for_each([&](const toml::value<std::string>& id) { beyond.push_back(*id); });
-  }
-  std::vector<std::string> failed, missed, wrong;
-  for (const evidence::RecordedClaim& row : rows) {
-    if (row.verdict == "pass" || std::ranges::count(beyond, row.claim) > 0) continue;
-    (row.verdict == "declared fail" && std::ranges::count(set.contradicted, row.claim) > 0 ? wrong
-     : row.verdict == "declared fail" && row.claim.find("as_written") != std::string::npos ? missed
-                                                                                           : failed)
-        .push_back(row.claim);
-  }
-  if (tile["kind"].value<std::string>() == "set-up") return "picture only";
-  if (!failed.empty()) return fmt::format("not yet: {}", fmt::join(failed, ", "));
-  if (!missed.empty()) return fmt::format("reproduced by another method: {}", fmt::join(missed, ", "));
-  if (!wrong.empty()) return fmt::format("source contradicted: {}", fmt::join(wrong, ", "));
-  return set.differs.empty() && set.different.empty() ? "reproduced" : "reproduced by another method";
-}
-
 /// Every tile with its word, the case, the tier and the parameters that show it as its source did.
 void print_published() {
-  Baseline baseline = read_baseline();
-  const std::map<std::string, toml::table> atlas = read_atlas();
+  // The words of the baseline results by the report's rule (reports/render/atlas.py).
+  const Json words = Json::parse(io::read_file(validation::data_folder("record") / "tiles.json"));
   for (const Case& one : validation::all_cases()) {
     for (const validation::Published& set : one.published) {
       fmt::print("seiche run {} --as {}\n  tier {}\n", one.name, set.name(), name(set.tier));
-      const validation::Values run = one.values(set);
-      const auto shown = std::ranges::find_if(one.published, [&](const auto& other) { return run.are(other); });
       for (const std::string& tile : set.tiles) {
-        fmt::print("  {:<20} {}\n", tile, word_of(atlas.at(tile), set, baseline[{one.name, shown->name(), set.tier}]));
+        fmt::print("  {:<20} {}\n", tile, words.at(one.name).at(tile).get<std::string>());
       }
+      const validation::Values run = one.values(set);
       std::map<std::string, std::vector<std::string>> by_origin;
       for (const auto& [name, value] : run.all()) {
         const std::string text = std::visit([](const auto& v) { return fmt::format("{}", v); }, value);

@@ -35,8 +35,7 @@ struct Setting {
   std::string id;
   double ratio;  ///< h0/h1
   long particles;
-  double from;
-  double to;
+  double from, to;
   double exact;  ///< discharge [m^2/s]
 };
 

@@ -124,8 +124,7 @@ std::vector<StandingBox> boxes_of_figure() {
 }
 
 struct Results {
-  std::vector<Found> own;
-  std::vector<Found> figure;
+  std::vector<Found> own, figure;
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {

@@ -160,8 +160,7 @@ std::vector<MeshTank> tanks_of_figure() {
 /// The mesh of so many rows that comes nearest to Boussinesq's equations.
 struct Nearest {
   std::size_t rows;
-  double width;
-  double distance;
+  double width, distance;
 };
 
 struct Results {

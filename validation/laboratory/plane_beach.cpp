@@ -27,8 +27,7 @@ const std::string source =
 /// to that, to `run_up_input` by the laws of run-up.
 struct Wave {
   std::string table;
-  double input;
-  double run_up_amplitude, run_up_input;
+  double input, run_up_amplitude, run_up_input;
   std::vector<double> instants, with_crest;
 };
 

@@ -7,8 +7,7 @@
 namespace seiche::validation {
 
 SurfacePart part_of(const SurfaceLattice& surface, const Extent& extent, double origin) {
-  std::vector<std::size_t> columns;
-  std::vector<std::size_t> rows;
+  std::vector<std::size_t> columns, rows;
   for (std::size_t i = 0; i <= surface.columns; ++i) {
     const double x = surface.x[surface.node(i, 0)];
     if (x >= extent.from && x <= extent.to) columns.push_back(i);

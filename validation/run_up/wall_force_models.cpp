@@ -88,8 +88,7 @@ Racer start_shallow_water(const Wall& wall, long cells) {
   using namespace shallow_water_finite_volume;
   const double length = 2 * wall.start;
   const auto count = static_cast<std::size_t>(std::lround(length * static_cast<double>(cells)));
-  std::vector<double> depth;
-  std::vector<double> discharge;
+  std::vector<double> depth, discharge;
   for (std::size_t i = 0; i < count; ++i) {
     const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(cells);
     const double elevation = wall.wave.elevation(x - wall.start);

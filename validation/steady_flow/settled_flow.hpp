@@ -24,8 +24,7 @@ class SettledInstants {
   }
 
  private:
-  double next_;
-  double every_;
+  double next_, every_;
 };
 
 /// The particles that lie between two places; throws std::runtime_error where none does.

@@ -63,8 +63,7 @@ class SoftPiston {
   };
   [[nodiscard]] Ramp ramp(double t) const;
 
-  double frequency_;
-  double half_stroke_;
+  double frequency_, half_stroke_;
   bool sudden_;
 };
 
@@ -132,8 +131,7 @@ constexpr std::array<double, 3> gauges{2, 5, 10};
 using Gauges = std::array<std::vector<double>, gauges.size()>;
 
 struct Paddle {
-  double omega;
-  double stroke;
+  double omega, stroke;
   bool sudden;
   [[nodiscard]] SoftPiston motion() const { return {omega, stroke, sudden}; }
   [[nodiscard]] Paddle with_stroke(double other) const { return {omega, other, sudden}; }

@@ -10,15 +10,11 @@
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/conservation/mechanical_problem.hpp"
 #include "verification/jittered_mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification::free_body_test {
-
-/// Sheared, turned and bent.
-Point moving(Point r) {
-  return {0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.y) + 0.3, 0.5 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
-}
 
 /// 153 nodes.
 free_lagrangian::Mesh patch() {
@@ -27,13 +23,7 @@ free_lagrangian::Mesh patch() {
 
 /// 239 particles.
 overlapping_particles::Particles disc() {
-  overlapping_particles::Particles particles = overlapping_particles::staggered_disc(1, 0.125);
-  Noise noise(1);
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    particles.x[k] += 0.0125 * noise();
-    particles.y[k] += 0.0125 * noise();
-  }
-  return particles;
+  return shaken(overlapping_particles::staggered_disc(1, 0.125), 0.0125, 1);
 }
 
 /// Some of a kind, or the check would show nothing of it.
@@ -83,7 +73,7 @@ TEST_CASE("free bodies of particles keep mass, momenta and energy while neighbou
        {std::pair{std::string("Overlapping particles, smoothed"), overlapping_particles::Settings{}},
         {"Overlapping balls", {.shape = Shape::ball, .support = 1.6}},
         {"Overlapping particles, stabilised", {.stabilisation = 0.1}}}) {
-    const auto flow = kept(check, name, overlapping_particles::Flow(disc(), moving, settings), 0.02, all);
+    const auto flow = kept(check, name, overlapping_particles::Flow(disc(), stirring, settings), 0.02, all);
     if (settings.stabilisation > 0) {
       some(check, name + ": energy is taken", flow.stabilisation_loss() > 1e-6 * flow.energy(), "a millionth");
     }
@@ -93,10 +83,10 @@ TEST_CASE("free bodies of particles keep mass, momenta and energy while neighbou
                                                       {", stabilised, drift fed back", 0.1, 0.2}}) {
     const free_lagrangian::Settings settings{.gravity = 0, .stabilisation = stabilisation};
     const std::string cells = "Dirichlet cells" + name, masses = "Variable masses" + name;
-    const auto of_cells = kept(check, cells, dirichlet_mesh::Flow(patch(), moving, settings, feedback), 0.012, all);
+    const auto of_cells = kept(check, cells, dirichlet_mesh::Flow(patch(), stirring, settings, feedback), 0.012, all);
     check.holds(cells + ": areas together", {area_defect(of_cells)},
                 Roundoff{2 * 306.0, 1, "two sums over 306 coordinates, of order 1 at most"});
-    variable_mass::Flow start(patch(), {.velocity = moving}, {variable_mass::ControlKind::centroid, 1, 0}, settings,
+    variable_mass::Flow start(patch(), {.velocity = stirring}, {variable_mass::ControlKind::centroid, 1, 0}, settings,
                               feedback);
     const std::vector<double> first(start.masses().begin(), start.masses().end());
     const auto of_masses = kept(check, masses, std::move(start), 0.012, {"mass", "momentum", "energy"});

@@ -18,15 +18,9 @@ namespace seiche::verification {
 using MeshProblem = MechanicalProblem<lagrangian_mesh_2d::Model, lagrangian_mesh_2d::Mesh, std::function<Point(Point)>,
                                       lagrangian_mesh_2d::Settings>;
 
-/// Free square [-1, 1]^2 of 8 x 8 cells without gravity that moves with u = (0.4 x - 0.7 y + 0.1 sin 2y + 0.3, 0.5 x -
-/// 0.4 y + 0.1 cos 3x - 0.2).
+/// Free square [-1, 1]^2 of 8 x 8 cells without gravity that is stirred.
 inline MeshProblem moving_patch() {
-  return MeshProblem(lagrangian_mesh_2d::free_patch(8, 8, {-1, -1}, {1, 1}),
-                     [](Point r) {
-                       return Point{0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.y) + 0.3,
-                                    0.5 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
-                     },
-                     {.gravity = 0});
+  return MeshProblem(lagrangian_mesh_2d::free_patch(8, 8, {-1, -1}, {1, 1}), stirring, {.gravity = 0});
 }
 
 inline double cosine_elevation(double x) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "seiche/geometry/curve.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
@@ -14,6 +16,11 @@
 #include "verification/check.hpp"
 
 namespace seiche::verification {
+
+/// A first velocity: sheared, turned and bent.
+inline Point stirring(Point r) {
+  return {0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.y) + 0.3, 0.5 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
+}
 
 /// The velocity of the start is projected on the constraints.
 template <class Model, class Water, class Velocity, class Settings>

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "verification/check.hpp"
+#include "verification/conservation/mechanical_problem.hpp"
 #include "verification/conservation/twin.hpp"
 
 namespace seiche::verification::metamorphic {
@@ -21,11 +22,6 @@ constexpr int steps = 24;
 template <class Flow>
 void take_steps(Flow& flow, double tau) {
   for (int k = 0; k < steps; ++k) flow.advance(tau);
-}
-
-/// Bent, sheared and turned.
-inline Point stirring(Point r) {
-  return {0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.y) + 0.3, 0.5 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
 }
 
 inline double hump(double x, double at) {

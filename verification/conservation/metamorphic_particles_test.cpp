@@ -37,12 +37,7 @@ Seen seen_of(const auto& flow, const Twin& twin, const std::vector<std::size_t>&
 Seen overlapping(const Twin& twin, overlapping_particles::Settings settings, bool floor) {
   using namespace overlapping_particles;
   constexpr double spacing = 0.25;
-  Particles blob = staggered_disc(1, spacing);
-  Noise noise(1);
-  for (std::size_t k = 0; k < blob.size(); ++k) {
-    blob.x[k] += 0.1 * spacing * noise();
-    blob.y[k] += 0.1 * spacing * noise();
-  }
+  const Particles blob = shaken(staggered_disc(1, spacing), 0.1 * spacing, 1);
   const auto order = twin.order(blob.size());
   Particles particles;
   particles.spacing = spacing * twin.length;

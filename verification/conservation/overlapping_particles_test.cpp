@@ -18,15 +18,6 @@ using namespace overlapping_particles;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 5.1";
 constexpr double spacing = 0.125;
 
-Particles jittered(Particles particles, double part, std::uint64_t seed) {
-  Noise noise(seed);
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    particles.x[k] += part * spacing * noise();
-    particles.y[k] += part * spacing * noise();
-  }
-  return particles;
-}
-
 void claim_kept(Check& check, const std::string& what, const Flow& flow,
                 const std::vector<std::pair<std::string, std::string>>& invariants) {
   for (const auto& [entry, name] : invariants) {
@@ -42,7 +33,7 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
               "linear, so that the parabola of the scheme is the exact one. Particles stay where they are to each "
               "other, and no multiplier acts.",
               source);
-  const Particles first = jittered(staggered_disc(1, spacing), 0.1, 2);
+  const Particles first = shaken(staggered_disc(1, spacing), 0.1 * spacing, 2);
   Flow flow(first, [](Point) { return Point{1.5, 4}; }, {.gravity = 9.81});
   Worst multiplier;
   march(flow, 2, 0.02, [&] {
@@ -69,12 +60,12 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
   Check check("overlapping_particles_mirror", "Walls of overlapping particles as planes of symmetry",
               "A quarter of a jittered disc, mirrored into a whole one that is stretched along x; half of it above a "
               "wall, and the quarter in the corner of two. After ten steps of 0.02 the places are those of the whole.");
-  Particles quarter = jittered(staggered({.spacing = spacing,
-                                          .lower = {0.3 * spacing, 0.3 * spacing},
-                                          .upper = {1, 1},
-                                          .through = {0.5 * spacing, 0.5 * spacing},
-                                          .inside = [](Point r) { return std::hypot(r.x, r.y) < 1; }}),
-                               0.1, 4);
+  Particles quarter = shaken(staggered({.spacing = spacing,
+                                        .lower = {0.3 * spacing, 0.3 * spacing},
+                                        .upper = {1, 1},
+                                        .through = {0.5 * spacing, 0.5 * spacing},
+                                        .inside = [](Point r) { return std::hypot(r.x, r.y) < 1; }}),
+                             0.1 * spacing, 4);
   const std::size_t n = quarter.size();
   const auto with_mirrored = [](Particles part, double across_x, double across_y) {
     const std::size_t count = part.size();
@@ -114,8 +105,9 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
               "along the floor, also of an oblique one without gravity. A stack of particles above each other has one "
               "multiplier for each equation of balance, and rests.",
               source);
-  const Particles rows = jittered(
-      staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}), 0.1, 5);
+  const Particles rows =
+      shaken(staggered({.spacing = spacing, .lower = {0, 0}, .upper = {1.5, 0.6}, .through = {0, 0.5 * spacing}}),
+             0.1 * spacing, 5);
   Flow drop(rows, [](Point r) { return Point{0.5 + 0.2 * r.y, 0}; }, {.gravity = 1, .walls = {{{0, 0}, {0, 1}}}});
   march(drop, 0.4, 0.01, [&] { drop.observe(); });
   claim_kept(check, "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});

@@ -1,7 +1,6 @@
-// Jumps and fronts that the conservative particle method carries exactly.
-#include <algorithm>
+// Jumps and fronts that the conservative particle method carries exactly, whatever the number of particles; the cases
+// of validation/bore and validation/hydraulic_jump have the widths, and what the ends of the channel let in.
 #include <cmath>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,19 +51,10 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
   const double start = flow.energy();
   const int steps = 100;
   Worst deviation;
-  Largest outside;
-  std::vector<double> times, lost, expected;
   for (int k = 0; k < steps; ++k) {
     flow.advance(0.08);
     const double work = flow.ledger().left_impulse.value() * u;
-    times.push_back(flow.time());
-    lost.push_back(start + work - flow.energy());
-    expected.push_back(exact.energy_loss_rate() * flow.time());
-    deviation.add(lost.back() - expected.back());
-    for (std::size_t i = 0; i < flow.particles().size(); ++i) {
-      outside.add(flow.particles().depth(i) - 2);
-      outside.add(1 - flow.particles().depth(i));
-    }
+    deviation.add(start + work - flow.energy() - exact.energy_loss_rate() * flow.time());
   }
   check.at("N = 120, tau = 0.08 s, 100 steps");
   check.that("alone", "Beside an isolated bore no second jump is seen.", "jumps dropped beside a larger one",
@@ -76,26 +66,10 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
   check.from(source + ", fig. 12")
       .that("velocity", "The velocity reconstructed beside the bore is exact.", "L1 error of velocity [m/s]",
             {error.velocity.l1}, rounding(steps, 5.4));
-  check.that("width", "The jump is at most one particle wide.", "particles in the jump",
-             {static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200))},
-             Bound{1, "one particle holds the jump; none at the instant of a hand-over"});
-  check.that("bounds", "No depth outside the two exact depths in any step.", "largest excess [m]",
-             {std::max(outside.value(), 0.0)}, rounding(steps, 2));
-  check.that(
-      "momentum", "Momentum changes by the impulses of the ends only.", "momentum defect [m^3/s]",
-      {flow.momentum_defect()},
-      Roundoff{
-          10, flow.ledger().left_impulse.value(),
-          "books, their sum, and what is left of three numbers are rounded once, as large as the impulse of the "
-          "piston, for sums are compensated; 100 steps round the momenta of 120 particles, a hundredth of that each"});
   check.from("Stoker, Water Waves (1957), ch. 10")
       .that("entropy", "Energy falls at the rate of the jump relations at every instant.",
             "largest deviation of the energy lost [m^4/s^2]", {deviation.value()},
             Roundoff{100, start, "one rounded work per step; scale is the energy"});
-  auto& panel = check.figure("energy", "Energy lost by the bore", "Energy of the two-state reconstruction against D t.")
-                    .panel({.x = "t [s]", .y = "energy lost [m^4/s^2]"});
-  panel.line("exact", times, expected, Role::exact);
-  panel.points("particles", times, lost, Role::computed);
 }
 
 TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundred", "[conservation]") {
@@ -115,21 +89,6 @@ TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundr
     check.holds("depth" + n + ": Reconstructed depth is exact.", {error.depth.l1}, rounding(steps, 1.45));
     check.holds("velocity" + n + ": Reconstructed velocity is exact.", {error.velocity.l1}, rounding(steps, 3.8));
   }
-}
-
-TEST_CASE("a stationary jump stays where it is", "[conservation]") {
-  Check check("particles_stationary_jump", "Stationary hydraulic jump",
-              "Water streams through a jump that stands at x = 100: every particle is swept through it. All particles "
-              "but the one that holds the jump keep one of the two exact states.");
-  const exact::StationaryJump exact(gravity, 1, 2, 100);
-  const double fast = exact.upstream().velocity;
-  const double slow = exact.downstream().velocity;
-  ParticleFlow flow(dam_break(0, 100, 105, {1, fast}, {2, slow}, 105), {piston(fast), piston(slow)});
-  for (int k = 0; k < 100; ++k) flow.advance(0.08);
-  const double error = reconstructed(flow, exact).depth.l1;
-  check.from(source + ", fig. 18")
-      .that("depth", "The depth reconstructed beside the bore is exact.", "L1 error of depth [m]",
-            {.value = error, .resolution = "N = 105, tau = 0.08 s, 100 steps"}, rounding(100, 2));
 }
 
 TEST_CASE("two bores collide exactly", "[conservation]") {

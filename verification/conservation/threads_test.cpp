@@ -26,6 +26,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
 #include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::threads_test {
@@ -270,12 +271,9 @@ void same(Check& check, const std::string& what, const Channel& channel, const M
   same_for_threads(check, "Dispersive 1D, " + what,
                    [&](int) {
                      Flow flow(channel, markers, {.stepping = stepping});
-                     std::string failure;
-                     try {
+                     const std::string failure = message_of<Divergence>([&] {
                        for (int k = 0; k < 4; ++k) flow.advance(0.05);
-                     } catch (const Divergence& divergence) {
-                       failure = divergence.what();
-                     }
+                     });
                      CHECK(failure.empty() != fails);
                      return joined(numbers(flow.state()), failure);
                    },

@@ -19,8 +19,7 @@
 namespace seiche::verification {
 
 struct CellColumn {
-  double gravity, depth;
-  double hx, hy;
+  double gravity, depth, hx, hy;
   std::size_t layers;  ///< of hexahedra; 0: straight columns under the markers of the plan model
   double inertia = 1;  ///< factor of the vertical inertia of surface nodes
 };

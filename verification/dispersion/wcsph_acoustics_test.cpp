@@ -9,7 +9,6 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
 #include "verification/lattice_sums.hpp"
-#include "verification/reference_digits.hpp"
 #include "verification/wcsph_problems.hpp"
 
 namespace seiche::verification::wcsph_acoustics_test {
@@ -119,21 +118,10 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
       "the lattice. The midpoint rule turns the mode by $\\mathrm{atan2}(\\omega\\Delta t, 1 - (\\omega\\Delta "
       "t)^2/2)$ per step, $\\omega\\Delta t$ and a third-order term $(\\omega\\Delta t)^3/6$, and multiplies its "
       "energy by $1 + (\\omega\\Delta t)^4/4$: without dissipation sound grows at any step.");
-  struct Row {
-    Wave wave;
-    double printed;  ///< S/k of an earlier program
-    int decimals;
-  };
-  const std::vector<Row> rows{{{32, 1}, 0.9998750, 7},  {{64, 1}, 1.0078660, 7},
-                              {{128, 1}, 1.0098731, 7}, {{64, 1, KernelName::wendland_c2, 2.0}, 0.9938213, 7},
-                              {{64, 4}, 0.9685005, 7},  {{64, 8}, 0.8520, 4}};
+  const std::vector<Wave> waves{{32, 1}, {64, 1}, {128, 1}, {64, 1, KernelName::wendland_c2, 2.0}, {64, 4}, {64, 8}};
   std::vector<double> k_cubic, cubic, k_wendland, wendland;
-  for (const Row& row : rows) {
-    const Wave& wave = row.wave;
+  for (const Wave& wave : waves) {
     const std::string name = fmt::format("{}-{}-{}", name_of(wave.kernel), wave.cells, wave.mode);
-    check_digits(check, "symbol-" + name,
-                 fmt::format("S/k ({}, N = {}, mode {})", name_of(wave.kernel), wave.cells, wave.mode),
-                 wave.dispersion(), row.printed, row.decimals);
     const double step = wave.acoustic_step();
     const long steps = std::lround(0.5 / step);
     const Outcome found = run(wave, step, steps);

@@ -3,6 +3,7 @@
 
 #include "validation/case/data_folder.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
 #include "verification/scratch_folder.hpp"
 
 namespace seiche::verification::data_folder_test {
@@ -36,12 +37,8 @@ TEST_CASE("a program without its data says which places it looked at", "[data_fo
   const verification::ScratchFolder scratch("seiche_data_folder_test");
   std::ofstream(made(scratch.path() / "prefix/share/seiche") / "render") << "a file, not a folder";
   const std::string prefix = (scratch.path() / "prefix").string();
-  std::string message;
-  try {
-    data_folder(scratch.path() / "prefix/bin/seiche", "render");
-  } catch (const std::runtime_error& failure) {
-    message = failure.what();
-  }
+  const std::string message =
+      message_of<std::runtime_error>([&] { data_folder(scratch.path() / "prefix/bin/seiche", "render"); });
   CHECK(message.find(prefix + "/bin/seiche") != std::string::npos);
   CHECK(message.find(prefix + "/share/seiche/render") != std::string::npos);
   CHECK(message.find(prefix + "/bin/share/seiche/render") != std::string::npos);

@@ -6,6 +6,7 @@
 
 #include "validation/scoring/ladder.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
 
 namespace seiche::verification::ladder_test {
 
@@ -58,13 +59,8 @@ Ladder ladder(double p, double wrong = 0, evidence::Role role = evidence::Role::
   return ladder_of(wanted_of(role), rungs);
 }
 
-std::string refusal(std::vector<Rung> rungs) {
-  try {
-    ladder_of(wanted_of(evidence::Role::exact), std::move(rungs));
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return {};
+std::string refusal(const std::vector<Rung>& rungs) {
+  return message_of([&] { ladder_of(wanted_of(evidence::Role::exact), rungs); });
 }
 
 TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and what it costs", "[evidence]") {

@@ -10,6 +10,7 @@
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
 
 namespace seiche::verification::score_test {
 
@@ -86,12 +87,7 @@ std::string shown(const evidence::Record& record, const std::string& id) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    scored({table(text, "mine.csv")});
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return {};
+  return message_of([&] { scored({table(text, "mine.csv")}); });
 }
 
 TEST_CASE("a declared submission is measured and judged in every group", "[evidence]") {

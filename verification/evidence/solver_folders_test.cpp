@@ -10,6 +10,7 @@
 #include "validation/scoring/solver_files.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
 #include "verification/scratch_folder.hpp"
 
 namespace seiche::verification::solver_folders_test {
@@ -59,12 +60,7 @@ class Folder {
 
   void refused(const std::string& id, const std::string& text, const std::string& name, const std::string& word,
                const Reading& how = {}) const {
-    std::string said;
-    try {
-      (void)read(name, how);
-    } catch (const std::invalid_argument& refusal) {
-      said = refusal.what();
-    }
+    const std::string said = message_of([&] { (void)read(name, how); });
     INFO(said);
     check_.holds(id + ": " + text, {said.find(word) != std::string::npos ? 1.0 : 0.0},
                  Qualitative{"an error that says \"" + word + "\"", "nothing is made up"});

@@ -4,11 +4,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "seiche/io/atomic_file.hpp"
 #include "validation/scoring/solver_inputs.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
+#include "verification/scratch_folder.hpp"
 
 namespace seiche::verification::solver_inputs_test {
 
@@ -22,27 +22,14 @@ std::string centres_file(const std::string& list, const std::string& format = "a
 }
 
 std::vector<validation::Vector3> read(const std::string& text) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / fmt::format("seiche-centres-{}", getpid());
+  const ScratchFolder scratch("seiche_solver_inputs_test");
+  const std::filesystem::path file = scratch.path() / "C";
   io::write_file(file, text);
-  std::vector<validation::Vector3> centres;
-  try {
-    centres = validation::read_openfoam_centres(file);
-  } catch (...) {
-    std::filesystem::remove(file);
-    throw;
-  }
-  std::filesystem::remove(file);
-  return centres;
+  return validation::read_openfoam_centres(file);
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return {};
+  return message_of([&] { read(text); });
 }
 
 TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
@@ -70,13 +57,10 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
   exactly("The lowest cell ends half a cell below its centre.", edges.at(0).first, 0);
   exactly("Cell edges are halfway between the cells' centres.", edges.at(1).second, 2.5);
   exactly("The highest cell ends as far above its centre as below.", edges.at(2).second, 4.5);
-  std::string alone;
-  try {
-    validation::heights_of_cells({{0, 0, 0}, {1, 0, 1}}, 2);
-  } catch (const std::invalid_argument& refused) {
-    alone = refused.what();
-  }
-  is("A column of one cell is rejected.", alone, "one cell alone at x = 0");
+  is("A column of one cell is rejected.", message_of([] {
+       validation::heights_of_cells({{0, 0, 0}, {1, 0, 1}}, 2);
+     }),
+     "one cell alone at x = 0");
 
   const std::vector<double> scalars{0.1, 1.0 / 3};
   std::istringstream list(validation::openfoam_field(scalars));

@@ -8,7 +8,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -132,8 +131,7 @@ void try_members(bool longest) {
       "A declared range is a promise. The parameters of every solution of the catalogue are drawn: an end of the "
       "range, the default, or a number between, evenly or by magnitude; the same in every run, more of them where "
       "`SEICHE_FUZZ` says how many times as many, others where `SEICHE_FUZZ_SEED` says so. What is accepted must pass "
-      "its self-test, and what is refused must "
-      "be refused in a sentence that names a parameter.");
+      "its self-test, and what is refused must be refused in a sentence that names a parameter.");
   Count refused, nameless, broken;
   const auto is = [](double found) { return found > 0; };
   for (const ExactSolution& solution : exact::catalogue()) {

@@ -135,8 +135,7 @@ void claim_units(bool motions) {
       "Every solution of the catalogue at its defaults, and with all lengths, times and masses multiplied according to "
       "the units that it declares: lengths by 2 alone; lengths by 4 and times by 2, which leaves gravity as it is; "
       "lengths by 1/64, times by 1/8. What comes out is multiplied accordingly. A dimensional constant in a formula, "
-      "an iteration that ends at a number of metres and a wrong unit "
-      "in the catalogue do not survive it.");
+      "an iteration that ends at a number of metres and a wrong unit in the catalogue do not survive it.");
   for (const ExactSolution& solution : exact::catalogue()) {
     if (integrates_motion(solution) != motions) continue;
     Worst worst;

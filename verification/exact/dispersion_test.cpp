@@ -95,8 +95,8 @@ void draw_formula_13(Check& check) {
 
 TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[exact]") {
   Check check("exact_dispersion", "Dispersion of small waves",
-              "Frequencies of Airy's wave and of the Boussinesq-type models at $kH = 0.1, 1, 3$; the order "
-              "in $kH$ at which each leaves Airy's; the identities of each law.");
+              "Frequencies of Airy's wave and of the Boussinesq-type models at $kH = 0.1, 1, 3$; the order in $kH$ at "
+              "which each leaves Airy's; the identities of each law.");
   const auto gn = RationalDispersion::green_naghdi(1, 1);
   const auto ms = RationalDispersion::madsen_sorensen(1, 1);
   const auto nwogu = RationalDispersion::nwogu(1, 1);
@@ -115,18 +115,15 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
                {nwogu.frequency(3), "1.7358870266815552"}},
               laws_source);
   const auto leaves_airy = [&](const std::string& id, const std::string& name, const auto& law, double order) {
-    std::vector<double> k;
-    std::vector<double> errors;
+    std::vector<double> k, errors;
     for (double q = 0.4; q > 0.04; q /= std::numbers::sqrt2) {
       k.push_back(q);
       errors.push_back(std::abs(law.frequency(q) / airy.frequency(q) - 1));
     }
-    check.that({.id = id,
-                .text = name + " leaves Airy's law with the power of kH that it was built for.",
-                .quantity = "order in k H of the relative error of omega",
-                .source = laws_source},
-               observed_order(k, errors, 1e-14),
-               Order{order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"});
+    check.from(laws_source)
+        .that(id, name + " leaves Airy's law with the power of kH that it was built for.",
+              "order in k H of the relative error of omega", observed_order(k, errors, 1e-14),
+              Order{order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"});
   };
   leaves_airy("order-green-naghdi", "Green-Naghdi", gn, 4);
   leaves_airy("order-nwogu", "Nwogu's law", nwogu, 4);
@@ -152,8 +149,8 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
 TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tuned to Airy", "[exact]") {
   Check check("exact_frank_dispersion", "Dispersion of a chain of markers",
               "Formula (13) to the digits known; second order in the spacing against Green-Naghdi, with its leading "
-              "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows "
-              "Airy's law through $(kH)^4$ at a given spacing and time step.");
+              "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows Airy's law "
+              "through $(kH)^4$ at a given spacing and time step.");
   const FrankDispersion fine(1, 1, 0.1);
   const FrankDispersion coarse(1, 1, 1);
   check_table(check, "digits", "formula (13) at k H = 0.1, 1, 3 for s/H = 0.1 and 1",
@@ -164,17 +161,6 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
                {coarse.frequency(1), "0.85035988107245914"},
                {coarse.frequency(3), "1.0031013836455749"}},
               frank_source);
-  const double first = FrankDispersion(1, 1, std::numbers::pi / 31).frequency(1);
-  const double second = FrankDispersion(1, 1, std::numbers::pi / 12).frequency(2);
-  check_table(check, "time-digits", "frequencies of the two time schemes",
-              {{exact::discrete_frequency(first, 0.2, TimeScheme::one_step), "0.8669258459166"},
-               {exact::discrete_frequency(first, 0.2, TimeScheme::conservative), "0.8636863467075"},
-               {exact::discrete_frequency(second, 0.1, TimeScheme::one_step), "1.2932667849638"},
-               {exact::discrete_frequency(second, 0.1, TimeScheme::conservative), "1.2905714326633"}},
-              frank_source,
-              {.relative = 1e-13,
-               .reason = "1e-13, to which the frequencies were measured in standing waves of an earlier "
-                         "program (regression), extrapolated to zero amplitude"});
   const auto half = FrankDispersion::tuned(1, 1, 0.5, 0.25);
   const auto quarter = FrankDispersion::tuned(1, 1, 0.25, 0.125);
   const auto tenth = FrankDispersion::tuned(1, 1, 0.1, 0.05);
@@ -215,29 +201,24 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
     distances.add(s, std::abs(law.frequency(1) / gn.frequency(1) - 1));
     leading = (law.frequency(1) / gn.frequency(1) - 1) / (s * s);
   }
-  check.that({.id = "order-spacing",
-              .text = "Formula (13) tends to Green-Naghdi with the square of the spacing.",
-              .quantity = "order in s/H at k H = 1",
-              .source = frank_source},
-             distances.order(), Order{2, 0.02, "expansion of (13): omega = omega_GN (1 + O(s^2)), next term s^4"});
-  check.that({.id = "leading-term",
-              .text = "The distance is -alpha (kH)^4 (s/H)^2/(12 (1 + alpha (kH)^2)) to leading order.",
-              .quantity = "(omega/omega_GN - 1)/h^2 at k H = 1, s/H = 1/128",
-              .source = frank_source},
-             {.value = leading},
-             Bound{1.0 / 16384, "the next term of the expansion is of relative size h^2 = 1/16384", -1.0 / 48, true});
-  std::vector<double> k;
-  std::vector<double> tuned;
+  check.from(frank_source)
+      .that("order-spacing", "Formula (13) tends to Green-Naghdi with the square of the spacing.",
+            "order in s/H at k H = 1", distances.order(),
+            Order{2, 0.02, "expansion of (13): omega = omega_GN (1 + O(s^2)), next term s^4"});
+  check.from(frank_source)
+      .that("leading-term", "The distance is -alpha (kH)^4 (s/H)^2/(12 (1 + alpha (kH)^2)) to leading order.",
+            "(omega/omega_GN - 1)/h^2 at k H = 1, s/H = 1/128", {leading},
+            Bound{1.0 / 16384, "the next term of the expansion is of relative size h^2 = 1/16384", -1.0 / 48, true});
+  std::vector<double> k, tuned;
   for (double q = 0.6; q > 0.1; q /= std::numbers::sqrt2) {
     k.push_back(q);
     tuned.push_back(std::abs(error_in_time(quarter, q, 0.125)));
   }
-  check.that({.id = "order-tuned",
-              .text = "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
-              .quantity = "order in k H of the relative error of Omega, s/H = 0.25, tau = 0.125 sqrt(H/g)",
-              .source = frank_source + "; pair derived from its expansion"},
-             observed_order(k, tuned, 1e-14),
-             Order{6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"});
+  check.from(frank_source + "; pair derived from its expansion")
+      .that("order-tuned", "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
+            "order in k H of the relative error of Omega, s/H = 0.25, tau = 0.125 sqrt(H/g)",
+            observed_order(k, tuned, 1e-14),
+            Order{6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"});
   for (const auto scheme : {TimeScheme::one_step, TimeScheme::conservative}) {
     const bool one_step = scheme == TimeScheme::one_step;
     check.holds(one_step ? "The one-step scheme raises the frequency by omega^2 tau^2/24."
@@ -261,8 +242,8 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
 
 TEST_CASE("a wave is the same by wavelength, period, wavenumber and frequency", "[exact]") {
   Check check("exact_wave_scale", "One wave, known by four numbers",
-              "A wave of 12 m in water 3 m deep is given by its wavelength, period, wavenumber and "
-              "angular frequency, as a progressive wave and to a piston and a flap.");
+              "A wave of 12 m in water 3 m deep is given by its wavelength, period, wavenumber and angular frequency, "
+              "as a progressive wave and to a piston and a flap.");
   const exact::Water water{.gravity = 9.81, .depth = 3};
   const exact::AiryWave wave(0.1, exact::Wavelength{12}, water);
   Worst apart;
@@ -276,12 +257,10 @@ TEST_CASE("a wave is the same by wavelength, period, wavenumber and frequency", 
                 1);
     }
   }
-  check.that({.id = "same",
-              .text = "The wavenumber and the height per stroke are the same, whatever the wave is known by.",
-              .quantity = "largest relative difference",
-              .source = laws_source},
-             {.value = apart.value()},
-             Roundoff{.operations = 60, .reason = "30 roundings there and back, twice in a quotient"});
+  check.from(laws_source)
+      .that("same", "The wavenumber and the height per stroke are the same, whatever the wave is known by.",
+            "largest relative difference", {apart.value()},
+            Roundoff{.operations = 60, .reason = "30 roundings there and back, twice in a quotient"});
 }
 
 }  // namespace dispersion_test

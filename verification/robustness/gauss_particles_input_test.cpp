@@ -1,6 +1,5 @@
 // What the free-particle model refuses, and how it says so.
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
+#include "verification/message_of.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace seiche::verification::gauss_particles_input_test {
@@ -31,16 +31,6 @@ Layer water() {
 
 std::unique_ptr<FieldSpace> splines(const LatticePlan& plan = tank(), SplineSpace::Settings settings = {}) {
   return std::make_unique<SplineSpace>(plan, settings);
-}
-
-/// What a Divergence says, with its time and step; empty when nothing was thrown.
-std::string breakdown(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Divergence& failure) {
-    return failure.what();
-  }
-  return {};
 }
 
 TEST_CASE("bad particles, lattices and settings of free particles are refused", "[robustness]") {
@@ -133,7 +123,7 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
               return Point{1, 0};
             },
             {.gravity = 0, .penalty = 0});
-  const std::string message = breakdown([&] { march(flow, 5, 0.05); });
+  const std::string message = message_of<Divergence>([&] { march(flow, 5, 0.05); });
   INFO(message);
   const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
   check.holds("The message names the position that was left and the range of the lattice.", {named ? 1.0 : 0.0},

@@ -102,8 +102,7 @@ TEST_CASE("overlapping particles that go through a wall stop with time, step and
               "A block is thrown at a floor so fast that a step takes it through. The run stops and names the "
               "particle, with the state of before.");
   Flow flow(block(), [](Point) { return Point{0, -1}; }, {.walls = {{{0, -0.5}, {0, 1}}}});
-  holds_of_breakdown(check, "floor", run_until_breakdown(flow, 2, [](Flow& f) { f.advance(0.4); }),
-                     "goes through wall 0", -0.01, 0.81);
+  holds_of_breakdown(check, "floor", run_until_breakdown(flow, 2, 0.4), "goes through wall 0", -0.01, 0.81);
 }
 
 }  // namespace seiche::verification::overlapping_particles_test

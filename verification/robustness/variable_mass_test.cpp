@@ -6,6 +6,7 @@
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "verification/jittered_mesh.hpp"
+#include "verification/message_of.hpp"
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
@@ -33,17 +34,6 @@ Breakdown run_until_break(Flow& flow, double end, const Advance& advance) {
   });
   result.kept = result.kept && std::equal(masses.begin(), masses.end(), flow.masses().begin());
   return result;
-}
-
-/// The message of mechanics::Infeasible that an action must throw.
-template <class Action>
-std::string infeasible(Action action) {
-  try {
-    action();
-  } catch (const mechanics::Infeasible& failure) {
-    return failure.what();
-  }
-  return {};
 }
 
 TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
@@ -97,7 +87,9 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
   const std::vector<double> x{0.25, 0.5, 0.75};
   const std::vector<double> y(3, 0.0);
   Convection convection;
-  const std::string given = infeasible([&] { convection.begin(masses, std::vector<Exchange>{{1, 2, 1.5}}, {x, y}); });
+  const std::string given = message_of<mechanics::Infeasible>([&] {
+    convection.begin(masses, std::vector<Exchange>{{1, 2, 1.5}}, {x, y});
+  });
   INFO(given);
   check.holds("A mass that would not be positive stops the run.",
               {given.find("mass of node 2 at (0.75, 0) becomes -0.5") != std::string::npos ? 1.0 : 0.0},
@@ -105,7 +97,7 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
   convection.begin(masses, std::vector<Exchange>{{0, 1, 30}, {1, 2, 30}, {2, 0, 30}}, {x, y});
   const std::vector<double> u{1, 0, -0.5, 0, 0.3, 0.2};
   std::vector<double> mean = u;
-  const std::string unsettled = infeasible([&] {
+  const std::string unsettled = message_of<mechanics::Infeasible>([&] {
     convection.settle(
         u,
         [&](std::span<double> momenta) {

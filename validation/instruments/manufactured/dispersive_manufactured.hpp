@@ -97,9 +97,7 @@ class DispersiveManufactured {
 
  private:
   Parameters parameters_;
-  double motion_wavenumber_;
-  double bottom_wavenumber_;
-  double pressure_wavenumber_;
+  double motion_wavenumber_, bottom_wavenumber_, pressure_wavenumber_;
 };
 
 }  // namespace seiche::validation

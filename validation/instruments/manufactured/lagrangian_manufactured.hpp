@@ -40,12 +40,7 @@ class LagrangianManufactured {
   [[nodiscard]] shallow_water::State state_of(double label, double t) const;
 
  private:
-  double gravity_;
-  double depth_;
-  double length_;
-  double amplitude_;
-  double frequency_;
-  double wavenumber_;
+  double gravity_, depth_, length_, amplitude_, frequency_, wavenumber_;
 };
 
 }  // namespace seiche::validation

@@ -38,9 +38,7 @@ class ObliqueWave {
  private:
   [[nodiscard]] double phase(double x, double y, double time) const;
 
-  double amplitude_;
-  double angle_;
-  double crest_;
+  double amplitude_, angle_, crest_;
   exact::SerreSolitary wave_;
 };
 

@@ -60,8 +60,7 @@ class PlanMode {
                                  std::span<const double> values) const;
 
   PlanTank tank_;
-  double kx_;
-  double ky_;
+  double kx_, ky_;
 };
 
 }  // namespace seiche::validation

@@ -75,8 +75,7 @@ evidence::Measurement ratio(const evidence::Measurement& over, const evidence::M
 
 /// Nodes of the front crests in the band, and of the reflected crests below it.
 struct Found {
-  std::vector<Place> incident;
-  std::vector<Place> reflected;
+  std::vector<Place> incident, reflected;
 };
 Found find_crests(const SurfaceLattice& surface, double amplitude, const ReflectionBands& bands) {
   Found found;

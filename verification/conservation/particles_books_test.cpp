@@ -1,0 +1,210 @@
+// What the particle method keeps for ever: mass, length, momentum minus booked impulses, a lake at rest and a steady
+// flow that passes fixed sections; and long rows, which a step goes through stretch by stretch, on threads.
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/shallow_water/steady_flow.hpp"
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
+#include "validation/instruments/error_measures.hpp"
+#include "verification/check.hpp"
+#include "verification/refinement.hpp"
+
+namespace seiche::verification::particles_books_test {
+
+using namespace shallow_water_particles;
+
+const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
+
+TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conservation]") {
+  Check check("particles_closed_basin", "Closed basin: mass, length and momentum",
+              "A dam break 2 | 1 sloshes in a basin of 100 m for 1e5 steps and meets the walls many times. Masses are "
+              "never written after the start and the end edges never move, so mass and length keep every bit; momentum "
+              "minus the booked impulses of the walls changes by roundings.",
+              source);
+  ParticleFlow flow(dam_break(0, 50, 100, {2, 0}, {1, 0}, 500));
+  long adjacent = 0;  // neighbours that both keep a jump of the same facing
+  for (int k = 0; k < 100000; ++k) {
+    flow.advance(0.01);
+    const auto& jumps = flow.jumps();
+    for (std::size_t j = 0; j + 1 < jumps.size(); ++j) {
+      if (jumps[j].particle + 1 == jumps[j + 1].particle && jumps[j].facing == jumps[j + 1].facing) ++adjacent;
+    }
+  }
+  check.at("N = 500, tau = 0.01 s, 1e5 steps");
+  check.that("mass", "Mass of the closed basin is constant, bitwise.", "mass defect [m^2]", {flow.mass_defect()},
+             Roundoff{0, 150, "masses are never written: no operation is rounded"});
+  check.that("length", "The length of the closed basin is constant, bitwise.", "length defect [m]",
+             {flow.length() - 100}, Roundoff{0, 100, "the edges at the walls move by exact zeros"});
+  const double impulse = flow.ledger().left_impulse.value();
+  check.that("momentum", "Momentum minus the walls' impulses stays constant.", "momentum defect [m^3/s]",
+             {flow.momentum_defect()},
+             Roundoff{6 + 1e5 / 500 * std::pow(420 / impulse, 2), impulse,
+                      "the books of the two walls, their sum, and what is left of three numbers are rounded once, as "
+                      "large as the impulse of a wall, for sums are compensated; and every step rounds the momentum of "
+                      "each particle, 420/500 at most"});
+  // One bore crosses the basin for ever. Where the water beside it is not uniform, the mean of the next particle
+  // differs from the state that the jump is between, and the jump is found in both.
+  check.that("adjacent", "No two neighbouring particles keep a jump of the same facing.",
+             "pairs of them over all steps", {static_cast<double>(adjacent)}, Bound{0, "the smaller one is dropped"});
+  check.that("dropped",
+             "What is dropped is the same jump, seen from a particle that it has just left or not yet entered.",
+             "largest part of such a particle beyond the jump", {flow.events().discarded_inside.value()},
+             Bound{0.5,
+                   "a jump counts if it is twice as large as what the particles beside it differ by: a neighbour's "
+                   "mean lies by less than half of it from the state there"});
+}
+
+TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
+  Check check("particles_lake_at_rest", "Lake at rest over an uneven bed",
+              "Surface 0.8 over $z = 0.3 e^{-(x-5)^2} + 0.05 \\sin 3x$. Edge thrusts and bed reaction cancel to "
+              "rounding, and no drift builds up over 1e4 steps.",
+              "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050");
+  const double root_pi = std::sqrt(std::acos(-1.0));
+  const Bed bed = {[](double x) { return 0.3 * std::exp(-(x - 5) * (x - 5)) + 0.05 * std::sin(3 * x); },
+                   [=](double x) { return 0.15 * root_pi * std::erf(x - 5) - 0.05 / 3 * std::cos(3 * x); }};
+  const Array edges = equal_width_edges(0, 10, 200);
+  const Particles start = particles_from_primitives(
+      edges, [&](double x) { return 0.8 * x - bed.primitive(x); }, [](double) { return 0.0; });
+  Forcing forcing;
+  forcing.bed = bed;
+  ParticleFlow flow(start, {}, forcing);
+  Worst fastest;
+  for (int k = 0; k < 10000; ++k) {
+    flow.advance(0.005);
+    for (const double u : flow.particles().velocity) fastest.add(u);
+  }
+  Worst drift;
+  for (std::size_t k = 0; k < edges.size(); ++k) drift.add(flow.particles().edge[k] - edges[k]);
+  // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
+  // g times its slope (over the width) times the step is the velocity that starts.
+  check.at("N = 200, tau = 0.005 s, 1e4 steps");
+  check.that("velocity", "Particle velocities of the lake at rest stay zero to round-off.", "largest speed [m/s]",
+             {fastest.value()},
+             Roundoff{1e4, 2.8, "one rounded balance of thrusts and bed per step; scale is the celerity"});
+  check.that("drift", "Edges of the lake at rest do not drift.", "largest displacement [m]", {drift.value()},
+             Roundoff{1e4, 10, "one rounded displacement per step; scale is position"});
+  check.from(source).that("momentum", "Momentum equals the booked impulses of ends and bed.", "momentum defect [m^3/s]",
+                          {flow.momentum_defect()},
+                          Roundoff{1e4, 3.1 * 0.005 * 200,
+                                   "one rounded sum of 200 reactions per step; scale is thrust times step times 200"});
+}
+
+Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
+  Open open;
+  if (discharge) open.discharge = [q = *discharge](double) { return q; };
+  if (depth) open.depth = [h = *depth](double) { return h; };
+  return open;
+}
+
+TEST_CASE("steady subcritical flow over a bump between open sections", "[conservation]") {
+  Check check("particles_steady_bump", "Steady flow over a bump between open sections",
+              "Particles enter at x = 0 with a given discharge, cross the bump and leave at x = 25 against a given "
+              "depth: no particle stays, yet the exact steady flow must stay. Mass and momentum that pass the sections "
+              "are booked, and the error of the depth after 40 s falls with the square of the particle width.",
+              "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269");
+  const exact::SteadyBump exact(9.81, 4.42, 2);
+  const auto error_of = [&](double width) {
+    const std::size_t count = cells_of(25, width);
+    const Particles start = particles_from_profile(
+        equal_width_edges(0, 25, count), [&](double x) { return exact.at(x).depth; },
+        [&](double x) { return exact.at(x).velocity; });
+    Forcing forcing;
+    forcing.bed = exact.bed();
+    ParticleFlow flow(start, {prescribed(4.42, {}), prescribed({}, 2)}, forcing);
+    march(flow, 40);
+    const auto error = cell_error(
+        flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
+    check.holds(fmt::format("mass_{}", count) + ": Mass equals what has passed the sections.", {flow.mass_defect()},
+                Roundoff{6, flow.ledger().left_mass.value(),
+                         "the books of the two sections, their sum, and what is left of three numbers are rounded "
+                         "once, as large as the mass that has entered; sums are compensated, and one particle at a "
+                         "section, of 1/80 of that mass at most, is rounded per step"});
+    check.holds(fmt::format("momentum_{}", count) + ": Momentum equals the booked impulses.", {flow.momentum_defect()},
+                Roundoff{6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
+                                 std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
+                         flow.ledger().left_impulse.value(),
+                         "the books of the sections and of the bed, their sum, and what is left of three numbers are "
+                         "rounded once, as large as the impulse at a section, for sums are compensated; and every step "
+                         "rounds the momentum of each particle"});
+    return error.depth.l1;
+  };
+  refine(check, {"particle width [m]", widths(25, {25, 50, 100, 200})},
+         {{"order",
+           "The depth over the bump converges at second order.",
+           {2, 0.5,
+            "the ends of the bump have a kink in z', where the limited slopes are of first order over a region that "
+            "shrinks with the width"}}},
+         error_of);
+}
+
+constexpr long steps = 6;  // of rows and pieces of them
+
+/// Ripples as long as a few particles, over the particles [begin, end) of a longer row one metre apart.
+Particles ripples(std::size_t begin, std::size_t end) {
+  Particles row;
+  for (std::size_t k = begin; k <= end; ++k) row.edge.push_back(static_cast<double>(k));
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto x = static_cast<double>(i);
+    row.mass.push_back(1.5 + 0.01 * std::sin(x / 7));
+    row.velocity.push_back(0.02 * std::cos(x / 5));
+  }
+  return row;
+}
+
+ParticleFlow water(Level level, std::size_t begin, std::size_t end) {
+  Scheme scheme;
+  scheme.level = level;
+  return ParticleFlow(ripples(begin, end), {}, {}, scheme);
+}
+
+/// Of the particles that no end of the piece has reached, and of the limits of their steps.
+double differing(Level level) {
+  constexpr std::size_t begin = 1500;
+  constexpr std::size_t count = 1500;
+  constexpr std::size_t out_of_reach = 3 * steps;
+  ParticleFlow longer = water(level, 0, 5000);
+  ParticleFlow piece = water(level, begin, begin + count);
+  const double tau = 0.5 * longer.largest_step().tau;
+  for (long k = 0; k < steps; ++k) {
+    longer.advance(tau);
+    piece.advance(tau);
+  }
+  Worst differing;
+  for (std::size_t i = out_of_reach; i < count - out_of_reach; ++i) {
+    differing.add(longer.particles().edge[begin + i] - piece.particles().edge[i]);
+    differing.add(longer.particles().velocity[begin + i] - piece.particles().velocity[i]);
+  }
+  return differing.value();
+}
+
+TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[conservation]") {
+  Check check("particles_stretches", "Shallow-water particles: stretch by stretch",
+              "A row of 5000 particles, which a step goes through in three stretches, and a piece of it across a seam: "
+              "where the ends of the piece have not been felt, edges and velocities are equal but for the round-off of "
+              "edges whose waves are solved for to the end in one row and to 1e-13 in the other. Every particle has a "
+              "part in the limit of the next step.");
+  for (const auto& [level, name] :
+       {std::pair{Level::godunov, "G1"}, std::pair{Level::muscl, "M2"}, std::pair{Level::hand_over, "H2"}}) {
+    check.holds(std::string(name) + ": A piece of the row moves like the whole.", {differing(level)},
+                Bound{1e-11, "waves to 1e-13, places up to 3000 m to 5e-13, six steps"});
+  }
+  // The narrowest particle is the last of a stretch.
+  Particles row = ripples(0, 5000);
+  constexpr std::size_t narrowest = 2047;
+  constexpr double width = 0.25;
+  row.edge[narrowest] = row.edge[narrowest + 1] - width;
+  row.mass[narrowest] = 1.5 * width;
+  row.mass[narrowest - 1] = 1.5 * (2 - width);
+  row.velocity.assign(row.size(), 0.0);
+  ParticleFlow still(row);
+  still.advance(0.1 * still.largest_step().tau);
+  check.holds("The last particle of a stretch limits the step when it is the narrowest.",
+              {static_cast<double>(still.largest_step().particle)}, Bound{0, "a number of a particle", narrowest});
+}
+
+}  // namespace seiche::verification::particles_books_test

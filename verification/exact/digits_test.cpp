@@ -1,0 +1,64 @@
+// Numbers of exact solutions that are known to many digits: one program for all, by the catalogue.
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "seiche/exact/catalogue.hpp"
+#include "seiche/io/text_table.hpp"
+#include "validation/case/data_folder.hpp"
+#include "verification/digits_table.hpp"
+
+namespace digits_test {
+
+using namespace seiche;
+using namespace seiche::verification;
+
+/// "depth=1;kind=flap": choices by their places in the list.
+std::map<std::string, double> numbers(const std::string& text, const std::vector<exact::Parameter>& parameters = {}) {
+  std::map<std::string, double> values;
+  std::istringstream items(text);
+  for (std::string item; std::getline(items, item, ';');) {
+    const std::string name = item.substr(0, item.find('=')), value = item.substr(item.find('=') + 1);
+    const auto p = std::ranges::find(parameters, name, &exact::Parameter::name);
+    const bool chosen = p != parameters.end() && !p->choices.empty();
+    values[name] = chosen ? static_cast<double>(std::ranges::find(p->choices, value) - p->choices.begin())
+                          : io::number_in(value).value();
+  }
+  return values;
+}
+
+/// A scalar of the solution; at a place, one of its outputs.
+double computed(const exact::ExactSolution& solution, const std::string& parameters, const std::string& at,
+                const std::string& quantity) {
+  const exact::Evaluator evaluator = solution.evaluator(numbers(parameters, solution.parameters));
+  const auto named = [&](const std::vector<exact::Quantity>& all, const std::vector<double>& values) {
+    return values.at(static_cast<std::size_t>(std::ranges::find(all, quantity, &exact::Quantity::name) - all.begin()));
+  };
+  if (at.empty()) return named(solution.scalars, evaluator.scalars());
+  std::vector<double> place;
+  for (const exact::Coordinate& input : solution.inputs) place.push_back(numbers(at).at(input.name));
+  return named(solution.outputs, evaluator.eval(place));
+}
+
+TEST_CASE("exact solutions have the digits that are known of them", "[exact]") {
+  Check check("exact_digits", "Digits of exact solutions",
+              "`reference_data/exact_digits.csv` has numbers of the solutions of the catalogue that were computed in "
+              "30-digit arithmetic: plateau and bore of dam breaks (depth 1 m), a bore at a wall, steady flow in its "
+              "regimes, a bowl, wavemakers with their evanescent modes, run-up, standing waves. Each must have all "
+              "digits that are printed there.");
+  const io::Text table = io::text_of(validation::data_folder("reference_data") / "exact_digits.csv");
+  std::map<std::string, std::vector<Printed>> rows;
+  for (std::size_t line = 1; line < table.lines.size(); ++line) {
+    const std::vector<std::string> row = io::entries_of(table.lines[line], ',');
+    INFO(table.lines[line]);
+    REQUIRE(row.size() == 5);
+    rows[row[0]].push_back({computed(exact::find_solution(row[0]), row[1], row[2], row[3]), row[4]});
+  }
+  for (const auto& [solution, printed] : rows) {
+    check_table(check, solution, solution, printed, exact::find_solution(solution).citation);
+  }
+}
+
+}  // namespace digits_test
