@@ -235,7 +235,9 @@ void claims(const Values& values, const Claims<Results>& all) {
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
   claims.check(
-      "vertical-tangent", "The time of the first vertical front agrees with potential flow.",
+      "vertical-tangent",
+      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
+      "takes for half a cell.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const Results& r) { return r.turned - r.vertical; },
       Bound{.limit = cell * period_of(wave) / (2 * wavelength) + tau,

@@ -236,7 +236,10 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (std::size_t g = 0; g < shoal_gauges.size(); ++g) {
     const ShoalGauge& gauge = shoal_gauges[g];
     claims.check(
-        fmt::format("models-{}", gauge.id), fmt::format("Both models raise the water as high {}.", gauge.name),
+        fmt::format("models-{}", gauge.id),
+        fmt::format("The maximum elevations of both models {} agree within the uncertainty of three meshes and the "
+                    "neglected terms (kappa h)^4.",
+                    gauge.name),
         "difference of the largest elevations over its uncertainty",
         [g, finest](const Results& r) -> Measurement {
           const double hexahedra = highest(r, &Pair::hexahedra, g);
@@ -249,7 +252,10 @@ void claims(const Values& values, const Claims<Results>& all) {
               .reason = "the 95 % half-widths of both from three meshes, and what the plan model leaves out, (kappa "
                         "h)^4 with a coefficient of up to 2"});
     claims.check(
-        fmt::format("resolved-{}", gauge.id), fmt::format("The hexahedra resolve the wave {}.", gauge.name),
+        fmt::format("resolved-{}", gauge.id),
+        fmt::format("The uncertainty of the maximum elevation {} with hexahedra is below the terms (kappa h)^4 that "
+                    "the 2DH model neglects.",
+                    gauge.name),
         "uncertainty of the largest elevation, from three meshes, over the elevation",
         [g](const Results& r) {
           return converged(r, &Pair::hexahedra, g).uncertainty / highest(r, &Pair::hexahedra, g);
