@@ -223,7 +223,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        instants[i].when + " the surface agrees with potential flow, as far as the lattice resolves it.",
+        instants[i].when +
+            " the surface agrees with potential flow within half a cell and the parts of a jet thinner than a cell.",
         "largest distance of the surfaces [1/k]",
         [i](const Results& r) -> Measurement {
           return {.value = r.finest().distances.at(i).largest,
