@@ -184,9 +184,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
               Bound{0, "every force is a product with an elevation, which is zero"});
     };
     exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
-    exactly_zero("elevation", "The surface of water at rest stays level.", "largest elevation", "H",
-                 &Unrest::elevation);
-    exactly_zero("displacement", "Markers of the water at rest do not move.", "largest displacement", "H",
+    exactly_zero("elevation", "Elevations of water at rest are zero.", "largest elevation", "H", &Unrest::elevation);
+    exactly_zero("displacement", "Displacements of markers in water at rest are zero.", "largest displacement", "H",
                  &Unrest::displacement);
   }
 }

@@ -153,7 +153,8 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
     claims.from(cauchy).check(
         fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
-        fmt::format("At t = {:g} the surface agrees with potential flow, as far as the lattice resolves it.",
+        fmt::format("At t = {:g} the surface agrees with potential flow within half a cell and the parts of a jet "
+                    "thinner than a cell.",
                     times[frame]),
         "largest distance of the two surfaces [1/k]",
         [frame](const BreakingComparison& c) -> Measurement {
@@ -165,7 +166,9 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
   claims.from(cauchy).check(
-      "vertical-tangent", "The time of the first vertical front agrees with potential flow.",
+      "vertical-tangent",
+      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
+      "takes for half a cell.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
       Bound{.limit = finest.cell / (2 * speed) + finest.tau,
@@ -183,8 +186,10 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
   const double phase = finest.tau * finest.tau / 24;
   const double interpolation = std::pow(finest.cell, 3) / 24;
   claims.from(cauchy).check(
-      "exact-work", "The work of the pressure agrees with its work on potential flow.", "work, relative difference",
-      [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
+      "exact-work",
+      "The work of the pressure agrees with its work on potential flow within (omega tau)^2/24 for the step and (k "
+      "h)^3/24 for the splines.",
+      "work, relative difference", [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
       Bound{.limit = phase + interpolation,
             .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the error of "
                       "velocities of cubic splines"});

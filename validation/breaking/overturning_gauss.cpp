@@ -223,7 +223,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        instants[i].when + " the surface agrees with potential flow, as far as the lattice resolves it.",
+        instants[i].when +
+            " the surface agrees with potential flow within half a cell and the parts of a jet thinner than a cell.",
         "largest distance of the surfaces [1/k]",
         [i](const Results& r) -> Measurement {
           return {.value = r.finest().distances.at(i).largest,
@@ -235,7 +236,9 @@ void claims(const Values& values, const Claims<Results>& all) {
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
   claims.check(
-      "vertical-tangent", "The time of the first vertical front agrees with potential flow.",
+      "vertical-tangent",
+      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
+      "takes for half a cell.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const Results& r) { return r.turned - r.vertical; },
       Bound{.limit = cell * period_of(wave) / (2 * wavelength) + tau,

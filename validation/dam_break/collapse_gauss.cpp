@@ -158,7 +158,9 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
                       .reason = "one rounding per step of the kinetic and the potential energy"});
   claims.from("Frank (1994), chapter 6; the fields are along the walls")
       .check(
-          "contained", "No particle passes wall or bed.", "farthest place behind them, over tau^2/2",
+          "contained",
+          "The particles pass wall or bed by at most g tau^2/2, the distance of a straight step from their path.",
+          "farthest place behind them, over tau^2/2",
           [half = column.tau() * column.tau() / 2](const Collapse& run) { return run.beyond / half; },
           Bound{.limit = 1,
                 .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "

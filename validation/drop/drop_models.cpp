@@ -363,7 +363,9 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   }
   claims_of(all, "sph")
       .from("Monaghan (1994)")
-      .check("sph-energy", "The energy of SPH, the energy of compression included, is nearly conserved.",
+      .check("sph-energy",
+             "The energy of SPH with its energy of compression changes by less than the compression at the start, 1/(6 "
+             "c^2).",
              "change over the energy of the stretching", energy_of_finest,
              Bound{.limit = 1.0 / (6 * 14 * 14),
                    .reason = "the energy of the compression at the beginning, 1/(6 c^2): what steps change must be "

@@ -224,7 +224,9 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
              wave.name == "C" && resolves_breaking(spacing))
       .check(
           "climbed-" + wave.name,
-          fmt::format("Case {}: all around the island the run-up is over before the grid tangles.", wave.name),
+          fmt::format(
+              "Case {}: the number of measured angles whose run-up is not over before the grid tangles is zero.",
+              wave.name),
           "measured angles where it is not",
           [data](const std::vector<Passed>& spacings) {
             return static_cast<double>(
