@@ -19,10 +19,10 @@ struct Refined {
 };
 
 struct Refinement {
-  std::string axis;           ///< what the sizes are
-  std::vector<double> sizes;  ///< mesh widths or steps
-  std::string id = "convergence", title = "Errors under refinement";
-  double floor = 0;  ///< errors at or below it are round-off
+  std::string axis;                                                   ///< what the sizes are
+  std::vector<double> sizes;                                          ///< mesh widths or steps
+  std::string id = "convergence", title = "Errors under refinement";  ///< of the figure; without a title there is none
+  double floor = 0;                                                   ///< errors at or below it are round-off
 };
 
 /// Claims the order of every error and draws them all against the sizes, beside lines of the slopes of theory.
@@ -44,15 +44,18 @@ std::vector<std::vector<double>> refine(Check& check, const Refinement& refineme
       }
     }
   }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [id, text, order] = all[i];
+    check.that(id, text, "observed order", observed_order(sizes, errors[i], refinement.floor), order);
+  }
+  if (refinement.title.empty()) return errors;
   auto& panel = check.figure(refinement.id, refinement.title, "Grey lines have the slopes of theory.")
                     .panel({.x = refinement.axis, .y = "error", .log_x = true, .log_y = true});
   std::set<int> slopes;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& [id, text, order] = all[i];
-    panel.line(id, sizes, errors[i]);
-    const int slope = static_cast<int>(std::lround(order.theory));
+    panel.line(all[i].id, sizes, errors[i]);
+    const int slope = static_cast<int>(std::lround(all[i].order.theory));
     if (slopes.insert(slope).second) validation::slope_guide(panel, slope, sizes, 1.5 * errors[i].back());
-    check.that(id, text, "observed order", observed_order(sizes, errors[i], refinement.floor), order);
   }
   return errors;
 }
@@ -65,6 +68,12 @@ inline std::vector<double> widths(double length, const std::vector<int>& cells) 
 }
 inline std::size_t cells_of(double length, double width) {
   return static_cast<std::size_t>(std::lround(length / width));
+}
+/// So many sizes, each the last one over a factor.
+inline std::vector<double> falling(double first, int count, double factor = 2) {
+  std::vector<double> sizes{first};
+  for (int n = 1; n < count; ++n) sizes.push_back(sizes.back() / factor);
+  return sizes;
 }
 
 }  // namespace seiche::verification

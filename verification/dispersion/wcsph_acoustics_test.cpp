@@ -1,4 +1,5 @@
 // Sound in weakly compressible SPH: its exact numerical dispersion, and the growth and phase of the midpoint rule.
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,6 +10,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
 #include "verification/lattice_sums.hpp"
+#include "verification/refinement.hpp"
 #include "verification/wcsph_problems.hpp"
 
 namespace seiche::verification::wcsph_acoustics_test {
@@ -173,24 +175,19 @@ TEST_CASE("the midpoint rule is of second order in phase and of third in energy"
   const Wave wave{32, 2};
   const double first = wave.acoustic_step() * 4 / 3;
   const long fewest = std::lround(0.5 / first);
-  std::vector<double> lengths, phase, growth;
-  for (int halving = 1; halving <= 8; halving *= 2) {
-    const Outcome found = run(wave, first / halving, fewest * halving);
-    lengths.push_back(first / halving);
-    phase.push_back(std::abs(found.frequency / wave.dispersion() - 1));
-    growth.push_back(std::log1p(found.energy_growth));
-  }
-  check.that("phase", "The phase is of second order.", "order of the frequency error", observed_order(lengths, phase),
-             Order{2, 0.05, "next term (omega dt)^2/8 relative, 0.004 at the longest step"});
-  check.that("energy", "The energy is of third order.", "order of the logarithm of the energy",
-             observed_order(lengths, growth),
-             Order{3, 0.0005,
-                   "the energy grows by the factor 1 + (omega dt)^4/4 per step: next term of its logarithm (omega "
-                   "dt)^4/8 relative, 2e-4 at the longest step, 3e-4 per halving"});
-  auto& panel = check.figure("orders", "Orders of the steps", "Relative error of the frequency, and growth of energy.")
-                    .panel({.x = "dt [s]", .y = "relative error", .log_x = true, .log_y = true});
-  panel.points("frequency", lengths, phase);
-  panel.points("energy", lengths, growth, Role::peer);
+  refine(check, {"dt [s]", falling(first, 4)},
+         {{"phase",
+           "The phase is of second order.",
+           {2, 0.05, "next term (omega dt)^2/8 relative, 0.004 at the longest step"}},
+          {"energy",
+           "The energy is of third order.",
+           {3, 0.0005,
+            "the energy grows by the factor 1 + (omega dt)^4/4 per step: next term of its logarithm (omega dt)^4/8 "
+            "relative, 2e-4 at the longest step, 3e-4 per halving"}}},
+         [&](double step) {
+           const Outcome found = run(wave, step, fewest * std::lround(first / step));
+           return std::array{std::abs(found.frequency / wave.dispersion() - 1), std::log1p(found.energy_growth)};
+         });
 }
 
 }  // namespace seiche::verification::wcsph_acoustics_test

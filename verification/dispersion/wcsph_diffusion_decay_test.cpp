@@ -60,12 +60,6 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
               "Density and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the "
               "sums of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
               "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
-  evidence::Table table{.id = "decay",
-                        .title = "Amplitude of a sound wave",
-                        .caption = "Over that of the beginning, at the end.",
-                        .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
-                        .rows = {},
-                        .atlas = {}};
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     const bool spline = kernel == KernelName::cubic_spline;
     const double smoothing = spline ? 1.3 : 2.0;
@@ -109,9 +103,6 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
       }
       const Amplitudes found = of(flow, k);
       const double apart = std::hypot(found.density - expected.density, found.velocity - expected.velocity) / mach;
-      table.rows.push_back({std::string(name_of(kernel)), static_cast<double>(mode),
-                            std::hypot(expected.density, expected.velocity) / mach,
-                            std::hypot(found.density, found.velocity) / mach});
       check.holds(fmt::format("decay-{}-{}", name_of(kernel), mode) + ": Sound dies away as the linear equations say.",
                   {apart},
                   Bound{std::pow(2 * mach * k * sound_speed * duration, 2) + 1e-8,
@@ -119,7 +110,6 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
                         "are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
     }
   }
-  check.table(std::move(table));
 }
 
 }  // namespace seiche::verification::wcsph_diffusion_decay_test

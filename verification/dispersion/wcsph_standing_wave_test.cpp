@@ -29,7 +29,6 @@ struct Layer {
 
 struct Oscillation {
   std::vector<double> time, amplitude;
-  long steps;
 
   [[nodiscard]] std::vector<double> zeros() const {
     std::vector<double> found;
@@ -53,19 +52,6 @@ struct Oscillation {
       denominator += offset * offset;
     }
     return std::numbers::pi * denominator / numerator;
-  }
-  /// From the largest amplitude in the first and in the last half period between zeros [1/s].
-  [[nodiscard]] double damping() const {
-    const std::vector<double> t = zeros();
-    const auto peak = [&](double from, double to) {
-      Worst largest;
-      for (std::size_t n = 0; n < time.size(); ++n) {
-        if (time[n] >= from && time[n] <= to) largest.add(amplitude[n]);
-      }
-      return largest.value();
-    };
-    const std::size_t last = t.size() - 1;
-    return std::log(peak(t[0], t[1]) / peak(t[last - 1], t[last])) / (t[last] - t[1]);
   }
 };
 
@@ -112,34 +98,28 @@ Oscillation run(KernelName kernel, double smoothing, double xsph, const Layer& l
   record();
   march(
       flow, 3.25 * 2 * std::numbers::pi / omega, [&](double) { return flow.stable_step(); }, record);
-  oscillation.steps = flow.steps();
   return oscillation;
 }
 
 struct Row {
-  std::string id, name;
+  std::string name;
   KernelName kernel;
   double smoothing, xsph, limit;
   Layer layer = {};
 };
 
 void judge(Check& check, const std::vector<Row>& rows, const std::string& reason) {
-  evidence::Table table{.id = "frequencies",
-                        .title = "Frequency over that of linear theory, and damping",
-                        .caption = "Three and a quarter periods.",
-                        .columns = {{"kernel", ""}, {"frequency", "1"}, {"damping", "1/s"}}};
   auto& panel = check
                     .figure("oscillation", "Standing wave",
                             "Velocities of the particles projected on those of the wave, over omega.")
                     .panel({.x = "t [s]", .y = "amplitude [m]"});
   const std::vector<Role> roles{Role::computed, Role::peer, Role::data, Role::guide};
+  std::size_t lines = 0;
   for (const Row& row : rows) {
     const Oscillation found = run(row.kernel, row.smoothing, row.xsph, row.layer);
-    const double omega = row.layer.omega();
-    check.holds(fmt::format("The wave has the frequency of linear theory ({}).", row.name), {found.frequency() / omega},
-                Bound{row.limit, reason, 1});
-    table.rows.push_back({row.name, found.frequency() / omega, found.damping()});
-    panel.line(row.name, found.time, found.amplitude, roles[table.rows.size() % 4]);
+    check.holds(fmt::format("The wave has the frequency of linear theory ({}).", row.name),
+                {found.frequency() / row.layer.omega()}, Bound{row.limit, reason, 1});
+    panel.line(row.name, found.time, found.amplitude, roles[lines++ % 4]);
   }
   std::vector<double> t, exact;
   const Layer& first = rows.front().layer;
@@ -148,7 +128,6 @@ void judge(Check& check, const std::vector<Row>& rows, const std::string& reason
     exact.push_back(first.crest * std::cos(first.omega() * time));
   }
   panel.line("linear theory, no damping", t, exact, Role::exact);
-  check.table(std::move(table));
 }
 
 void judge_narrow(const std::vector<Row>& rows) {
@@ -161,14 +140,13 @@ void judge_narrow(const std::vector<Row>& rows) {
 }
 
 TEST_CASE("a standing wave with a narrow cubic spline has the frequency of linear theory within 4 %", "[dispersion]") {
-  judge_narrow(
-      {{"cubic", "h = 1.3 dx", KernelName::cubic_spline, 1.3, 0.5, 0.04},
-       {"cubic-no-smoothing", "h = 1.3 dx, no smoothed motion", KernelName::cubic_spline, 1.3, 0, 0.04},
-       {"cubic-shallow", "h = 1.3 dx, depth 0.2 m", KernelName::cubic_spline, 1.3, 0.5, 0.04, {.depth = 0.2}}});
+  judge_narrow({{"h = 1.3 dx", KernelName::cubic_spline, 1.3, 0.5, 0.04},
+                {"h = 1.3 dx, no smoothed motion", KernelName::cubic_spline, 1.3, 0, 0.04},
+                {"h = 1.3 dx, depth 0.2 m", KernelName::cubic_spline, 1.3, 0.5, 0.04, {.depth = 0.2}}});
 }
 
 TEST_CASE("it has so on a finer lattice too", "[dispersion][full]") {
-  judge_narrow({{"cubic-80", "h = 1.3 dx, 80 columns", KernelName::cubic_spline, 1.3, 0.5, 0.04, {.columns = 80}}});
+  judge_narrow({{"h = 1.3 dx, 80 columns", KernelName::cubic_spline, 1.3, 0.5, 0.04, {.columns = 80}}});
 }
 
 TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory within 1.5 %", "[dispersion][full]") {
@@ -176,9 +154,9 @@ TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory
               "The same with $h \\ge 1.5$ dx: what is left are the amplitude, $(ka)^2/8 = 0.2\\,\\%$ for standing "
               "waves, and the walls' gap of a part of h.");
   judge(check,
-        {{"cubic-1-5", "cubic spline, h = 1.5 dx", KernelName::cubic_spline, 1.5, 0.5, 0.015, 0.994},
-         {"cubic-2", "cubic spline, h = 2 dx", KernelName::cubic_spline, 2.0, 0.5, 0.015, 0.996},
-         {"wendland-2", "Wendland, h = 2 dx", KernelName::wendland_c2, 2.0, 0.5, 0.015, 0.991}},
+        {{"cubic spline, h = 1.5 dx", KernelName::cubic_spline, 1.5, 0.5, 0.015},
+         {"cubic spline, h = 2 dx", KernelName::cubic_spline, 2.0, 0.5, 0.015},
+         {"Wendland, h = 2 dx", KernelName::wendland_c2, 2.0, 0.5, 0.015}},
         "20 layers: amplitude 0.2 %, elevation of the effective bottom by a part of dx, which tanh kH hides, and the "
         "kernel's error of the first derivative of 0.1 to 0.7 %");
 }

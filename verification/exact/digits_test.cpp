@@ -46,7 +46,8 @@ TEST_CASE("exact solutions have the digits that are known of them", "[exact]") {
   Check check("exact_digits", "Digits of exact solutions",
               "`reference_data/exact_digits.csv` has numbers of the solutions of the catalogue that were computed in "
               "30-digit arithmetic: plateau and bore of dam breaks (depth 1 m), a bore at a wall, steady flow in its "
-              "regimes, a bowl, wavemakers with their evanescent modes, run-up, standing waves. Each must have all "
+              "regimes, bowls, a drop, dispersion laws, the series of a solitary wave and its Mach reflection, "
+              "wavemakers with their evanescent modes, run-up, standing waves. Each must have all "
               "digits that are printed there.");
   const io::Text table = io::text_of(validation::data_folder("reference_data") / "exact_digits.csv");
   std::map<std::string, std::vector<Printed>> rows;

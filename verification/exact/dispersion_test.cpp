@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -6,7 +7,7 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/exact/wavemaker.hpp"
 #include "seiche/samples.hpp"
-#include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace dispersion_test {
@@ -95,39 +96,24 @@ void draw_formula_13(Check& check) {
 
 TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[exact]") {
   Check check("exact_dispersion", "Dispersion of small waves",
-              "Frequencies of Airy's wave and of the Boussinesq-type models at $kH = 0.1, 1, 3$; the order in $kH$ at "
+              "The order in $kH$ at "
               "which each leaves Airy's; the identities of each law.");
   const auto gn = RationalDispersion::green_naghdi(1, 1);
   const auto ms = RationalDispersion::madsen_sorensen(1, 1);
   const auto nwogu = RationalDispersion::nwogu(1, 1);
-  check_table(check, "digits", "frequencies at k H = 0.1, 1, 3",
-              {{airy.frequency(0.1), "0.099833859298814957"},
-               {airy.frequency(1), "0.87269362089782969"},
-               {airy.frequency(3), "1.7277627907384136"},
-               {gn.frequency(0.1), "0.099833748845958268"},
-               {gn.frequency(1), "0.86602540378443865"},
-               {gn.frequency(3), "1.5"},
-               {ms.frequency(0.1), "0.099833859330346939"},
-               {ms.frequency(1), "0.87287156094396953"},
-               {ms.frequency(3), "1.7693034738587656"},
-               {nwogu.frequency(0.1), "0.09983384276705112"},
-               {nwogu.frequency(1), "0.87188981329224267"},
-               {nwogu.frequency(3), "1.7358870266815552"}},
-              laws_source);
-  const auto leaves_airy = [&](const std::string& id, const std::string& name, const auto& law, double order) {
-    std::vector<double> k, errors;
-    for (double q = 0.4; q > 0.04; q /= std::numbers::sqrt2) {
-      k.push_back(q);
-      errors.push_back(std::abs(law.frequency(q) / airy.frequency(q) - 1));
-    }
-    check.from(laws_source)
-        .that(id, name + " leaves Airy's law with the power of kH that it was built for.",
-              "order in k H of the relative error of omega", observed_order(k, errors, 1e-14),
-              Order{order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"});
+  const auto leaves_airy = [](const std::string& id, const std::string& name, double order) {
+    return Refined{id,
+                   name + " leaves Airy's law with the power of kH that it was built for.",
+                   {order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"}};
   };
-  leaves_airy("order-green-naghdi", "Green-Naghdi", gn, 4);
-  leaves_airy("order-nwogu", "Nwogu's law", nwogu, 4);
-  leaves_airy("order-madsen-sorensen", "Madsen and Sorensen's law", ms, 6);
+  check.source(laws_source);
+  refine(check, {.axis = "k H", .sizes = falling(0.4, 7, std::numbers::sqrt2), .title = {}, .floor = 1e-14},
+         {leaves_airy("order-green-naghdi", "Green-Naghdi", 4), leaves_airy("order-nwogu", "Nwogu's law", 4),
+          leaves_airy("order-madsen-sorensen", "Madsen and Sorensen's law", 6)},
+         [&](double k) {
+           const auto error = [&](const auto& law) { return std::abs(law.frequency(k) / airy.frequency(k) - 1); };
+           return std::array{error(gn), error(nwogu), error(ms)};
+         });
   self_test_holds(check, "airy", AiryDispersion(9.81, 3));
   self_test_holds(check, "airy-deep", AiryDispersion(9.81, infinite));
   self_test_holds(check, "rational", RationalDispersion::nwogu(9.81, 3));
@@ -148,77 +134,26 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
 
 TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tuned to Airy", "[exact]") {
   Check check("exact_frank_dispersion", "Dispersion of a chain of markers",
-              "Formula (13) to the digits known; second order in the spacing against Green-Naghdi, with its leading "
+              "Second order in the spacing against Green-Naghdi, with its leading "
               "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows Airy's law "
               "through $(kH)^4$ at a given spacing and time step.");
   const FrankDispersion fine(1, 1, 0.1);
-  const FrankDispersion coarse(1, 1, 1);
-  check_table(check, "digits", "formula (13) at k H = 0.1, 1, 3 for s/H = 0.1 and 1",
-              {{fine.frequency(0.1), "0.09983374608682577"},
-               {fine.frequency(1), "0.86584520374319161"},
-               {fine.frequency(3), "1.4915852732807367"},
-               {coarse.frequency(0.1), "0.099833520640118504"},
-               {coarse.frequency(1), "0.85035988107245914"},
-               {coarse.frequency(3), "1.0031013836455749"}},
-              frank_source);
-  const auto half = FrankDispersion::tuned(1, 1, 0.5, 0.25);
   const auto quarter = FrankDispersion::tuned(1, 1, 0.25, 0.125);
-  const auto tenth = FrankDispersion::tuned(1, 1, 0.1, 0.05);
-  check_table(check, "tuned-digits", "alpha and gamma of the tuned pair",
-              {{half.parameters().alpha, "0.450922"},
-               {half.parameters().gamma, "0.112380"},
-               {quarter.parameters().alpha, "0.412556"},
-               {quarter.parameters().gamma, "0.077920"},
-               {tenth.parameters().alpha, "0.402001"},
-               {tenth.parameters().gamma, "0.068460"}},
-              frank_source);
-  const FrankDispersion plain(1, 1, 0.5);
-  const FrankDispersion pade(1, 1, 0.5, {.alpha = 0.4, .beta = 1.0 / 3, .gamma = 1.0 / 15});
-  const auto gn = plain.limit();
-  check_table(check, "error-digits", "relative errors against Airy at s/H = 0.5, time step 0.25 sqrt(H/g)",
-              {{error_in_time(plain, 0.5, 0.25), "-0.00041"},
-               {error_in_time(plain, 1, 0.25), "-0.0107"},
-               {error_in_time(plain, 2, 0.25), "-0.097"},
-               {error_in_time(plain, 3, 0.25), "-0.24"},
-               {error_in_time(pade, 0.5, 0.25), "0.00019"},
-               {error_in_time(pade, 1, 0.25), "-0.0030"},
-               {error_in_time(pade, 2, 0.25), "-0.031"},
-               {error_in_time(pade, 3, 0.25), "-0.077"},
-               {error_in_time(half, 0.5, 0.25), "0.0000003"},
-               {error_in_time(half, 1, 0.25), "0.000011"},
-               {error_in_time(half, 2, 0.25), "-0.00015"},
-               {error_in_time(half, 3, 0.25), "-0.0037"},
-               {gn.frequency(0.5) / airy.frequency(0.5) - 1, "-0.00063"},
-               {gn.frequency(1) / airy.frequency(1) - 1, "-0.0076"},
-               {gn.frequency(2) / airy.frequency(2) - 1, "-0.057"},
-               {gn.frequency(3) / airy.frequency(3) - 1, "-0.13"}},
-              frank_source);
-
-  Convergence distances;
-  double leading = 0;
-  for (double s = 0.25; s > 0.005; s /= 2) {
-    const FrankDispersion law(1, 1, s);
-    distances.add(s, std::abs(law.frequency(1) / gn.frequency(1) - 1));
-    leading = (law.frequency(1) / gn.frequency(1) - 1) / (s * s);
-  }
-  check.from(frank_source)
-      .that("order-spacing", "Formula (13) tends to Green-Naghdi with the square of the spacing.",
-            "order in s/H at k H = 1", distances.order(),
-            Order{2, 0.02, "expansion of (13): omega = omega_GN (1 + O(s^2)), next term s^4"});
-  check.from(frank_source)
-      .that("leading-term", "The distance is -alpha (kH)^4 (s/H)^2/(12 (1 + alpha (kH)^2)) to leading order.",
-            "(omega/omega_GN - 1)/h^2 at k H = 1, s/H = 1/128", {leading},
-            Bound{1.0 / 16384, "the next term of the expansion is of relative size h^2 = 1/16384", -1.0 / 48, true});
-  std::vector<double> k, tuned;
-  for (double q = 0.6; q > 0.1; q /= std::numbers::sqrt2) {
-    k.push_back(q);
-    tuned.push_back(std::abs(error_in_time(quarter, q, 0.125)));
-  }
-  check.from(frank_source + "; pair derived from its expansion")
-      .that("order-tuned", "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
-            "order in k H of the relative error of Omega, s/H = 0.25, tau = 0.125 sqrt(H/g)",
-            observed_order(k, tuned, 1e-14),
-            Order{6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"});
+  const auto gn = fine.limit();
+  check.source(frank_source);
+  const auto leading = [&](double s) {
+    return (FrankDispersion(1, 1, s).frequency(1) / gn.frequency(1) - 1) / (s * s);
+  };
+  check.that("leading-term",
+             "Formula (13) tends to Green-Naghdi with the square of the spacing: the distance is -alpha (kH)^4 "
+             "(s/H)^2/(12 (1 + alpha (kH)^2)) to leading order.",
+             "(omega/omega_GN - 1)/h^2 at k H = 1, s/H = 1/128", {leading(1.0 / 128)},
+             Bound{1.0 / 16384, "the next term of the expansion is of relative size h^2 = 1/16384", -1.0 / 48, true});
+  refine(check, {.axis = "k H", .sizes = falling(0.6, 6, std::numbers::sqrt2), .title = {}, .floor = 1e-14},
+         {{"order-tuned",
+           "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
+           {6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"}}},
+         [&](double k) { return std::abs(error_in_time(quarter, k, 0.125)); });
   for (const auto scheme : {TimeScheme::one_step, TimeScheme::conservative}) {
     const bool one_step = scheme == TimeScheme::one_step;
     check.holds(one_step ? "The one-step scheme raises the frequency by omega^2 tau^2/24."

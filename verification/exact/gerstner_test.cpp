@@ -4,7 +4,8 @@
 
 #include "seiche/exact/gerstner.hpp"
 #include "seiche/samples.hpp"
-#include "verification/digits_table.hpp"
+#include "verification/difference.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace gerstner_test {
@@ -15,12 +16,6 @@ using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Gerstner, Theorie der Wellen (1804); Lamb, Hydrodynamics (1932), section 251";
-
-/// f'(0) by fourth-order central differences of half-width `span`.
-template <class F>
-double difference(const F& f, double span) {
-  return (8 * (f(0.5 * span) - f(-0.5 * span)) - (f(span) - f(-span))) / (6 * span);
-}
 
 /// Largest residual of continuity, of Euler's equations and of the vorticity in space-fixed coordinates: velocity and
 /// pressure at a place are those of the particle found there.
@@ -74,8 +69,7 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
               source);
   constexpr double gravity = 9.81;
   const GerstnerWave wave(3, gravity, -0.1);
-  std::vector<double> spans, residuals;
-  for (double span = 0.04; span > 0.002; span /= 2) {
+  const auto euler = [&](double span) {
     Largest largest;
     for (double x = 0; x < 3; x += 0.37) {
       for (const double depth : {0.12, 0.4, 1.0}) {
@@ -83,15 +77,10 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
         largest.add(euler_residual(wave, gravity, x, wave.elevation(x, t) - depth, t, span));
       }
     }
-    spans.push_back(span);
-    residuals.push_back(largest.value());
-  }
-  check.that("euler", "Continuity, Euler's equations and the vorticity hold at fixed places.",
-             "order of the residual in the width of the differences", observed_order(spans, residuals, 1e-11),
-             Order{4, 0.3, "fourth-order differences of a smooth solution"});
+    return largest.value();
+  };
   // J is the determinant of the derivatives of the place by the label.
-  std::vector<double> jacobian_errors;
-  for (const double span : spans) {
+  const auto jacobian = [&](double span) {
     Worst largest;
     for (double a = 0; a < 3; a += 0.41) {
       for (const double b : {-0.2, -0.6}) {
@@ -103,13 +92,9 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
         largest.add(x_a * y_b - x_b * y_a - wave.area_factor({a, b}));
       }
     }
-    jacobian_errors.push_back(largest.value());
-  }
-  check.that("jacobian", "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.",
-             "order of the difference in the width of the differences", observed_order(spans, jacobian_errors, 1e-13),
-             Order{4, 0.2, "fourth-order differences of an analytic function"});
-  std::vector<double> accelerations;
-  for (const double span : spans) {
+    return largest.value();
+  };
+  const auto acceleration = [&](double span) {
     Largest largest;
     for (const double b : {-0.2, -0.6}) {
       const GerstnerWave::Label particle{1.1, b};
@@ -119,11 +104,18 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
       const auto stated = wave.acceleration(particle, 0.7);
       largest.add(std::hypot(rate(&exact::Velocity::u) - stated.x, rate(&exact::Velocity::v) - stated.y));
     }
-    accelerations.push_back(largest.value());
-  }
-  check.that("acceleration", "The acceleration of a particle is the rate of its velocity.",
-             "order of the difference in the width of the differences", observed_order(spans, accelerations, 1e-13),
-             Order{4, 0.2, "fourth-order differences of an analytic function"});
+    return largest.value();
+  };
+  const Order fourth{4, 0.2, "fourth-order differences of an analytic function"};
+  refine(check, {.axis = "width of the differences", .sizes = falling(0.04, 5), .title = {}, .floor = 1e-11},
+         {{"euler",
+           "Continuity, Euler's equations and the vorticity hold at fixed places.",
+           {4, 0.3, "fourth-order differences of a smooth solution"}},
+          {"jacobian", "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.", fourth},
+          {"acceleration", "The acceleration of a particle is the rate of its velocity.", fourth}},
+         [&](double span) {
+           return std::array{euler(span), jacobian(span), acceleration(span)};
+         });
   Worst inversion, surface;
   for (const double top : {-0.02, -0.1, -1.0}) {
     const GerstnerWave one(3, gravity, top);

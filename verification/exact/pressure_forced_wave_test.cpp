@@ -12,6 +12,7 @@
 #include "seiche/exact/overturning/surface_curve.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/samples.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace pressure_forced_wave_test {
@@ -56,10 +57,6 @@ void claim_stokes_wave_stays(Check& check) {
                    "its power 1.2, and act for the whole time"});
 }
 
-struct LinearErrors {
-  std::vector<double> forced, free;
-};
-
 /// Elevation that the pressure p0 raises on water at rest of depth pi, by linear theory, k = g = 1.
 ///
 /// The pressure is the real part of P e^{ix}, P = p0 (1 - e^{-2it})/2, and eta that of N e^{ix} with N'' + T N = -T P,
@@ -81,38 +78,28 @@ double linear_response(double p0, double x, double t) {
   return ((N * std::cos(free) + rate / w * std::sin(free)) * std::exp(1.0i * x)).real();
 }
 
-LinearErrors linear_errors(const std::vector<double>& pressures) {
-  LinearErrors errors;
-  for (const double p0 : pressures) {
-    const PressureForcedWave wave({.amplitude = 0, .pressure = p0, .markers = 64, .last_time = 5});
-    const auto error = [&](double t) {
-      const auto profile = wave.profile(t);
-      Worst worst;
-      for (std::size_t j = 0; j < profile.x.size(); ++j) {
-        worst.add(profile.y[j] - linear_response(p0, profile.x[j], t));
-      }
-      return worst.value();
-    };
-    errors.forced.push_back(error(2));
-    errors.free.push_back(error(5));
-  }
-  return errors;
-}
-
 void claim_linear_theory(Check& check) {
-  const std::vector<double> pressures{0.04, 0.02, 0.01, 0.005};
-  const LinearErrors errors = linear_errors(pressures);
   const Order second{.theory = 2,
                      .tolerance = 0.1,
                      .reason =
                          "what linear theory leaves out is of second order in the amplitude; the third order is at "
                          "most 3 per cent of it, 0.04 of the order at its largest"};
-  check.from(linear_theory)
-      .that("linear-forced", "Water at rest answers the pressure as linear theory says, while it acts.",
-            "order in p0 of the largest difference at t = 2", observed_order(pressures, errors.forced), second);
-  check.from(linear_theory)
-      .that("linear-free", "The wave that the pressure leaves agrees with linear theory.",
-            "order in p0 of the largest difference at t = 5", observed_order(pressures, errors.free), second);
+  check.source(linear_theory);
+  refine(check, {.axis = "p0", .sizes = falling(0.04, 4), .id = "linear", .title = {}},
+         {{"linear-forced", "Water at rest answers the pressure as linear theory says, while it acts.", second},
+          {"linear-free", "The wave that the pressure leaves agrees with linear theory.", second}},
+         [](double p0) {
+           const PressureForcedWave wave({.amplitude = 0, .pressure = p0, .markers = 64, .last_time = 5});
+           const auto error = [&](double t) {
+             const auto profile = wave.profile(t);
+             Worst worst;
+             for (std::size_t j = 0; j < profile.x.size(); ++j) {
+               worst.add(profile.y[j] - linear_response(p0, profile.x[j], t));
+             }
+             return worst.value();
+           };
+           return std::array{error(2), error(5)};
+         });
 }
 
 /// The state at t = 2 after equal steps of the wave that the pressure pushes.
@@ -127,21 +114,19 @@ exact::overturning::State after_steps(int steps) {
 
 void claim_order_in_time(Check& check) {
   const auto finest = after_steps(320);
-  Convergence errors;
-  for (const int steps : {10, 14, 20, 28, 40}) {
-    const auto state = after_steps(steps);
-    Worst worst;
-    for (std::size_t k = 0; k < state.size(); ++k) worst.add(state[k] - finest[k]);
-    errors.add(2.0 / steps, worst.value());
-  }
-  check.from("Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19: order five")
-      .that("order-in-time",
-            "Surface, work and thrust converge with the order of the step, also under a pressure that changes.",
-            "order in the time step at t = 2, against 320 steps", errors.order(1e-12),
-            Order{.theory = 5,
-                  .tolerance = 0.3,
-                  .reason = "steps of 0.2 to 0.05 of a wave whose period is 6.3: the next order is a fifth of this one "
-                            "at the longest"});
+  check.source("Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19: order five");
+  refine(
+      check, {.axis = "time step", .sizes = widths(2, {10, 14, 20, 28, 40}), .title = {}, .floor = 1e-12},
+      {{"order-in-time",
+        "Surface, work and thrust converge with the order of the step, also under a pressure that changes.",
+        {5, 0.3,
+         "steps of 0.2 to 0.05 of a wave whose period is 6.3: the next order is a fifth of this one at the longest"}}},
+      [&](double tau) {
+        const auto state = after_steps(static_cast<int>(cells_of(2, tau)));
+        Worst worst;
+        for (std::size_t k = 0; k < state.size(); ++k) worst.add(state[k] - finest[k]);
+        return worst.value();
+      });
 }
 
 /// -int p u.n ds, n the outward normal, from a profile alone.

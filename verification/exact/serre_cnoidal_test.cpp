@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -6,6 +7,8 @@
 #include "seiche/exact/serre_cnoidal.hpp"
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/samples.hpp"
+#include "verification/difference.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace serre_cnoidal_test {
@@ -16,12 +19,6 @@ using namespace seiche::verification;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Serre, Houille Blanche 8 (1953) 374; El, Grimshaw and Smyth, Phys. Fluids 18 (2006) 027104";
-
-/// f'(0) by fourth-order central differences of half-width `span`.
-template <class F>
-double difference(const F& f, double span) {
-  return (8 * (f(0.5 * span) - f(-0.5 * span)) - (f(span) - f(-span))) / (6 * span);
-}
 
 /// Residual of Serre's equations h_t + (hu)_x = 0, h (u_t + u u_x + g h_x) + (h^2 D^2 h/3)_x = 0 at x, t = 0, by nested
 /// differences in space and time, for which the wave need not be steady: D = d/dt + u d/dx.
@@ -79,29 +76,28 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
               "integral of the elevation.",
               source);
   const SerreCnoidal wave(0.8, 14, 2, 9.81);
-  std::vector<double> spans, residuals;
-  for (double span = 0.8; span > 0.13; span /= std::numbers::sqrt2) {
-    Worst largest;
-    for (double x = 0.2; x < 14; x += 0.5) largest.add(residual(wave, x, span));
-    spans.push_back(span);
-    residuals.push_back(largest.value());
-  }
-  check.that("serre", "Mass and momentum of Serre's equations balance at fixed places.",
-             "order of the residual in the width of the differences", observed_order(spans, residuals, 1e-10),
-             Order{4, 0.2, "fourth-order differences of an analytic solution"});
-  std::vector<double> frames;
-  for (const double span : spans) frames.push_back(std::abs(mean_along_surface(wave, span)));
-  check.that("frame", "The speed agrees with the frame without mean velocity along the surface.",
-             "order of the mean in the width of the differences", observed_order(spans, frames, 1e-10),
-             Order{4, 0.2, "fourth-order differences of an analytic solution"});
+  const Order fourth{4, 0.2, "fourth-order differences of an analytic solution"};
+  refine(
+      check,
+      {.axis = "width of the differences", .sizes = falling(0.8, 6, std::numbers::sqrt2), .title = {}, .floor = 1e-10},
+      {{"serre", "Mass and momentum of Serre's equations balance at fixed places.", fourth},
+       {"frame", "The speed agrees with the frame without mean velocity along the surface.", fourth},
+       {"derivatives", "Excess, elevation and slope are derivatives of each other.", fourth}},
+      [&](double span) {
+        Worst equations, derivatives;
+        for (double x = 0.2; x < 14; x += 0.5) {
+          equations.add(residual(wave, x, span));
+          derivatives.add(difference([&](double d) { return wave.excess_up_to(x + d); }, span) - wave.elevation(x));
+          derivatives.add(difference([&](double d) { return wave.elevation(x + d); }, span) - wave.elevation_slope(x));
+        }
+        return std::array{equations.value(), std::abs(mean_along_surface(wave, span)), derivatives.value()};
+      });
   const exact::RationalDispersion linear = exact::RationalDispersion::green_naghdi(1, 1);
-  Convergence excess;
-  for (double height = 0.2; height > 0.02; height /= std::numbers::sqrt2) {
-    excess.add(height, SerreCnoidal(height, 2 * pi, 1, 1).phase_speed() - linear.phase_speed(1));
-  }
-  check.that("low", "The speed of low waves agrees with linear theory.", "order of the difference in the height",
-             excess.order(),
-             Order{2, 0.1, "the speed is even in the amplitude; the next term is a few (H/d)^2 of the first"});
+  refine(check, {.axis = "height", .sizes = falling(0.2, 7, std::numbers::sqrt2), .title = {}},
+         {{"low",
+           "The speed of low waves agrees with linear theory.",
+           {2, 0.1, "the speed is even in the amplitude; the next term is a few (H/d)^2 of the first"}}},
+         [&](double height) { return SerreCnoidal(height, 2 * pi, 1, 1).phase_speed() - linear.phase_speed(1); });
   // Its trough is the still water of solitary waves.
   const SerreCnoidal train(0.3, 30, 1, 1);
   const double trough = train.elevation(15);
@@ -115,18 +111,6 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
              Bound{16 * std::exp(-decay * 30),
                    "halfway to the next crest sech^2 is 4 exp(-kappa L) of each neighbour, by which the trough is not "
                    "still water: twice, for shape and depth"});
-  std::vector<double> differences;
-  for (const double span : spans) {
-    Worst largest;
-    for (double x = 0.3; x < 14; x += 0.7) {
-      largest.add(difference([&](double d) { return wave.excess_up_to(x + d); }, span) - wave.elevation(x));
-      largest.add(difference([&](double d) { return wave.elevation(x + d); }, span) - wave.elevation_slope(x));
-    }
-    differences.push_back(largest.value());
-  }
-  check.that("derivatives", "Excess, elevation and slope are derivatives of each other.",
-             "order of the difference in the width of the differences", observed_order(spans, differences, 1e-12),
-             Order{4, 0.2, "fourth-order differences of analytic functions"});
   self_test_holds(check, "steep", wave);
   self_test_holds(check, "train", train);
   CHECK_THROWS_AS(SerreCnoidal(0.2, 2 * pi, 1, 0), std::invalid_argument);

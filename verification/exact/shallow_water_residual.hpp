@@ -7,6 +7,7 @@
 
 #include "seiche/samples.hpp"
 #include "seiche/shallow_water/relations.hpp"
+#include "verification/difference.hpp"
 
 namespace seiche::verification {
 
@@ -18,9 +19,6 @@ namespace seiche::verification {
 template <class StateAt>
 double shallow_water_residual(const StateAt& state, double gravity, double x, double t, double span_x, double span_t,
                               double slope = 0, double force = 0) {
-  const auto difference = [](const auto& f, double span) {
-    return (8 * (f(0.5 * span) - f(-0.5 * span)) - (f(span) - f(-span))) / (6 * span);
-  };
   const auto discharge = [&](double dx, double dt) {
     const shallow_water::State s = state(x + dx, t + dt);
     return s.depth * s.velocity;

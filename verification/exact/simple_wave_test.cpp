@@ -5,6 +5,7 @@
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
+#include "verification/refinement.hpp"
 
 namespace simple_wave_test {
 
@@ -21,17 +22,17 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   constexpr double g = 9.81;
   const auto wave = exact::SimpleWave::hump(g, 1, 0.2, 6, 6);
   const auto at = [&](double x, double t) { return wave.at(x, t); };
-  Convergence residuals;
-  for (double span = 0.08; span > 0.008; span /= 2) {
-    Largest largest;
-    for (double x = 6; x < 11; x += 0.1) {
-      largest.add(verification::shallow_water_residual(at, g, x, 0.6, span, span / 4));
-    }
-    residuals.add(span, largest.value());
-  }
-  check.that("residual-order", "The residual vanishes with the fourth power of the difference.",
-             "order of the residual", residuals.order(1e-12),
-             Order{4, 0.3, "fourth-order central differences of a smooth solution"});
+  refine(check, {.axis = "width of the differences", .sizes = falling(0.08, 4), .title = {}, .floor = 1e-12},
+         {{"residual-order",
+           "The residual vanishes with the fourth power of the difference.",
+           {4, 0.3, "fourth-order central differences of a smooth solution"}}},
+         [&](double span) {
+           Largest largest;
+           for (double x = 6; x < 11; x += 0.1) {
+             largest.add(verification::shallow_water_residual(at, g, x, 0.6, span, span / 4));
+           }
+           return largest.value();
+         });
   Worst mass, momentum;
   const auto integrals = [&](double t) {
     double m = 0;

@@ -1,10 +1,12 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/samples.hpp"
-#include "verification/digits_table.hpp"
+#include "verification/difference.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace solitary_asymptotic_test {
@@ -26,7 +28,7 @@ const std::string serre_source = "Serre, Houille Blanche 8 (1953) 374; Green and
 /// nested fourth-order differences of half-width `span`.
 double serre_residual(const SerreSolitary& wave, double alpha, double x, double span) {
   const auto difference = [span](const auto& f, double at) {
-    return (8 * (f(at + 0.5 * span) - f(at - 0.5 * span)) - (f(at + span) - f(at - span))) / (6 * span);
+    return verification::difference([&](double d) { return f(at + d); }, span);
   };
   const auto depth = [&](double p) { return wave.depth() + wave.elevation(p); };
   const auto relative = [&](double p) { return wave.depth_averaged_velocity(p) - wave.speed(); };
@@ -47,87 +49,28 @@ double profile_error(const AsymptoticSolitary& wave, const SolitaryWave& truth) 
   return largest.value();
 }
 
-const std::vector<double> amplitudes{0.2, 0.1414, 0.1, 0.0707, 0.05};
-
-struct Errors {
-  std::vector<double> profile, speed;
-};
-
-template <class Wave>
-Errors errors_against(const std::vector<SolitaryWave>& waves) {
-  Errors errors;
-  for (const SolitaryWave& truth : waves) {
-    const Wave wave(truth.amplitude());
-    errors.profile.push_back(profile_error(wave, truth));
-    errors.speed.push_back(std::abs(wave.speed() - truth.speed()));
-  }
-  return errors;
-}
-
-void draw(Check& check, const std::vector<std::pair<std::string, Errors>>& series) {
-  auto& profiles = check.figure("profiles", "Solitary waves: series against the exact one",
-                                "At a third of the depth the third-order profile is within the line width of the exact "
-                                "one; at 0.6 none of the series is.");
-  for (const double a : {0.3, 0.6}) {
-    auto& panel =
-        profiles.panel({.x = "x/depth", .y = "elevation/depth", .title = "a = " + std::to_string(a).substr(0, 3)});
-    const SolitaryWave truth(a);
-    const BoussinesqSolitary boussinesq(a);
-    const SerreSolitary serre(a);
-    const LaitoneSolitary laitone(a);
-    const GrimshawSolitary grimshaw(a);
-    std::vector<double> x, exact_eta;
-    for (int i = 0; i <= 240; ++i) {
-      x.push_back(0.025 * i);
-      exact_eta.push_back(truth.elevation(x.back()));
-    }
-    panel.line("Euler equations", x, exact_eta, Role::exact);
-    const auto add = [&](const std::string& name, const AsymptoticSolitary& wave) {
-      std::vector<double> eta;
-      for (const double p : x) eta.push_back(wave.elevation(p));
-      panel.line(name, x, eta, Role::peer);
-    };
-    add("Boussinesq", boussinesq);
-    add("Rayleigh, Serre", serre);
-    add("Laitone", laitone);
-    add("Grimshaw", grimshaw);
-  }
-  auto& convergence = check.figure("errors", "Error of the series against amplitude",
-                                   "Largest error of the profile against the exact wave, crest on crest.");
-  auto& panel = convergence.panel(
-      {.x = "amplitude/depth", .y = "largest error of the elevation/depth", .log_x = true, .log_y = true});
-  for (const auto& [name, errors] : series) panel.points(name, amplitudes, errors.profile, Role::computed);
-  for (const int order : {2, 3, 4}) {
-    std::vector<double> slope;
-    for (const double a : amplitudes) slope.push_back(0.2 * std::pow(a, order));
-    panel.line("slope " + std::to_string(order), amplitudes, slope, Role::guide);
-  }
-}
-
 TEST_CASE("the series for the solitary wave have the speeds and identities known", "[exact]") {
   Check check("exact_solitary_series", "Solitary waves as series in amplitude",
-              "Speeds of Grimshaw's wave to the digits known; excess mass in closed form against the profiles; $3V = "
+              "Excess mass in closed form against the profiles; $3V = "
               "(F^2-1)M$ where it holds exactly; the wave of Serre satisfies the equations of Serre at any amplitude, "
               "for any factor $\\alpha$ of the vertical kinetic energy.");
-  check_table(check, "grimshaw-speed", "speeds of Grimshaw's wave, a = 0.1, 0.3, 0.5",
-              {{GrimshawSolitary(0.1).speed(), "1.0485500192442623"},
-               {GrimshawSolitary(0.3).speed(), "1.13769189904071"},
-               {GrimshawSolitary(0.5).speed(), "1.2174328963613794"}},
-              series_source);
   for (const double alpha : {1.0 / 3, 0.4}) {
     const SerreSolitary wave(1, 2, 9.81, alpha);
-    Convergence residuals;
-    for (double span = 0.8; span > 0.13; span /= std::numbers::sqrt2) {
-      Worst largest;
-      for (double x = 0.2; x < 8; x += 0.3) largest.add(serre_residual(wave, alpha, x, span));
-      residuals.add(span, largest.value());
-    }
-    check.from(serre_source)
-        .that(alpha < 0.35 ? "serre" : "serre-alpha",
-              alpha < 0.35 ? "Rayleigh's wave satisfies the Serre equations."
-                           : "The wave with alpha = 0.4 satisfies the equations with alpha = 0.4.",
-              "order of the residual in the width of the differences, a = depth/2", residuals.order(1e-10),
-              Order{4, 0.2, "fourth-order differences of an analytic solution"});
+    check.source(serre_source);
+    refine(check,
+           {.axis = "width of the differences",
+            .sizes = falling(0.8, 6, std::numbers::sqrt2),
+            .title = {},
+            .floor = 1e-10},
+           {{alpha < 0.35 ? "serre" : "serre-alpha",
+             alpha < 0.35 ? "Rayleigh's wave satisfies the Serre equations."
+                          : "The wave with alpha = 0.4 satisfies the equations with alpha = 0.4.",
+             {4, 0.2, "fourth-order differences of an analytic solution"}}},
+           [&](double span) {
+             Worst largest;
+             for (double x = 0.2; x < 8; x += 0.3) largest.add(serre_residual(wave, alpha, x, span));
+             return largest.value();
+           });
   }
   const SerreSolitary wave(0.6, 2, 9.81);
   Worst inverse;
@@ -153,28 +96,35 @@ TEST_CASE("the series leave the exact solitary wave with their orders in amplitu
       "exact_solitary_orders", "Order of the series for the solitary wave",
       "Profile and speed against the wave of the full Euler equations at amplitudes from 0.05 to 0.2 of the depth: the "
       "first term that a series neglects decides. This verifies the series and the exact solver by each other.");
-  std::vector<SolitaryWave> waves;
-  for (const double a : amplitudes) waves.emplace_back(a);
-  const auto boussinesq = errors_against<BoussinesqSolitary>(waves);
-  const auto serre = errors_against<SerreSolitary>(waves);
-  const auto laitone = errors_against<LaitoneSolitary>(waves);
-  const auto grimshaw = errors_against<GrimshawSolitary>(waves);
-  const auto order = [&](const std::string& id, const std::string& text, const std::string& quantity,
-                         const std::vector<double>& errors, double theory) {
-    check.from(series_source)
-        .that(id, text, quantity, observed_order(amplitudes, errors, 1e-13),
-              Order{theory, 0.25, "first neglected power of the amplitude; the next is 0.05 to 0.2 of it"});
+  check.source(series_source);
+  const auto right = [](const std::string& id, const std::string& what, double order) {
+    return Refined{
+        id, what + ".", {order, 0.25, "first neglected power of the amplitude; the next is 0.05 to 0.2 of it"}};
   };
-  const std::string profile = "order in amplitude/depth of the largest error of the elevation";
-  order("boussinesq", "Boussinesq's profile is right to first order.", profile, boussinesq.profile, 2);
-  order("rayleigh", "Rayleigh's profile is right to first order.", profile, serre.profile, 2);
-  order("laitone", "Laitone's profile is right to second order.", profile, laitone.profile, 3);
-  order("grimshaw", "Grimshaw's profile is right to third order.", profile, grimshaw.profile, 4);
-  const std::string speed = "order in amplitude/depth of the error of the speed";
-  order("speed-rayleigh", "c^2 = 1 + a is right to first order.", speed, serre.speed, 2);
-  order("speed-laitone", "Laitone's speed is right to second order.", speed, laitone.speed, 3);
-  order("speed-grimshaw", "Grimshaw's speed is right to third order.", speed, grimshaw.speed, 4);
-  draw(check, {{"Boussinesq", boussinesq}, {"Rayleigh, Serre", serre}, {"Laitone", laitone}, {"Grimshaw", grimshaw}});
+  refine(
+      check,
+      {"amplitude/depth", {0.2, 0.1414, 0.1, 0.0707, 0.05}, "errors", "Error of the series against amplitude", 1e-13},
+      {right("boussinesq", "Boussinesq's profile is right to first order", 2),
+       right("rayleigh", "Rayleigh's profile is right to first order", 2),
+       right("laitone", "Laitone's profile is right to second order", 3),
+       right("grimshaw", "Grimshaw's profile is right to third order", 4),
+       right("speed-rayleigh", "c^2 = 1 + a is right to first order", 2),
+       right("speed-laitone", "Laitone's speed is right to second order", 3),
+       right("speed-grimshaw", "Grimshaw's speed is right to third order", 4)},
+      [](double a) {
+        const SolitaryWave truth(a);
+        const SerreSolitary serre(a);
+        const LaitoneSolitary laitone(a);
+        const GrimshawSolitary grimshaw(a);
+        const auto speed = [&](const AsymptoticSolitary& wave) { return std::abs(wave.speed() - truth.speed()); };
+        return std::array{profile_error(BoussinesqSolitary(a), truth),
+                          profile_error(serre, truth),
+                          profile_error(laitone, truth),
+                          profile_error(grimshaw, truth),
+                          speed(serre),
+                          speed(laitone),
+                          speed(grimshaw)};
+      });
 }
 
 }  // namespace solitary_asymptotic_test

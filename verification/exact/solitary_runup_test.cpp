@@ -10,7 +10,9 @@
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
+#include "verification/difference.hpp"
 #include "verification/digits_table.hpp"
+#include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace solitary_runup_test {
@@ -72,20 +74,18 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
 
   // The shoreline moves along the beach: elevation' = velocity tan beta.
   const SolitaryRunup wave(1, 1, 0.0185, 19.85);
-  Convergence residuals;
-  for (double span = 0.4; span > 0.02; span /= 2) {
-    Worst largest;
-    for (const double t : {28.0, 33.0, 36.0, 40.0, 44.0}) {
-      const auto z = [&](double steps) { return wave.shoreline(t + steps * span).elevation; };
-      const double rise = (8 * (z(1) - z(-1)) - (z(2) - z(-2))) / (12 * span);
-      largest.add(rise - wave.shoreline(t).velocity / 19.85);
-    }
-    residuals.add(span, largest.value());
-  }
-  check.that("kinematics",
-             "The nonlinear shoreline moves along the beach: the residual is the error of the time differences.",
-             "order of the residual in the time difference", residuals.order(1e-12),
-             Order{4, 0.3, "fourth-order differences of a smooth function"});
+  refine(check, {.axis = "time difference", .sizes = falling(0.8, 5), .title = {}, .floor = 1e-12},
+         {{"kinematics",
+           "The nonlinear shoreline moves along the beach: the residual is the error of the time differences.",
+           {4, 0.3, "fourth-order differences of a smooth function"}}},
+         [&](double span) {
+           Worst largest;
+           for (const double t : {28.0, 33.0, 36.0, 40.0, 44.0}) {
+             const double rise = difference([&](double d) { return wave.shoreline(t + d).elevation; }, span);
+             largest.add(rise - wave.shoreline(t).velocity / 19.85);
+           }
+           return largest.value();
+         });
   check.from("Carrier and Greenspan, J. Fluid Mech. 4 (1958) 97")
       .that("same-maximum", "Linear and nonlinear theory have the same maximum.",
             "shoreline at the time of the linear maximum [d]", {wave.shoreline(wave.highest().time).elevation},

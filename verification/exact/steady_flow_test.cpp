@@ -3,6 +3,7 @@
 #include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/difference.hpp"
 #include "verification/exact/bed_primitive.hpp"
 
 namespace steady_flow_test {
@@ -60,17 +61,14 @@ TEST_CASE("the MacDonald channel carries its depth", "[exact]") {
               source);
   const auto channel = MacDonald::smooth_rise(g);
   Worst residual;
-  const double d = 1;
   for (double x = 20; x <= 980; x += 7.3) {
-    const auto difference = [&](auto f) {
-      return (8 * (f(x + d) - f(x - d)) - (f(x + 2 * d) - f(x - 2 * d))) / (12 * d);
-    };
     const double h = channel.at(x).depth;
-    const double thrust = difference([&](double s) {
-      const auto state = channel.at(s);
+    const auto thrust_at = [&](double d) {
+      const auto state = channel.at(x + d);
       return state.depth * state.velocity * state.velocity + shallow_water::thrust(g, state.depth);
-    });
-    const double slope = difference([&](double s) { return channel.elevation(s); });
+    };
+    const double thrust = difference(thrust_at, 2);
+    const double slope = difference([&](double d) { return channel.elevation(x + d); }, 2);
     const double u = channel.at(x).velocity;
     residual.add(thrust + g * h * slope + g * 0.033 * 0.033 * u * u / std::cbrt(h));
   }

@@ -7,6 +7,7 @@
 #include "verification/check.hpp"
 #include "verification/exact/bed_primitive.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
+#include "verification/refinement.hpp"
 
 namespace thacker_test {
 
@@ -26,8 +27,7 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
               source);
   const Thacker published(g, 1, 0.5, 4);
   Worst area;
-  Convergence residuals;
-  for (double span = 0.08; span > 0.008; span /= 2) {
+  const auto largest_residual = [&](double span) {
     Largest residual;
     for (const double displacement : {0.05, 0.3, 0.5, 1.0}) {
       const Thacker bowl(g, 1, 0.5, 4, displacement);
@@ -41,12 +41,13 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
         area.add(4 * validation::cell_average(bowl, 0, 4, t).depth - bowl.area());
       }
     }
-    residuals.add(span, residual.value());
-  }
-  check.that("residual-order",
-             "Both equations hold at every displacement: the residual is the error of the time differences alone.",
-             "order of the residual in the time difference", residuals.order(1e-11),
-             Order{4, 0.2, "fourth-order differences; those in x are exact for the solution's polynomials in x"});
+    return residual.value();
+  };
+  refine(check, {.axis = "time difference", .sizes = falling(0.08, 4), .title = {}, .floor = 1e-11},
+         {{"residual-order",
+           "Both equations hold at every displacement: the residual is the error of the time differences alone.",
+           {4, 0.2, "fourth-order differences; those in x are exact for the solution's polynomials in x"}}},
+         largest_residual);
   check.that("area", "The area of the water is constant.", "area change [m^2]", {area.value()},
              Roundoff{60, 1, "sum of 20 weighted points up to 2/3"});
   CHECK(std::abs(published.at(published.left_shoreline(0.3) + 1e-9, 0.3).depth) < 2e-9);
@@ -67,17 +68,17 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
               source);
   const LagrangianManufactured flow;
   const auto at = [&](double x, double t) { return flow.at(x, t); };
-  Convergence residuals;
-  for (double span = 0.04; span > 0.004; span /= 2) {
-    Largest largest;
-    for (double x = 0.05; x < 0.96; x += 0.05) {
-      largest.add(verification::shallow_water_residual(at, g, x, 0.4, span, span, 0, flow.source(x, 0.4)));
-    }
-    residuals.add(span, largest.value());
-  }
-  check.that("residual-order", "The residual vanishes with the fourth power of the difference.",
-             "order of the residual", residuals.order(1e-11),
-             Order{4, 0.3, "fourth-order central differences of a smooth solution"});
+  refine(check, {.axis = "width of the differences", .sizes = falling(0.04, 4), .title = {}, .floor = 1e-11},
+         {{"residual-order",
+           "The residual vanishes with the fourth power of the difference.",
+           {4, 0.3, "fourth-order central differences of a smooth solution"}}},
+         [&](double span) {
+           Largest largest;
+           for (double x = 0.05; x < 0.96; x += 0.05) {
+             largest.add(verification::shallow_water_residual(at, g, x, 0.4, span, span, 0, flow.source(x, 0.4)));
+           }
+           return largest.value();
+         });
   Worst round_trip, mean;
   for (double s = 0; s <= 1; s += 0.0625) {
     round_trip.add(flow.label(flow.position(s, 0.7), 0.7) - s);

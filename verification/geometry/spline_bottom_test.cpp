@@ -1,6 +1,7 @@
 // The bottom through elevations on a grid: order, exactness, and lakes at rest over it.
 #include "seiche/geometry/plan_bottom.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,6 +11,8 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/difference.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::spline_bottom_test {
 
@@ -36,27 +39,24 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
               "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
               "Values converge with order 4, slopes with order 3.",
               source);
-  std::vector<double> spacings, values, slopes;
-  for (const double spacing : {0.25, 0.125, 0.0625, 0.03125}) {
-    const SplineBottom bottom = hill_bottom(spacing);
-    Worst value, slope;
-    for (double x = -1 + spacing / 2; x < 11; x += spacing) {
-      for (double y = -1 + spacing / 2; y < 11; y += spacing) {
-        value.add(bottom.slope(x, y).elevation - hill(x, y));
-      }
-    }
-    over_places([&](double x, double y) {
-      const double rate = -0.6 * (x - 5) * (hill(x, y) + 1);
-      slope.add(bottom.slope(x, y).along_x - rate);
-    });
-    spacings.push_back(spacing);
-    values.push_back(value.value());
-    slopes.push_back(slope.value());
-  }
-  check.that("order", "Elevations of the spline bottom are of order 4.", "order of the largest error",
-             observed_order(spacings, values), Order{4, 0.3, "three halvings from seven cells per width of the hill"});
-  check.that("slope-order", "Slopes of the spline bottom are of order 3.", "order of the largest error",
-             observed_order(spacings, slopes), Order{3, 0.3, "three halvings from seven cells per width of the hill"});
+  const std::string halvings = "three halvings from seven cells per width of the hill";
+  refine(check, {"spacing", falling(0.25, 4)},
+         {{"order", "Elevations of the spline bottom are of order 4.", {4, 0.3, halvings}},
+          {"slope-order", "Slopes of the spline bottom are of order 3.", {3, 0.3, halvings}}},
+         [](double spacing) {
+           const SplineBottom bottom = hill_bottom(spacing);
+           Worst value, slope;
+           for (double x = -1 + spacing / 2; x < 11; x += spacing) {
+             for (double y = -1 + spacing / 2; y < 11; y += spacing) {
+               value.add(bottom.slope(x, y).elevation - hill(x, y));
+             }
+           }
+           over_places([&](double x, double y) {
+             const double rate = -0.6 * (x - 5) * (hill(x, y) + 1);
+             slope.add(bottom.slope(x, y).along_x - rate);
+           });
+           return std::array{value.value(), slope.value()};
+         });
 
   const auto cubic = [](double x, double y) {
     return -2 + x * (0.3 + y * (0.1 - 0.02 * x * y * y)) + 0.01 * x * x * x;
@@ -85,11 +85,11 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
     // avoided by staying within one cell.
     const auto cell = [](double place) { return std::floor(2 * place); };
     if (cell(x - 2 * h) != cell(x + 2 * h) || cell(y - 2 * h) != cell(y + 2 * h) || x < -0.99 || x > 10.99) return;
-    const auto difference = [&](const auto& f) { return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h); };
     const auto integral = bottom.integral(x, y);
-    rate.add(difference([&](double d) { return bottom.integral(x + d, y).value; }) - bottom.slope(x, y).elevation);
+    rate.add(difference([&](double d) { return bottom.integral(x + d, y).value; }, 2 * h) -
+             bottom.slope(x, y).elevation);
     rate.add(integral.elevation - bottom.slope(x, y).elevation);
-    across.add(difference([&](double d) { return bottom.integral(x, y + d).value; }) - integral.along_y);
+    across.add(difference([&](double d) { return bottom.integral(x, y + d).value; }, 2 * h) - integral.along_y);
   });
   const Bound differences{1e-11,
                           "values up to 12 rounded to 2e-15, divided by h = 1e-3; the formula is exact for quartics"};

@@ -1,4 +1,5 @@
 // The free surface as particles show it: elevations of known layers, contours of known shapes.
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,6 +10,7 @@
 #include "validation/instruments/particles/sph_free_surface.hpp"
 #include "validation/instruments/particles/sph_front.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::wcsph_free_surface_test {
 
@@ -103,31 +105,18 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
              {elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })}, Bound{0.1, "as in the middle"});
 
   const auto wave = [](double x) { return 0.02 * std::cos(2 * pi * x); };
-  std::vector<double> spacings, errors, x_drawn, drawn, exact;
-  for (const double spacing : {0.05, 0.025, 0.0125, 0.00625}) {
-    const Scene layer = periodic_layer(
-        {.period = 1, .depth = 0.5, .elevation = wave, .spacing = spacing, .fitting = Fitting::stretched}, water);
-    const VolumeFraction fraction = fraction_of(layer);
-    spacings.push_back(spacing);
-    errors.push_back(spacing * elevation_error(layer, fraction, [&](double x) { return 0.5 + wave(x); }));
-    if (spacing != 0.05) continue;
-    for (double x = 0; x <= 1.0001; x += 0.01) {
-      x_drawn.push_back(x);
-      drawn.push_back(fraction.elevation(x).value() - 0.5);
-      exact.push_back(wave(x));
-    }
-  }
-  check.from("mean of z = eta(x) over a kernel of width h: eta + O(h^2 eta'')")
-      .that("wave-order", "The error of a wave falls with the square of the spacing.", "order of the largest error",
-            observed_order(spacings, errors),
-            Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
+  const auto errors = refine(
+      check, {"dx", falling(0.05, 4), "wave"},
+      {{"wave-order",
+        "The error of a wave falls with the square of the spacing.",
+        {2, 0.3, "leading term of the smoothing, O(h^2 eta''); the lattice's sums oscillate about it"}}},
+      [&](double spacing) {
+        const Scene layer = periodic_layer(
+            {.period = 1, .depth = 0.5, .elevation = wave, .spacing = spacing, .fitting = Fitting::stretched}, water);
+        return spacing * elevation_error(layer, fraction_of(layer), [&](double x) { return 0.5 + wave(x); });
+      });
   check.that("wave", "A wave of amplitude 0.4 dx is seen to a tenth of the spacing.", "largest error over dx",
-             {errors[0] / spacings[0]}, Bound{0.1, "as for the level layer"});
-  auto& panel =
-      check.figure("wave", "A wave of 0.4 spacings", "Elevation where the volume fraction is 1/2, dx = 0.05 m.")
-          .panel({.x = "x [m]", .y = "elevation [m]"});
-  panel.line("given", x_drawn, exact, evidence::Role::exact);
-  panel.points("from the particles", x_drawn, drawn);
+             {errors[0][0] / 0.05}, Bound{0.1, "as for the level layer"});
 
   Scene two = periodic_layer({.period = 1, .depth = 0.5, .spacing = 0.05}, water);
   for (const Place& p : rectangle(Lattice::square, 0.05, 0, 1, 20, 6)) two.particles.add(p.x, p.z, 2.5, 1000);
@@ -142,61 +131,47 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
               "disc of particles against its radius, area and centre, on 64 places of the disc on the lattice; "
               "directions of curves around water and around air.",
               contouring);
-  Convergence areas;
-  for (const long n : {20L, 40L, 80L, 160L}) {
-    Raster raster{.left = -1.5,
-                  .bottom = -1.5,
-                  .step = 3.0 / static_cast<double>(n),
-                  .columns = n + 1,
-                  .rows = n + 1,
-                  .values = {}};
-    for (long j = 0; j <= n; ++j) {
-      for (long i = 0; i <= n; ++i) {
-        const double x = raster.left + static_cast<double>(i) * raster.step;
-        const double z = raster.bottom + static_cast<double>(j) * raster.step;
-        raster.values.push_back(1.5 - (x - 0.1) * (x - 0.1) - 2 * z * z);
-      }
-    }
-    const std::vector<Contour> curves = level_curves(raster, 0.5);
-    REQUIRE(curves.size() == 1);
-    areas.add(raster.step, std::abs(curves[0].area() + pi / std::numbers::sqrt2));
-  }
-  check.that("ellipse", "The area inside the level curve of a smooth field has second order.", "order of the area",
-             areas.order(), Order{2, 0.2, "linear interpolation, chords of arcs"});
+  refine(check, {"step of the grid", widths(3, {20, 40, 80, 160}), "ellipse"},
+         {{"ellipse",
+           "The area inside the level curve of a smooth field has second order.",
+           {2, 0.2, "linear interpolation, chords of arcs"}}},
+         [](double step) {
+           const auto n = static_cast<long>(cells_of(3, step));
+           Raster raster{.left = -1.5, .bottom = -1.5, .step = step, .columns = n + 1, .rows = n + 1, .values = {}};
+           for (long j = 0; j <= n; ++j) {
+             for (long i = 0; i <= n; ++i) {
+               const double x = raster.left + static_cast<double>(i) * raster.step;
+               const double z = raster.bottom + static_cast<double>(j) * raster.step;
+               raster.values.push_back(1.5 - (x - 0.1) * (x - 0.1) - 2 * z * z);
+             }
+           }
+           const std::vector<Contour> curves = level_curves(raster, 0.5);
+           REQUIRE(curves.size() == 1);
+           return std::abs(curves[0].area() + pi / std::numbers::sqrt2);
+         });
 
-  std::vector<double> spacings, means, scatters, centres;
   Largest farthest;
-  for (const double spacing : {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}) {
-    const DiscErrors errors = disc_errors(spacing);
-    spacings.push_back(spacing);
-    means.push_back(std::abs(errors.area_mean));
-    scatters.push_back(errors.area_scatter);
-    centres.push_back(errors.centre);
-    farthest.add(errors.radius.value() / spacing);
-  }
-  const std::string remainder =
-      "Kendall, Q. J. Math. 19 (1948) 1: rms R^(1/2) of the number of lattice points in a disc";
+  refine(
+      check,
+      {"dx/R", {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}, "disc", "A disc's contour: errors over 64 places on the lattice"},
+      {{"disc-area",
+        "The disc's area, mean over its places on the lattice, has second order.",
+        {2, 0.3,
+         "leading term, curvature moves the level 1/2 by a part of h^2/R; a mean of 64 places leaves a part of the "
+         "scatter"}},
+       {"disc-centre",
+        "The centre of the disc converges with order 1.5.",
+        {1.5, 0.5,
+         "the first moment of the remainder of the number of lattice points in a disc, rms R^(1/2): Kendall, Q. J. "
+         "Math. 19 (1948) 1"}}},
+      [&](double spacing) {
+        const DiscErrors errors = disc_errors(spacing);
+        farthest.add(errors.radius.value() / spacing);
+        return std::array{std::abs(errors.area_mean), errors.centre};
+      });
   check.from(fractions).that("disc-radius", "No point of a disc's contour is farther off than half a cell's diagonal.",
                              "largest distance over dx", {farthest.value()},
                              Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
-  check.from("curvature moves the level 1/2 by a part of h^2/R")
-      .that("disc-area", "The disc's area, mean over its places on the lattice, has second order.",
-            "order of the mean error", observed_order(spacings, means),
-            Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
-  check.from(remainder).that("disc-centre", "The centre of the disc converges with order 1.5.",
-                             "order of the rms error", observed_order(spacings, centres),
-                             Order{1.5, 0.5, "the first moment of the same remainder"});
-  auto& panel = check.figure("disc", "A disc's contour", "Errors over 64 places of the disc on the lattice.")
-                    .panel({.x = "dx/R", .y = "error", .log_x = true, .log_y = true});
-  const auto guide = [&](const std::vector<double>& errors, double order) {
-    std::vector<double> line;
-    for (const double spacing : spacings) line.push_back(errors[0] * std::pow(spacing / spacings[0], order));
-    return line;
-  };
-  panel.points("area, mean", spacings, means);
-  panel.points("area, scatter", spacings, scatters, evidence::Role::peer);
-  panel.line("order 2", spacings, guide(means, 2), evidence::Role::guide);
-  panel.line("order 3/2", spacings, guide(scatters, 1.5), evidence::Role::guide);
 
   const Scene ring =
       patch({.inside = [](double x, double z) { return std::hypot(x, z) <= 1 && std::hypot(x, z) > 0.4; },

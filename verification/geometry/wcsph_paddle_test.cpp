@@ -7,6 +7,7 @@
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::wcsph_paddle_test {
 
@@ -32,28 +33,26 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
                                                             {"flap", flap(0.001, -0.002, depth, stroke, frequency)}};
   const std::vector<std::pair<double, double>> places{{-0.0005, 0.0005}, {-0.001, 0.012}, {0.001, 0.03}};
   for (const auto& [name, paddle] : paddles) {
-    std::vector<double> steps, errors;
-    for (double step = period / 40; step > period / 700; step /= 2) {
-      Worst error;
-      for (double t = 0.013; t < period; t += 0.029) {
-        for (const auto& [x, z] : places) {
-          const PointMotion now = at(paddle, t, x, z);
-          const PointMotion before = at(paddle, t - step, x, z);
-          const PointMotion after = at(paddle, t + step, x, z);
-          error.add((after.x - before.x) / (2 * step) - now.u);
-          error.add((after.z - before.z) / (2 * step) - now.w);
-        }
-      }
-      steps.push_back(step);
-      errors.push_back(error.value());
-    }
-    check.that(name + "-velocity",
-               "The velocity is the rate of the place: central differences approach it with their order.",
-               "order of the difference", observed_order(steps, errors),
-               name == "piston" ? Order{2, 0.003,
-                                        "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at "
-                                        "the longest step, 1/40 of a period, 0.002 per halving"}
-                                : Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
+    refine(check, {.axis = "step", .sizes = falling(period / 40, 5), .title = {}},
+           {{name + "-velocity",
+             "The velocity is the rate of the place: central differences approach it with their order.",
+             name == "piston" ? Order{2, 0.003,
+                                      "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at "
+                                      "the longest step, 1/40 of a period, 0.002 per halving"}
+                              : Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"}}},
+           [&](double step) {
+             Worst error;
+             for (double t = 0.013; t < period; t += 0.029) {
+               for (const auto& [x, z] : places) {
+                 const PointMotion now = at(paddle, t, x, z);
+                 const PointMotion before = at(paddle, t - step, x, z);
+                 const PointMotion after = at(paddle, t + step, x, z);
+                 error.add((after.x - before.x) / (2 * step) - now.u);
+                 error.add((after.z - before.z) / (2 * step) - now.w);
+               }
+             }
+             return error.value();
+           });
   }
 
   const Paddle& leaning = paddles[1].second;

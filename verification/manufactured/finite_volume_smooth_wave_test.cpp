@@ -1,11 +1,15 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::finite_volume_smooth_wave_test {
 
@@ -36,7 +40,7 @@ double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_
 struct Expectation {
   Scheme scheme;
   double order;
-  std::size_t coarsest;  // of the four grids that the order is fitted on
+  int coarsest;  // of the four grids that the order is fitted on
 };
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
@@ -54,23 +58,14 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       {Scheme::mac_cormack, 2, 400},
       {Scheme::muscl_hll, 2, 400},
   }};
-  auto& figure = check.figure("convergence", "Error against cell width", "Mean error of the depth at t = 0.9 s.");
-  auto& panel = figure.panel({.x = "cell width [m]", .y = "mean error of the depth [m]", .log_x = true, .log_y = true});
   for (const Expectation& expectation : expectations) {
     const std::string id(shallow_water_finite_volume::name(expectation.scheme));
-    std::vector<double> widths, errors;
-    for (std::size_t cells = 100; cells <= std::max<std::size_t>(1600, 8 * expectation.coarsest); cells *= 2) {
-      widths.push_back(length / static_cast<double>(cells));
-      errors.push_back(mean_depth_error(wave, expectation.scheme, cells));
-    }
-    const auto tail = static_cast<std::ptrdiff_t>(widths.size()) - 4;
-    check.that(
-        id + "-order",
-        "Scheme " + id + " converges with order " + std::to_string(static_cast<int>(expectation.order)) + ".",
-        "order of convergence",
-        observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
-        Order{expectation.order, 0.15, "approached from below: next term of the error on the four finest grids"});
-    panel.line(id, widths, errors, Role::computed);
+    const int n = expectation.coarsest;
+    refine(check, {"cell width [m]", widths(length, {n, 2 * n, 4 * n, 8 * n}), id, id},
+           {{id + "-order",
+             fmt::format("Scheme {} converges with order {:g}.", id, expectation.order),
+             {expectation.order, 0.15, "approached from below: next term of the error on the four finest grids"}}},
+           [&](double width) { return mean_depth_error(wave, expectation.scheme, cells_of(length, width)); });
   }
 }
 

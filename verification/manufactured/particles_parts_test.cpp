@@ -1,5 +1,6 @@
 // Parts of the particle method that are known in closed form: mirrors at walls, fixed sections, jumps that leave their
 // particle, the profile of a front.
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/refinement.hpp"
 
 namespace seiche::verification::particles_parts_test {
 
@@ -112,23 +114,18 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
         },
         1.0, 1.5);
   };
-  std::vector<double> widths, mass, momentum;
   Worst asymmetry;
-  for (std::size_t count = 40; count <= 640; count *= 2) {
-    const Outflow right = fan_through_section(count, false);
-    const Outflow left = fan_through_section(count, true);
-    widths.push_back(6 / static_cast<double>(count));
-    mass.push_back(std::abs(right.mass - passed(1)));
-    momentum.push_back(std::abs(right.momentum - passed(2)));
-    asymmetry.add(right.mass - left.mass);
-    asymmetry.add(right.momentum - left.momentum);
-  }
-  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
-    check.that(id, text, "observed order", observed_order(widths, errors, 1e-12),
-               Order{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"});
-  };
-  order("mass", "The mass that has left is of second order.", mass);
-  order("momentum", "The momentum that has left is second-order in the particle spacing.", momentum);
+  const Order second{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"};
+  refine(check, {.axis = "width", .sizes = widths(6, {40, 80, 160, 320, 640}), .floor = 1e-12},
+         {{"mass", "The mass that has left is of second order.", second},
+          {"momentum", "The momentum that has left is second-order in the particle spacing.", second}},
+         [&](double width) {
+           const Outflow right = fan_through_section(cells_of(6, width), false);
+           const Outflow left = fan_through_section(cells_of(6, width), true);
+           asymmetry.add(right.mass - left.mass);
+           asymmetry.add(right.momentum - left.momentum);
+           return std::array{std::abs(right.mass - passed(1)), std::abs(right.momentum - passed(2))};
+         });
   check.from(source).that(
       "mirrored", "To the left the same passes as to the right.", "largest difference of mass or momentum",
       {asymmetry.value()},
