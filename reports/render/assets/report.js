@@ -1,3 +1,6 @@
+// Tables that are wider than the page can be moved from the keyboard.
+for (const box of document.querySelectorAll(".scroll")) if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+
 // Figures answer on request: their file, whose script gives values, series and films, takes the place of its picture.
 for (const plate of document.querySelectorAll("a.plate[data-live]")) {
   const button = document.createElement("button"), picture = plate.firstElementChild;
