@@ -24,7 +24,7 @@ def draw(data_file, figure_id, drawing_name, small, key, target):
     import matplotlib
     import matplotlib.pyplot
     from render import arrays
-    from render.panels import DRAWINGS, still
+    from render.panels import DRAWINGS
     try:
         if drawing_name not in DRAWINGS:
             return f"no drawing is called “{drawing_name}”; known: {', '.join(sorted(DRAWINGS))}"
@@ -34,7 +34,7 @@ def draw(data_file, figure_id, drawing_name, small, key, target):
         target = pathlib.Path(target)
         beside = target.with_name(f"{target.name}.{os.getpid()}.new")
         figure.savefig(beside, format="svg", metadata={"Date": None, "Creator": None})
-        svg = _slim(beside.read_text(encoding="utf-8"), still(content["panels"]))
+        svg = _slim(beside.read_text(encoding="utf-8"), len(content["panels"]) - 1)
         beside.write_text(svg if small else _answering(svg, figure, content), encoding="utf-8")
         os.replace(beside, target)
         return ""
@@ -60,12 +60,12 @@ def _answering(svg, figure, content):
         "</svg>", '<script href="../../assets/figure.js"/></svg>')
 
 
-def _slim(svg, still):
+def _slim(svg, last):
     """Drops what a browser does not need: comments, metadata, doctype, line indentation, digits below .1 of a point,
     names that nothing refers to, the style of markers that are alike; other names become short, and those of panels.py
-    data. Of a film's frames all but the still one are hidden."""
+    data. Of a film's frames all but the last are hidden."""
     svg = re.sub(r' id="((?:[a-z]+-\d+ ?)+)"', lambda found: "".join(
-        f' data-{what}="{number}"' + ' display="none"' * (what == "frame" and int(number) != still)
+        f' data-{what}="{number}"' + ' display="none"' * (what == "frame" and int(number) != last)
         for what, number in re.findall(r"([a-z]+)-(\d+)", found[1])), svg)
     svg = re.sub(r"<!--.*?-->|<!DOCTYPE.*?>|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL).replace("xlink:href", "href")
     svg = re.sub(r"\n\s*", "\n", svg)

@@ -66,13 +66,13 @@ def panels(figure, small):
 
 
 def film(figure, small):
-    """Panels one after the other in the same place; until the figure's script plays them, `still` is seen."""
+    """Panels one after the other in the same place; until the figure's script plays them, the last is seen."""
     shown = figure["panels"]
     looks = Looks(shown)
     share_limits(shown)
     share_heights(shown)
     if small:
-        return _stamp(shown[still(shown):][:1], looks)
+        return _stamp(shown[-1:], looks)
     room = height(shown[0], WIDTH, 1) + 0.6
     canvas = matplotlib.pyplot.figure(figsize=(WIDTH, room))
     canvas.set_layout_engine("constrained", rect=(0, 0.3 / room, 1, 1 - 0.3 / room))
@@ -86,11 +86,6 @@ def film(figure, small):
         own_legend(axis, shown[-1], looks)
     _colour_bars(canvas, [axis], shown[:1])
     return canvas
-
-
-def still(shown):
-    """The panel of a film that stands for it: two thirds on, when most of what happens can be seen."""
-    return 2 * len(shown) // 3
 
 
 DRAWINGS = {"panels": panels, "film": film}     # by the name that a record gives
