@@ -51,10 +51,9 @@ def _answering(svg, figure, content):
     panels = []
     for axis in (axis for axis in figure.axes if (axis.get_gid() or "").startswith("panel")):
         box = axis.get_position()
-        plain = axis.name != "polar" and axis.axison
         panels.append({"box": [box.x0 * width, (1 - box.y1) * height, box.width * width, box.height * height],
                        "x": axis.get_xlim(), "y": axis.get_ylim(), "log": [axis.get_xscale() == "log", axis.get_yscale() == "log"]}
-                      if plain else None)
+                      if axis.axison else None)
     about = json.dumps({"labels": Looks(content["panels"]).labels(), "panels": panels})
     return svg.replace("<svg ", f'<svg data-figure="{html.escape(about)}" ', 1).replace(
         "</svg>", '<script href="../../assets/figure.js"/></svg>')

@@ -11,7 +11,7 @@ import matplotlib.ticker
 import numpy
 
 from render.lattices import colour_bar, kind, plan, share_heights
-from render.layout import columns_of, given, height, ratio, share_limits, span_of
+from render.layout import columns_of, given, height, ratio, share_limits
 from render.legends import handles, labels, legend_columns, named_keys, own_legend, safe, shared_legend
 from render.looks import Looks
 from render.surfaces import surfaces
@@ -116,8 +116,7 @@ def _grouped(draw, name):
 def _axes(canvas, shown, rows, columns, **proportions):
     """Axes for the panels, row by row."""
     grid = canvas.add_gridspec(rows, columns, **proportions)
-    return [canvas.add_subplot(grid[divmod(position, columns)], projection="polar" if kind(panel) == "polar" else None)
-            for position, panel in enumerate(shown)]
+    return [canvas.add_subplot(grid[divmod(position, columns)]) for position in range(len(shown))]
 
 
 def _colour_bars(canvas, axes, shown):
@@ -148,9 +147,6 @@ def _stamp(shown, looks):
 def _draw_panel(axis, panel, looks, small=False, frame=""):
     if kind(panel) == "surface":
         surfaces(axis, panel, small)
-        return
-    if kind(panel) == "polar":
-        _polar(axis, panel, looks, small)
         return
     if panel.get("log_x"):
         axis.set_xscale("log")
@@ -184,38 +180,7 @@ def _draw_panel(axis, panel, looks, small=False, frame=""):
         _log_ticks(axis, panel)
 
 
-def _polar(axis, panel, looks, small):
-    """Distances against directions; of a quarter or half of the circle only that sector."""
-    for series in panel["series"]:
-        if series.get("style", "line") not in ("line", "points"):
-            raise ValueError(f"a polar panel shows lines and points, not {series['style']}")
-        _draw_series(axis, {**series, "x": numpy.radians(series["x"])}, looks.of(series))
-    low, high = span_of(panel, "x")
-    low, high = panel.get("x_min", low), panel.get("x_max", high)
-    for sector in (90, 180):
-        if -1e-9 <= low and high <= sector * (1 + 1e-9):
-            axis.set_thetalim(0, math.radians(sector))
-            break
-    else:
-        sector = 360
-    for name, which in (("y_min", "bottom"), ("y_max", "top")):
-        if given(panel.get(name)):
-            axis.set_ylim(**{which: panel[name]})
-    axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
-    axis.grid(True)
-    if small:
-        return
-    axis.set_title(safe(panel.get("title", "")), y=1.1)
-    axis.set_xlabel(safe(panel.get("y_label", "")), labelpad=4 if sector == 360 else 14)
-    place = math.radians(45 if sector < 360 else -45)
-    axis.annotate(safe(panel.get("x_label", "")), (place, axis.get_ylim()[1]),
-                  (36 * math.cos(place), 36 * math.sin(place)), textcoords="offset points", ha="center", va="center",
-                  rotation=-math.degrees(place), annotation_clip=False)
-
-
 def _text(axis, panel):
-    if kind(panel) == "polar":
-        return
     # The label of a surface's heights stands at the top of its panel, where the title would be.
     axis.set_title(safe(panel.get("title", "")), pad=18 if kind(panel) == "surface" else None)
     axis.set_xlabel(safe(panel.get("x_label", "")))
@@ -259,7 +224,7 @@ def _points(axis, series, look):
              "markerfacecolor": look["color"] if filled else "white", "markeredgewidth": 0.8 if len(x) <= 400 else 0,
              "zorder": look["zorder"] + 0.5}
     if error is not None:
-        axis.errorbar(x, y, yerr=error, elinewidth=0.7, capsize=0 if axis.name == "polar" else None, **style)
+        axis.errorbar(x, y, yerr=error, elinewidth=0.7, **style)
     else:
         axis.plot(x, y, rasterized=len(x) > MANY, **style)
 

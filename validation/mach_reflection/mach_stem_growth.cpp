@@ -143,7 +143,7 @@ void draw_pictures(evidence::Exhibit& exhibit, const Values& values, const Devel
                      fmt::format("a_i = {:g}, {:g} deg, {}. The wall is in front; x from the crest on the wall.",
                                  wave.amplitude(), values.real("angle"), resolution_of(values)),
                      {"frank-fig-6"});
-  auto& plan = exhibit.figure("plan", "The same from above",
+  auto& plan = exhibit.figure("plan", "Growth of the stem from above",
                               "Elevation; x from the crest on the wall, all times on the same scales.");
   const double highest = theoretical_height(wave);
   plan.drawing = "film";
