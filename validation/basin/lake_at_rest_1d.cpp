@@ -230,7 +230,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case lake_at_rest_1d() {
   Case c;
-  c.title = "A lake at rest under the dispersive model stays so to the last bit";
+  c.title = "Lake at rest under the dispersive model";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3; E. Audusse et al., "
       "SIAM J. Sci. Comput. 25 (2004) 2050";

@@ -222,6 +222,9 @@ const std::string source =
 constexpr double half_length = std::numbers::pi;
 const std::vector<double> frame_times{0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4};
 
+constexpr double film_begin = 3;
+constexpr double film_interval = 0.25;
+
 /// The last frame whose curvature every lattice resolves.
 constexpr std::size_t steepest = 4;
 
@@ -234,7 +237,7 @@ struct Frame {
 };
 
 struct Results {
-  std::vector<Frame> frames;
+  std::vector<Frame> frames, film;
   double crest = std::numeric_limits<double>::quiet_NaN();         ///< above the bottom, at the time `at`
   double coarse_crest = std::numeric_limits<double>::quiet_NaN();  ///< on the wider cells
   /// First time at which the line of markers goes backwards; NaN: never.
@@ -339,6 +342,8 @@ Results break_on(const Run& run, long cells, const PressureBreakingReference* re
     march(flow, time, tau, [&] {
       flow.observe();
       if (std::isnan(r.overturned) && goes_backwards(flow.markers())) r.overturned = flow.time();
+      if (!finest || flow.time() < film_begin + film_interval * static_cast<double>(r.film.size())) return;
+      r.film.push_back(reference ? frame_of(flow, *reference, {}) : frame_of(flow));
     });
     if (time == at) r.crest = depth + highest(flow.markers()).y;
     if (std::find(frame_times.begin(), frame_times.end(), time) == frame_times.end()) continue;
@@ -419,13 +424,11 @@ void claims(const Values& values, const Claims<Results>& all) {
                       .reason = "one rounding per step of energies below 1"});
 }
 
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& figure =
-      exhibit.figure("frames", "The wave breaks", "The surface at the times of the source's frames.", {"frank-fig-10"});
-  for (const Frame& frame : r.frames) {
+void draw_frames(evidence::Figure& figure, const std::vector<Frame>& frames) {
+  for (const Frame& frame : frames) {
     auto& panel = figure.panel({.x = "x - x(crest)",
                                 .y = "y",
-                                .title = fmt::format("t = {:g}", frame.time),
+                                .title = fmt::format("t = {:.3g}", frame.time),
                                 .equal_aspect = true,
                                 .x_min = -1.6,
                                 .x_max = 1.6,
@@ -446,6 +449,16 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       panel.line(&piece == &frame.outline.front() ? "outline of the particles" : "", outline.x, outline.y, Role::peer);
     }
   }
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  draw_frames(
+      exhibit.figure("frames", "The wave breaks", "The surface at the times of the source's frames.", {"frank-fig-10"}),
+      r.frames);
+  auto& film =
+      exhibit.figure("film", "The wave steepens and breaks", "The surface from t = 3 on, seen from its crest.");
+  film.drawing = "film";
+  draw_frames(film, r.film);
   if (r.comparison.vertical_tangent > 0) tabulate(exhibit, r.comparison);
   if (std::isfinite(r.overturned)) exhibit.measure("overturning_time", r.overturned);
   exhibit.measure("crest_wider_cells", r.coarse_crest);
@@ -456,7 +469,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case breaking_gauss() {
   Case c;
-  c.title = "A wave is pushed until it breaks, by free particles under Gauss's principle";
+  c.title = "A wave is forced by pressure until it breaks: Gauss-principle particles";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

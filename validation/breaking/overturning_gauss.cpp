@@ -148,7 +148,7 @@ void turn_particles(Results& r, const SteepWave& wave, long cells) {
   const double began = processor_seconds();
   Flow flow = flow_of(wave, cells);
   const double kinetic = flow.energy();
-  Computed one{.model = "free particles", .size = cell_of(cells)};
+  Computed one{.model = "Gauss particles", .size = cell_of(cells)};
   r.turned = std::numeric_limits<double>::quiet_NaN();
   for (const double time : r.times) {
     march(flow, time, step_of(wave, cells), [&] {
@@ -267,7 +267,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       for (const Polyline& line : lines) panel.line(&line == &lines.front() ? name : "", line.x, line.y, role);
     };
     draw("potential flow", r.exact[i], Role::exact);
-    draw("free particles", r.finest().surfaces[i], Role::computed);
+    draw("Gauss particles", r.finest().surfaces[i], Role::computed);
     draw("SPH", r.sph.surfaces[i], Role::peer);
   }
   evidence::Table& table = add_table(exhibit, "models", "Distance from potential flow",
@@ -294,7 +294,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case overturning_gauss() {
   Case c;
-  c.title = "A steep wave turns over, by free particles under Gauss's principle beside SPH";
+  c.title = "A steep wave overturns: Gauss-principle particles beside SPH";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

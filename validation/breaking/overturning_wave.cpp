@@ -114,6 +114,13 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     figure.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.4g} s", t), .equal_aspect = true})
         .line("surface", profile.x, profile.y, Role::exact);
   }
+  auto& film = exhibit.figure("film", "The wave overturns", "Surfaces over one wavelength, from the start to the jet.");
+  film.drawing = "film";
+  for (const double t : evenly(0, instants_of(r.wave).back(), 25)) {
+    const auto profile = r.wave.profile(t, 401);
+    film.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.2f} s", t), .equal_aspect = true})
+        .line("surface", profile.x, profile.y, Role::exact);
+  }
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

@@ -171,7 +171,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case dam_break_convergence() {
   Case c;
-  c.title = "Dam breaks refined";
+  c.title = "Convergence of dam breaks";
   c.source = "exact solutions of Ritter (1892) and Stoker (1957)";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

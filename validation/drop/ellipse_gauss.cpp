@@ -244,7 +244,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case ellipse_gauss() {
   Case c;
-  c.title = "A liquid drop is stretched, by free particles under Gauss's principle";
+  c.title = "A liquid drop is stretched: Gauss-principle particles";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

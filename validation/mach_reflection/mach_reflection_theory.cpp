@@ -155,7 +155,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 Case mach_reflection_theory() {
   Case c;
-  c.title = "Mach reflection of a small solitary wave: the theory, which is known to its amplitude, a tenth";
+  c.title = "Mach reflection of a small solitary wave: theory, accurate to the amplitude, 10 %";
   c.source =
       "J. W. Miles, J. Fluid Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, On the Mach reflection of a solitary wave: "
       "revisited, J. Fluid Mech. 672 (2011) 326";

@@ -266,7 +266,7 @@ struct Shown {
 };
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const std::vector<Shown> models{{"free particles", "cell", r.particles, Role::computed},
+  const std::vector<Shown> models{{"Gauss particles", "cell", r.particles, Role::computed},
                                   {"Lagrangian mesh", "row", r.mesh, Role::peer},
                                   {"dispersive shallow water", "marker spacing", r.dispersive, Role::data},
                                   {"SPH", "particle spacing", r.sph, Role::guide}};
@@ -308,7 +308,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case stokes_models() {
   Case c;
-  c.title = "Which model should one take? A steep periodic wave by four of them";
+  c.title = "Model comparison: a steep periodic wave";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 2, 3 and 6";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

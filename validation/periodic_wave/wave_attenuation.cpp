@@ -280,7 +280,7 @@ struct Shown {
   Role role;
 };
 const std::vector<Shown>& shown_models() {
-  static const std::vector<Shown> models{{"particles", "free particles", Role::computed},
+  static const std::vector<Shown> models{{"particles", "Gauss particles", Role::computed},
                                          {"mesh", "Lagrangian mesh", Role::peer},
                                          {"dispersive", "dispersive shallow water", Role::data},
                                          {"sph", "SPH", Role::guide}};
@@ -333,7 +333,7 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
 
 Case wave_attenuation() {
   Case c;
-  c.title = "A wave on a long way: what it loses in a wavelength, and how late it is";
+  c.title = "Attenuation and phase lag of waves over many wavelengths";
   c.source =
       "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; A. M. Frank, Discrete models of incompressible fluid, doctoral "
       "thesis (1994)";

@@ -327,7 +327,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case run_up_breaking() {
   Case c;
-  c.title = "Where the run-down breaks: the end of the model's validity";
+  c.title = "Breaking in run-down: limit of the dispersive model";
   c.source =
       "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; A. M. Frank, Discrete models of "
       "incompressible fluid, doctoral thesis (1994), chapter 3";

@@ -475,7 +475,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case run_up_gauss() {
   Case c;
-  c.title = "A solitary wave climbs a wall or a slope, by free particles under Gauss's principle";
+  c.title = "A solitary wave climbs a wall or a slope: Gauss-principle particles";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 3 and 6; C. H. Su, R. M. "
       "Mirie, J. Fluid Mech. 98 (1980) 509; J. V. Hall, G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";

@@ -114,7 +114,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 Case slope_run_up_exact() {
   Case c;
-  c.title = "A solitary wave climbs a plane slope";
+  c.title = "A solitary wave climbs a plane slope: fully nonlinear potential flow";
   c.source =
       "S. T. Grilli, I. A. Svendsen, R. Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; J. V. Hall, "
       "G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";

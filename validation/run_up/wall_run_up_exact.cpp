@@ -86,7 +86,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 Case wall_run_up_exact() {
   Case c;
   c.former_names = {"wall_runup"};
-  c.title = "A solitary wave climbs a vertical wall";
+  c.title = "A solitary wave climbs a vertical wall: fully nonlinear potential flow";
   c.source =
       "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. "
       "342 (1997) 141";

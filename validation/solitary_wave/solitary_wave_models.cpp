@@ -40,7 +40,7 @@ namespace {
 using exact::SolitaryWave;
 
 const std::string source = "exact wave; Frank, Discrete models of incompressible fluid (1994)";
-const Named particles{"particles", "free particles"};
+const Named particles{"particles", "Gauss particles"};
 const Named mesh{"mesh", "the Lagrangian mesh"};
 const Named variable_mass{"variable-mass", "particles of variable mass"};
 
@@ -181,7 +181,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case solitary_wave_models() {
   Case c;
-  c.title = "Which model should one take? A solitary wave by six of them";
+  c.title = "Model comparison: a solitary wave";
   c.source =
       "D. Dutykh, D. Clamond, Wave Motion 51 (2014) 86; A. M. Frank, Discrete models of incompressible fluid, doctoral "
       "thesis (1994)";

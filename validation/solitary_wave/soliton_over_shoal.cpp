@@ -303,7 +303,7 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 
 Case soliton_over_shoal() {
   Case c;
-  c.title = "A solitary wave over a round shoal by both models of waves in three dimensions";
+  c.title = "A solitary wave over a round shoal: 2DH model and hexahedral mesh";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

@@ -1,5 +1,5 @@
 /*
-A solitary wave passes over a step of the bottom onto a shelf and falls apart into several: Frank's example for
+A solitary wave passes over a step in the bed onto a shelf and falls apart into several: Frank's example for
 particles of variable mass (1994, section 5.3). Depth before the step, gravity and density are 1.
 
 **Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes are kept at their $x$
@@ -431,7 +431,7 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
 
 Case step_variable_mass() {
   Case c;
-  c.title = "A solitary wave passes over a step of the bottom";
+  c.title = "A solitary wave passes over a step in the bed";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 5.3; O. S. Madsen, C. C. "
       "Mei, J. Fluid Mech. 39 (1969) 781";

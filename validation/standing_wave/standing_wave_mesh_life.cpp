@@ -326,7 +326,7 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
 
 Case standing_wave_mesh_life() {
   Case c;
-  c.title = "How long a Lagrangian mesh lives under a standing wave";
+  c.title = "Time until a Lagrangian mesh tangles under a standing wave";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {

@@ -40,7 +40,7 @@ namespace {
 using exact::StandingWave;
 
 const std::string source = "Tadjbakhsh and Keller (1960); Frank, Discrete models of incompressible fluid (1994)";
-const Named particles{"particles", "free particles"};
+const Named particles{"particles", "Gauss particles"};
 const Named mesh{"mesh", "the Lagrangian mesh"};
 const Named variable_mass{"variable-mass", "particles of variable mass"};
 const Named dispersive{"dispersive", "dispersive shallow water"};
@@ -213,7 +213,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case standing_wave_models() {
   Case c;
-  c.title = "Which model should one take? A standing wave by six of them";
+  c.title = "Model comparison: a standing wave";
   c.source =
       "I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442; A. M. Frank, Discrete models of incompressible fluid, "
       "doctoral thesis (1994)";
