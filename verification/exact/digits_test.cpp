@@ -29,14 +29,15 @@ std::map<std::string, double> numbers(const std::string& text, const std::vector
   return values;
 }
 
-/// A scalar of the solution; at a place, one of its outputs.
+/// A scalar of the solution, or one of its outputs, at a place if it knows places.
 double computed(const exact::ExactSolution& solution, const std::string& parameters, const std::string& at,
                 const std::string& quantity) {
   const exact::Evaluator evaluator = solution.evaluator(numbers(parameters, solution.parameters));
   const auto named = [&](const std::vector<exact::Quantity>& all, const std::vector<double>& values) {
     return values.at(static_cast<std::size_t>(std::ranges::find(all, quantity, &exact::Quantity::name) - all.begin()));
   };
-  if (at.empty()) return named(solution.scalars, evaluator.scalars());
+  const bool scalar = std::ranges::find(solution.scalars, quantity, &exact::Quantity::name) != solution.scalars.end();
+  if (at.empty() && scalar) return named(solution.scalars, evaluator.scalars());
   std::vector<double> place;
   for (const exact::Coordinate& input : solution.inputs) place.push_back(numbers(at).at(input.name));
   return named(solution.outputs, evaluator.eval(place));
