@@ -158,10 +158,11 @@ def rows_of(record, versions):
         settings = ";".join(f"{name}={p['value']:g}" if isinstance(p["value"], float) else f"{name}={p['value']}"
                             for name, p in sorted(record.parameters.items()) if p["value"] != p["default"])
     told = record.provenance
+    cell = record.measurements.get("cell_size", record.parameters.get("cell", {}).get("value"))
     for quantity, values in sorted(errors.items()):
         yield dict(zip(COLUMNS, (
             record.case, settings, quantity, solver, versions.get(record.solver, told["version"]),
-            _digits(record.measurements.get("cell_size")), _digits(max(values)),
+            _digits(cell), _digits(max(values)),
             _digits(record.measurements.get(f"ladder_order_{quantity}")), _digits(record.wall_time),
             sum(claim.verdict == "pass" for claim in record.claims), len(record.claims), told["processor"],
             told["date"][:10])))
