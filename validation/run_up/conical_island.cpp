@@ -233,7 +233,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
             return static_cast<double>(
                 std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
           },
-          Bound{.limit = 0, .reason = "none"});
+          Bound{.limit = 0, .reason = "run-up is compared at every measured angle"});
 }
 
 void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {

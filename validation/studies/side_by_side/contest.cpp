@@ -92,7 +92,7 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
     }
   } catch (const std::invalid_argument& refusal) {
     if (!may_refuse) throw;
-    result.cause = fmt::format("refuses to start: {}", refusal.what());
+    result.cause = fmt::format("cannot start: {}", refusal.what());
   }
   return result;
 }
