@@ -47,7 +47,7 @@ void claims(const Values& values, const Claims<PressureWaves>& claims) {
       "leader", source, run);
   if (regime) claim_pressure_regime(claims, *regime, run);
   claims.at(run.text())
-      .check("endless", "The elevation at the wall ahead stays below 0.0005 H, a sixtieth of a soliton's threshold.",
+      .check("endless", "The elevation at the wall ahead stays below an ulp of the depth, 2.2e-16 H.",
              "largest elevation at the wall ahead, at any time [H]", &PressureWaves::largest_at_wall,
              Bound{.limit = std::numeric_limits<double>::epsilon(),
                    .reason = "an ulp of the depth: water that rises less is not told from water at rest"});
