@@ -198,7 +198,7 @@ class Score(Scoring):
             with self.subTest(factor=factor, solver=solver, words=words):
                 said = self.score("riemann", "--data", self.table({**columns, "h": factor * columns["h"]}), *words,
                                   solver=solver).stdout.splitlines()
-                rank = [line for line in said if line.startswith("rank: h ")]
+                rank = [line for line in said if line.startswith("rank: h:")]
                 self.assertEqual([smaller in line for line in rank], [True] if smaller else [])
 
     # What is taken.

@@ -59,7 +59,8 @@ std::string rank(const evidence::Record& record) {
     const double error = worst.value();
     const std::vector<double>& others = stored[quantity];
     if (others.empty()) continue;
-    told.push_back(fmt::format("{}: error {:.2g} %, smaller than {} of {} stored solvers", quantity, 100 * error,
+    told.push_back(fmt::format("{}: error {:.2g} %, smaller than {} of {} stored solvers on their finest cells",
+                               quantity, 100 * error,
                                std::ranges::count_if(others, [&](double e) { return e > error; }), others.size()));
   }
   return fmt::format("{}", fmt::join(told, "; "));
