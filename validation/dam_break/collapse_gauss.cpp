@@ -13,7 +13,7 @@ square column, the height at the wall with the same shift. Three lattices tell h
 shallow water, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome, and stays ahead.
 
 **What to look at.** As it stands the front is ahead of the measured one from the first point on: nothing holds the
-water, and nothing rubs. The tall column's front, shifted, goes through the points. That of the square column gains
+water, and nothing rubs. The tall column's front, shifted, goes through the points. The front of the square column gains
 on them, on every lattice: it is thin sooner, and there is no friction on bed and side walls to hold it back. The claim
 `rms` is therefore declared to fail with `aspect=1`.
 

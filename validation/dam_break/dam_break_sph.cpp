@@ -11,8 +11,8 @@ it is $t\sqrt{g/a}$, as their front was published.
 published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
 or pulling something. Points count until the far wall is near.
 
-Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long
-the release took nobody knows, but how fast the front runs can be judged: a shift and a rate are fitted together, over
+Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long the
+release took nobody knows, but how fast the front runs can be evaluated: a shift and a rate are fitted together, over
 all points that are known, or as far as the submitter's tank goes (`judged_to`). Four points up to the wall of the
 default tank say too little of the rate to decide.
 

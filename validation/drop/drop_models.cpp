@@ -7,8 +7,8 @@ compressible SPH. Dirichlet's ellipse tells how far off each is.
 nothing of the motion, but the drop has a momentum to be kept, and leaves the lattice that free particles begin on. Each
 model has its usual arrangement: rings of free particles with markers on the rim, a square mesh made round, rings of
 Dirichlet cells, staggered rows, a square lattice for SPH. Cells have a hundredth of stabilisation; nodes inside of
-variable mass go to the middle of their cells, those of the outline are particles. Steps are a fifth of the spacing,
-those of SPH its own. Each is refined in space and time together.
+variable mass go to the middle of their cells, nodes of the outline are particles. Steps are a fifth of the spacing,
+SPH takes its own. Each is refined in space and time together.
 
 **What is compared.** Places of the rim (markers, nodes of the outline, particles that began within a spacing of it)
 with the exact ones at t = 1, when the drop is five times as long as wide; the processor time until then; what energy

@@ -6,7 +6,7 @@ solution, with which Frank tries free particles under Gauss's principle of least
 Rings of particles on the unit disc, markers on its rim; cubic splines on square cells of 0.2, many of them cut by the
 surface. Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No condition is set on the surface.
 
-**What is compared.** The places of particles and markers with the exact ones; with those of a space that holds the five
+**What is compared.** The places of particles and markers with the exact ones; with a space that holds the five
 linear fields alone, in which the particles err by the steps only; the pressure at the middle, fitted to the reactions
 of a step.
 

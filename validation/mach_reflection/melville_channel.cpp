@@ -8,9 +8,9 @@ the beginning of its growth. Lengths are in depths, times in $\sqrt{\text{depth}
 $x = 20$. The lattice follows the wall: equal columns, on each of them equal rows from wall to wall. The column at the
 bend does not move: water stagnates there. Steps are half the spacing `h`.
 
-**What is compared.** The height of the crest on the turned wall, against the distance from the bend, over that of the
-crest on the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for
-infinite time: theory for finite angles.
+**What is compared.** The height of the crest on the turned wall, against the distance from the bend, over the crest on
+the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for infinite time:
+theory for finite angles.
 
 **What to look at.** At 20 degrees theory promises a stem of 2.9 times the incident wave. After 40 depths, longer than
 the tank, it has come a third of the way there from one. At 35 degrees reflection is regular in the end, with 2.26 at

@@ -6,7 +6,7 @@ free particles under Gauss's principle of least constraint, against Schwartz (19
 of the density: the last has nine tenths of the greatest height. A fourth one is nearly a train of solitary waves:
 length 30, depth 1, height 0.3, with five halves as many cells and steps. Particles in columns and rows that follow
 the exact surface carry the exact velocities; masses of the rows next to the surface and to the bottom are
-end-corrected. The space of fields is that of cubic splines on square cells; markers trace the surface. Gravity is the
+end-corrected. The space of fields consists of cubic splines on square cells; markers trace the surface. Gravity is the
 potential energy of the water under the line of markers, Frank's (7), so that energy and momentum are exact.
 
 **What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads or lags

@@ -14,21 +14,20 @@ The lattice is rezoned: its nodes slide back along their rows to the lines of th
 the film that it leaves is drawn after it, and the shoreline is no steeper in plan than 2 against its columns. Walls are
 reflecting; they stand where their echo comes too late to matter.
 
-**What is compared.** The largest run-up $R/A$ by the angle from the front of the island with the measurements, and with
+**What is compared.** The maximum run-up $R/A$ by the angle from the front of the island with the measurements, and with
 the shallow-water model of Liu et al. (1995). $A$ is the nominal height, 0.05, 0.1 and 0.2 depths, as the publisher of
-the table turns $R/A$ into metres. All measured angles count; where the lattice folds before the water has
+the table turns $R/A$ into metres. All measured angles count; where the lattice tangles before the water has
 been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
 as high as in front, though the sides saw much less. All three waves pass the island with columns down to 0.25 m apart,
-A and B with 0.125 m too; there the lattice of C folds when its two fronts have met behind the island and run back.
-Wave C breaks at the sides:
-there the model climbs higher than the water of the experiment, whose wave is spent, with columns 0.35 m apart by half
-on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every angle.
-Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of C folds
-as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and that of B behind it, with 0.25 m
-at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to four times as
-high at the sides as the water of the experiment.
+A and B with 0.125 m too; there the lattice of C tangles when its two fronts have met behind the island and run back.
+Wave C breaks at the sides: there the model climbs higher than the water of the experiment, whose wave is spent, with
+columns 0.35 m apart by half on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every
+angle. Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of
+C tangles as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and the lattice of B behind
+it, with 0.25 m at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to
+four times as high at the sides as the water of the experiment.
 */
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@ shoreline, from a parabola through the three highest steps.
 **What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$, where that law holds: the
 wave does not break on its way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and the beach is long, $A \gg (0.288 \tan\beta)^2$.
 
-**What to look at.** The shoreline of the shallow-water equations beside that of the model, which comes a little later
+**What to look at.** The shoreline of the shallow-water equations beside the model, which comes a little later
 and, with finer markers, rises a little less: what dispersion does.
 */
 #include <algorithm>

@@ -7,10 +7,10 @@ cannot carry a bore, which loses some. This case shows where the model ends, and
 markers cross or the water under one is gone: then the program stops with time, step and place of the failure.
 
 **What is compared.** Nothing measured: waves above the limit are outside the model's validity, and their run-down is
-not to be used. Claimed is that waves below the limit run through, that no run ends otherwise than with a stated
+not to be used. Claimed is that waves below the limit complete, that no run ends otherwise than with a stated
 failure.
 
-**What to look at.** The map of slopes and heights, with the limit. Above it some waves run through with one spacing and
+**What to look at.** The map of slopes and heights, with the limit. Above it some waves complete with one spacing and
 stop with another; with some the tip, a marker of almost no mass, shoots up when the bore reaches it. The first run-up
 comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85, which breaks on its way up.
 */

@@ -16,10 +16,10 @@ node is farther from its place than a fifth of its cell.
 `slope_runup`), on four meshes; whether the mesh holds to the end; the energy, with what rezoning takes booked. Loads on
 the wall are compared in `wall_run_up_mesh_figures`.
 
-**What to look at.** Nothing folds, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up, nor
-at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second order
-as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall half of
-it while the sheet falls.
+**What to look at.** No cell tangles, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up,
+nor at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second
+order as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall
+half of it while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>

@@ -18,10 +18,9 @@ it; that makes its motion along the surface inexact to first order, and on a slo
 motion. Against a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values lie within a
 few per cent of the formula, which is drawn through measurements, and nearer to the exact ones. Water arrives at the toe
 in finite time and goes on up the slope. With Frank's toe a node on the level bottom cannot: it passes the toe, the last
-cell at the bottom folds, its area stays right, and the run goes on
-(`beyond_folds`). With the toe that slides no cell folds, and energy is exact while nodes go around the corner. What
-either changes of the run-up is of first order like its error: 3 % of the highest wave on the mild slope with columns an
-eighth wide, a few tenths of a per cent of most.
+cell at the bottom tangles, its area stays right, and the run goes on (`beyond_folds`). With the toe that slides no cell
+tangles, and energy is exact while nodes go around the corner. What either changes of the run-up is of first order like
+its error: 3 % of the highest wave on the mild slope with columns an eighth wide, a few tenths of a per cent of most.
 */
 #include <algorithm>
 #include <array>

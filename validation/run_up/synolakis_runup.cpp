@@ -4,7 +4,7 @@ the shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}
 
 **Set-up.** As in `run_up_1d`.
 
-**What is compared.** For $A = 0.019$ the largest run-up as the spacing goes to zero, with the tip of Frank's thesis, of
+**What is compared.** For $A = 0.019$ the maximum run-up as the spacing goes to zero, with the tip of Frank's thesis, of
 mass $V/4$, and with $V/6$, with which a plane surface over a plane slope accelerates as it should. And the run-up of
 all 29 laboratory waves that do not break, $A \le 0.045$.
 

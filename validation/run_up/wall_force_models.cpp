@@ -16,7 +16,7 @@ the wall until the water there has fallen to half its height, over the largest f
 
 **What to look at.** Above a height of some 0.4 depths the force has two maxima, with a dip between them while the water
 is highest: the water at the wall falls almost freely then (Cooker, Weidman and Bale 1997). Free particles and the mesh
-show both; the force of cells with stabilised pressures fluctuates by as much as the dip, that of SPH by a fifth of the
+show both; the force of cells with stabilised pressures fluctuates by as much as the dip, in SPH by a fifth of the
 largest. Dispersive shallow water has one maximum, three per cent too high; plain shallow water turns the wave into a
 bore.
 */

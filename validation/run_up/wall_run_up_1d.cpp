@@ -7,7 +7,7 @@ shows what Serre's equations, to which Frank's one-dimensional model converges o
 last marker slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest
 steps, and goes to zero spacing by Richardson's extrapolation.
 
-**What is compared.** The run-up for several heights with that of the Euler equations, and with the series
+**What is compared.** The run-up for several heights with the Euler equations, and with the series
 $R = 2A + \tfrac12 A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the
 same series as far as long waves govern them; the case measures how far that is.
 

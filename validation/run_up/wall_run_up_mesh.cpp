@@ -1,6 +1,6 @@
 /*
 A solitary wave runs against a vertical wall and climbs it, on Frank's two-dimensional Lagrangian mesh. The exact run-up
-of the Euler equations is known to many digits (`wall_run_up_exact`), so that the mesh can be judged by the truth.
+of the Euler equations is known to many digits (`wall_run_up_exact`), so that the mesh can be evaluated by the truth.
 
 **Set-up.** Depth, gravity and density are 1. The exact solitary wave starts 12 depths from the wall, with its own
 velocities, in a tank of 24 depths. The last column of nodes slides up and down the wall: its top is the contact point,
@@ -14,8 +14,8 @@ mesh gives.
 so does the force, and the pressure at the bottom with order 2. The pressure at $y = 0$ is interpolated between two
 cells whose place at the wall changes from mesh to mesh: it comes as close, but not by a power of the mesh.
 The force of a high wave has two humps: while the water at the wall is highest it accelerates downwards, and the
-pressure is less than its depth suggests. The mesh at the largest run-up: columns at the wall become tall and thin.
-Above $A = 0.45$ they may fold when the water falls again; the case then tells when and where
+pressure is less than its depth suggests. The mesh at the maximum run-up: columns at the wall become tall and thin.
+Above $A = 0.45$ they may tangle when the water falls again; the case then tells when and where
 (`wall_run_up_mesh_limit`), unless the mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 */
 #include <algorithm>

@@ -15,17 +15,18 @@ $$\eta = A S - \tfrac34 A^2 S (1 - S), \quad S = \mathrm{sech}^2\left(\sqrt{\tfr
 A)\,x\right),$$
 
 and with the exact wave of the same height. The second approximation itself is off the exact wave by 0.01 at $A = 0.3$
-and by 0.05 at $A = 0.5$: the exact wave is the judge.
+and by 0.05 at $A = 0.5$: the exact wave is the reference.
 
 **What to look at.** On cells one depth wide and half a depth high, which the source recommends for long waves, heights
-and speeds are those of its table, a little below $\sqrt{1 + A}$. The profile is near the second approximation, as the
+and speeds agree with its table, a little below $\sqrt{1 + A}$. The profile is near the second approximation, as the
 source shows it. This is good fortune: the errors of mesh and series are alike. On finer meshes speed and profile leave
 the series and approach the exact wave.
 
 The lowest wave of the source's table is the farthest from ours, slower by 0.004, and slower than the exact wave by
 0.003: we do not know why.
 
-The highest wave leaves the first column of the coarsest mesh sheared, which folds at last, when the wave has long left.
+The highest wave leaves the first column of the coarsest mesh sheared, which tangles at last, when the wave has long
+left.
 */
 #include <algorithm>
 #include <array>

@@ -8,17 +8,17 @@ $\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c = \sqrt{1 + a}$, sta
 along $x$, over more than a hundred depths, with time steps of $0.4\,h$. Cells are $h$ long and $h$ wide; the
 hexahedral mesh has one to three layers.
 
-**What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become that of
-the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own wave
-is farther from the one it starts with. The speed is judged by that of the Green-Naghdi equations for the height that
-the crest has, in the 2DH model; for the hexahedral mesh by that of the exact solitary wave of the same height.
+**What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become a wave
+of the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own
+wave is farther from the one it starts with. The speed is compared with the Green-Naghdi equations for the height that
+the crest has, in the 2DH model; for the hexahedral mesh with the exact solitary wave of the same height.
 
 **What to look at.** The 2DH model keeps the height to half a per cent even on cells as long as the water is deep: the
 wave is then six cells long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and
 slower, which it keeps as well once it has shed what it started with too much: that takes a hundred depths, and its run
 lasts twice as long. Three layers bring the wave near the exact one. Where it started, the mesh's surface nodes keep
-sliding slowly over those below, for the exact velocities are not quite those of a potential flow of the mesh: it would
-fold there in the end, long after the wave has gone, and the runs of two and three layers end at $t = 100$.
+sliding slowly over those below, for the exact velocities are not quite a potential flow of the mesh: it would tangle
+there in the end, long after the wave has gone, and the runs of two and three layers end at $t = 100$.
 */
 #include <cmath>
 

@@ -4,16 +4,16 @@ hexahedral Lagrangian mesh, whose lowest nodes slide on the bottom, and by the d
 the same bottom. Depth and gravity are 1.
 
 **Set-up.** A channel of walls, 35 depths long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has
-its top on one wall, which mirrors it. The wave starts 12 depths before the top, that of the Euler equations on the
-hexahedra, that of the Green-Naghdi equations in plan. Cells are as long and as wide as a layer of the mesh is high;
+its top on one wall, which mirrors it. The wave starts 12 depths before the top, a wave of the Euler equations on the
+hexahedra, a wave of the Green-Naghdi equations in plan. Cells are as long and as wide as a layer of the mesh is high;
 both models have the same cells and steps.
 
 **What is compared.** The largest elevation at three places on the walls: over the top, two depths behind it, and
-across the channel beside the top. Each model comes with the uncertainty that three of its meshes give. The plan model
+across the channel beside the top. Each model comes with the uncertainty that three of its meshes give. The 2DH model
 leaves out what is of the order of $(\kappa h)^4$, with $\kappa^2 h^2 = 3a/(4(h + a))$ of the solitary wave of this
 height over the top.
 
-**What to look at.** Both models gather the wave in the lee, the plan model more: there the waves are steepest and
+**What to look at.** Both models gather the wave in the lee, the 2DH model more: there the waves are steepest and
 shortest. Across, where the bottom is level, they agree to half a per cent.
 */
 #include <algorithm>

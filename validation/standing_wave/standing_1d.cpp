@@ -22,8 +22,8 @@ of slopes, $\gamma = 1/15$, $\alpha = 2/5$, which makes small waves nearly Airy'
 depth.
 
 **What to look at.** The model follows its theory to four digits, and water qualitatively. The added energy with $s = 2$
-takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelength is that of water, and longer waves
-are near Tadjbakhsh and Keller's; shorter ones slow down too little.
+takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelength equals the one in water, and longer
+waves are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 */
 #include <algorithm>
 #include <array>

@@ -6,14 +6,14 @@ drawn back to their places (5.3). Depth, gravity and density are 1; the tank is 
 **Set-up.** The water starts flat, with the velocities of the linear wave. Meshes of square cells, staggered rows for
 the two models of Dirichlet cells; without stabilisation of the pressure, and with.
 
-**What is compared.** For a small wave, the period with that of the linear wave on ever finer meshes, and the *noise*:
+**What is compared.** For a small wave, the period with the linear wave on ever finer meshes, and the *noise*:
 the largest kinetic energy outside the linear wave's velocity field, over the kinetic energy of the beginning. For a
 wave of a tenth of the depth, how long a model lasts, up to `periods`.
 
 **What to look at.** The source says that the motion of Dirichlet cells, which is not the water's, costs quality. The
-frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times
-that of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
-its cell, and after about a period a triangle of the outline turns over. The quadrilaterals, here without the force that
+frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times the
+noise of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
+its cell, and after about a period a triangle of the outline inverts. The quadrilaterals, here without the force that
 keeps them from folding, last for nearly five. Particles of variable mass last. Where their nodes follow the water and
 are drawn back, the energy of the motion goes into short waves after a few periods, on finer meshes too. Nodes that keep
 their $x$, here on twice as many rows, hand over more water at every step, and lose about a hundredth of the energy in

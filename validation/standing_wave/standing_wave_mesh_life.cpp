@@ -1,7 +1,7 @@
 /*
 A Lagrangian mesh does not live for ever. Some motions of its nodes change no cell's area, so they meet no force:
 vortices, down to the hourglass motion $(-1)^{i+j}$. Standing waves feed them a little in every period, until a cell's
-corner folds. Frank's model (1994, chapter 2) stops there. This case shows when and where, that the time step has no
+corner inverts. Frank's model (1994, chapter 2) stops there. This case shows when and where, that the time step has no
 part in it, and what helps.
 
 **The remedy.** A conservative hourglass potential, $\tfrac12\kappa \sum |r_0 - r_1 + r_2 - r_3 - \text{initial}|^2$
@@ -10,14 +10,14 @@ zero with the cells' size. Another one needs no force: columns that lean are put
 
 **Set-up.** A tank of six depths, half a wavelength. The water starts from rest with the elevation $a\cos(\pi x/6)$.
 
-**What is compared.** Without the potential: the time of the fold for two time steps and both schemes. With it: the run
+**What is compared.** Without the potential: the time of tangling for two time steps and both schemes. With it: the run
 goes on; the energy of the one-step scheme stays within the band that its modified energy allows, $(\omega\tau)^2/4$ of
 itself for small waves. The potential's effect on the wave's frequency is compared with the error that the mesh has
 without it. With rezoning: the run goes on; what it takes from the wave's energy.
 
 **What to look at.** The worst corner falls ever faster from 1 to 0: the surface nodes drift along the row below them.
-With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before the fold as
-at the beginning. Watch the corners.
+With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before it tangles
+as at the beginning. Watch the corners.
 */
 #include <algorithm>
 #include <array>

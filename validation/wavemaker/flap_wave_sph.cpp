@@ -13,7 +13,7 @@ third too low, in exact linear theory a fifth. Counted from one period later, wh
 12 per cent below the design, by spacing: this is the clock that fits.
 
 **Where the loss is.** With the publication's cubic spline and $h = 1.3\,dx$ the second wave is too low. The table
-follows it along the flume: beside the flap it is that of the exact transient, so the paddle does what it should; on the
+follows it along the flume: beside the flap it equals the exact transient, so the paddle does what it should; on the
 way it falls. Viscosity, density filter, XSPH, walls, sound speed and spacing are changed one at a time (tier `full`):
 none of them gives back much of what is lost. The number of neighbours does, with a kernel that bears it: the Wendland
 kernel with $h = 1.7\,dx$, 36 neighbours instead of 21, at 1.3 times the cost, for its steps are longer. The cubic
