@@ -114,7 +114,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              "depth at the piston [m]", &Results::at_piston,
              Bound{.limit = s.simple - s.bore,
                    .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
-                             "brings it to that of a bore and never exceeds the first difference",
+                             "brings it to the depth behind a bore and never exceeds the first difference",
                    .expected = s.bore});
 }
 

@@ -193,8 +193,8 @@ Measurement farthest(const Results& r, Value value, Limit limit) {
 
 const std::string reason =
     "twice what linear theory says has not settled, in force and elevation, on the way in, back, and once more around; "
-    "and the mesh: its nodes drift with the square of the height, and one of 0.02 folds it at the edge of the berm "
-    "within two periods, so that (height/0.02)^2 of such a fold is made in every two";
+    "and the mesh: its nodes drift with the square of the height, and one of 0.02 tangles it at the edge of the berm "
+    "within two periods, so that (height/0.02)^2 of that drift is made in every two";
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
@@ -217,7 +217,7 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
       "phases",
       "The phases of the forces on front and rear agree with small standing waves within start and mesh drift, 0.06 "
       "rad at most.",
-      "largest phase from that of small standing waves [rad]",
+      "largest difference of the phase from small standing waves [rad]",
       [s](const Results& r) {
         return farthest(
             r, [](const Periodic& one) { return worst(one.phases()); },

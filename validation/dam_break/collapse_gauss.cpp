@@ -168,7 +168,7 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
           [half = column.tau() * column.tau() / 2](const Collapse& run) { return run.beyond / half; },
           Bound{.limit = 1,
                 .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
-                          "none there is greater than that of gravity"});
+                          "none there is greater than gravity"});
   claims.from("Ritter (1892)")
       .check(
           "ritter", "The front stays behind the shallow-water front.", "at every step it does",
@@ -225,7 +225,7 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
       [](const Results& r) {
         return std::ranges::all_of(r.fit.raw_off, [](double lead) { return lead > 0; }) ? 1.0 : 0.0;
       },
-      Qualitative{.detector = "X/a, as it stands, is above that of each point up to X = 4.2 a",
+      Qualitative{.detector = "X/a, as it stands, is above each point up to X = 4.2 a",
                   .reason = "a diaphragm and friction can only delay the water"});
   constexpr double no_band = std::numeric_limits<double>::infinity();
   claims.fails({.width = no_band, .reason = "cause unknown: 0.32 with 8 and with 16 cells to the width"}, data.tall)

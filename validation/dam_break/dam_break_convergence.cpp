@@ -106,7 +106,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
         .check("against-peer-" + id,
                fmt::format("{}: the error with equal masses is at most 1 times the error of MUSCL-HLL with equal N.",
                            name),
-               "error over that of MUSCL-HLL", quotient("h2_masses", "muscl"),
+               "error over the error of MUSCL-HLL", quotient("h2_masses", "muscl"),
                Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
   }
 }

@@ -259,7 +259,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                    .reason = "a hundredth for eddies of a cell at the front, which is a cell high: a cell of as many "
                              "as are in the width, of a column that falls as a whole"});
   claim_breaks(claims_of(claims, "mesh"), {"mesh", "the Lagrangian mesh"},
-               "the right angle between top and face opens until it is straight, and there a corner of a cell folds",
+               "the right angle between top and face opens until it is straight, and there a corner of a cell inverts",
                source);
   claim_breaks(claims_of(claims, "dirichlet"), {"dirichlet", "Dirichlet cells"},
                "the outline meets the bed at the toe, and cells cannot change the outline", source);

@@ -82,7 +82,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
               fmt::format("{}-nearer-than-{}", particles, scheme),
               fmt::format("Mean depths of particles ({}) are nearer to the exact profile than cells by {}.", particles,
                           scheme),
-              "cell L1(h) over that of the difference scheme",
+              "cell L1(h) over the error of the difference scheme",
               [=, scheme = scheme](const Results& r) { return r.error(particles) / r.error(scheme); },
               Bound{.limit = 1, .reason = "the paper says so of its figures 24 and 25; equal errors would give 1"});
     }

@@ -344,7 +344,7 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   for (const Named& model : {names[0], names[1], names[4]}) {
     claim_energy(claims_of(all, model.id), model, 40 * steps_of(values, model.id), 1 + drift,
                  "in every step the reactions of a particle's or a node's neighbours, forty at most, are rounded; "
-                 "scale: the kinetic energy with that of the drift, over that of the stretching",
+                 "scale: the kinetic energy with the drift, over the energy of the stretching",
                  "Frank (1994), chapters 1 and 6");
   }
   for (const Named& model : names) {

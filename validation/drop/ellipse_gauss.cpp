@@ -63,8 +63,8 @@ SetUp set_up(const Values& values) {
   gradient << values.real("xx"), values.real("xy"), values.real("yx"), -values.real("xx");
   if (!(gradient.determinant() < 0)) {
     throw std::invalid_argument(
-        fmt::format("xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below that of the "
-                    "surroundings and the surface unstable",
+        fmt::format("xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below the surroundings and "
+                    "the surface unstable",
                     -gradient.determinant()));
   }
   const auto rings = std::lround(std::sqrt(static_cast<double>(values.integer("particles")) / 3));

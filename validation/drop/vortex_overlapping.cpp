@@ -240,7 +240,7 @@ void claim_statistics(const SetUp& s, const Claims<Results>& all) {
       [](const Results& r) { return Estimate(r.kurtosis).measured(); },
       Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
             .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform ones "
-                      "have 1.8, those of an oscillation 1.5",
+                      "have 1.8, an oscillation 1.5",
             .expected = 3});
 }
 

@@ -103,7 +103,7 @@ Experiment experiment(const Values& /*values*/) {
   levels.name = "levels";
   levels.quantity = {"level", "m", "mean level"};
   levels.input = 0.04;  // a set-down goes with the square of the height
-  levels.input_reason = "twice that of the height, to whose square it is proportional";
+  levels.input_reason = "twice the uncertainty of the height, to whose square it is proportional";
   for (const double wave : {1, 2}) {
     const double breaking = wave == 1 ? 9.15 : 8.22;
     heights.readings.push_back(highest(wave, {}));

@@ -201,7 +201,8 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
                    "a hundredth of what Frank's projection scheme loses with the same steps, (tau/2) sum m |a|^2 = "
                    "tau omega^2 times the kinetic energy per unit of time in a linear wave"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
-      .only_if(values.real("penalty") == 0 && on_surface, "a penalty takes energy, and that of particles is another")
+      .only_if(values.real("penalty") == 0 && on_surface,
+               "a penalty takes energy, and the energy of particles is another")
       .check(
           s.named("energy"), fmt::format("{}: the energy is conserved to round-off.", s.name()),
           "largest change over the kinetic energy", [](const WaveRun& r) { return worst(r.energy); },

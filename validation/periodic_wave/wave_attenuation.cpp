@@ -317,7 +317,7 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     cost.points(model.name, seconds, larger, model.role);
   }
   auto& course = exhibit.figure("course", "The highest wave on its way", "The finest of each: its fundamental.");
-  auto& height = course.panel({.x = "t/T", .y = "height over that of the exact wave"});
+  auto& height = course.panel({.x = "t/T", .y = "height over the exact wave's"});
   auto& lead = course.panel({.x = "t/T", .y = "lead [wavelengths]"});
   for (const Shown& model : shown_models()) {
     const Course& one = finest(results, model.id);

@@ -219,8 +219,8 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
   claims
       .fails({.value = 1,
               .width = 0,
-              .reason = "directly behind the island, where the two fronts meet, the lattice folds within "
-                        "0.25 s after the water was highest"},
+              .reason = "directly behind the island, where the two fronts meet, the lattice tangles within 0.25 s "
+                        "after the water was highest"},
              wave.name == "C" && resolves_breaking(spacing))
       .check(
           "climbed-" + wave.name,
@@ -249,7 +249,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
           [](const std::vector<Passed>& spacings) {
             return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
           },
-          Qualitative{.detector = "no cell folds until 6 s after the crest would pass the middle, at either spacing",
+          Qualitative{.detector = "no cell inverts until 6 s after the crest would pass the middle, at either spacing",
                       .reason = "the water behind the island has run up and down by then"});
 }
 
@@ -313,7 +313,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
   auto& figure =
       exhibit.figure("runup", "Run-up around a conical island",
                      "Against the angle from the front. Measurements with their uncertainty; the model as far as the "
-                     "wave has passed, should the lattice fold; the shallow-water model of Liu et al. (1995).");
+                     "wave has passed, should the lattice tangle; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
     const Measured data = measured(table, waves[k].stated);

@@ -67,7 +67,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const HallWatts law = law_of(values);
   return {{.name = "runups",
            .group = Column{"A_over_d", "1", "height of the wave in depths"},
-           .quantities = {{.column = {"R_over_d", "1", "largest run-up in depths"},
+           .quantities = {{.column = {"R_over_d", "1", "maximum run-up in depths"},
                            .reference = [law](Place p) { return law.runup(p.group); },
                            .requirements = {{.measure = Measure::relative_error,
                                              .criterion = Uncertainty{.data = HallWatts::scatter(),

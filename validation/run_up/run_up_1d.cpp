@@ -85,7 +85,7 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
 
 void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfaces, double cot_slope) {
   auto& figure = exhibit.figure("profiles", "The wave climbs",
-                                "Surface and bottom when the crest is at the toe, and at the largest run-up.");
+                                "Surface and bottom when the crest is at the toe, and at the maximum run-up.");
   for (const Surface& one : surfaces) {
     const double lowest = -0.3;
     auto& panel = figure.panel(

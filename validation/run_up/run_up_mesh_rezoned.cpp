@@ -129,7 +129,7 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
       "whole-" + climb.id(),
       fmt::format("{}: the mesh holds, {}.", climb.title(),
                   climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
-      "meshes on which it folds",
+      "meshes that tangle",
       [id = climb.id()](const Results& all) {
         Count folded;
         for (const Reached& one : find(all, id).on) {
@@ -279,7 +279,7 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
 
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   const auto rows = static_cast<std::size_t>(values.integer("rows"));
-  auto& figure = exhibit.figure("meshes", "The mesh at the largest run-up", resolution(values.integer("rows")) + ".");
+  auto& figure = exhibit.figure("meshes", "The mesh at the maximum run-up", resolution(values.integer("rows")) + ".");
   for (const std::string& id : {std::string("wall-60"), std::string("cot-2-50")}) {
     const Climbed& one = find(all, id);
     const Reached& finest = one.on.back();

@@ -132,7 +132,7 @@ Results compute(const Run& run) {
 
 void show_refinement(const Results& r, evidence::Exhibit& exhibit) {
   auto& panel = exhibit
-                    .figure("refinement", "The largest run-up as the spacing goes to zero",
+                    .figure("refinement", "The maximum run-up as the spacing goes to zero",
                             "A = 0.019. The mass of the shoreline marker decides how fast it converges.")
                     .panel({.x = "h [depth]", .y = "R [depth]"});
   for (const auto& [sequence, id, label] : {std::tuple{&r.elementary, "elementary", "tip V/4, the thesis's"},

@@ -136,9 +136,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto compared = claims.of(&Results::comparison)
                             .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
                                             climb.spacing, climb.tau_over_spacing));
-  compared.check(
-      "second-order", "At all heights the model is nearer to the Euler equations than the second-order series.",
-      "largest distance over that of 2A + A^2/2", over_series, Bound{.limit = 1, .reason = "nearer means less than 1"});
+  compared.check("second-order",
+                 "At all heights the model is nearer to the Euler equations than the second-order series.",
+                 "largest distance over the distance of 2A + A^2/2", over_series,
+                 Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
 Results compute(const Run& run) {

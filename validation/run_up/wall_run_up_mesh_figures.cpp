@@ -223,11 +223,10 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "runup", "Largest run-up on a vertical wall",
-                "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
-                "2A + A^2/2 + 3A^3/4.",
-                {"A [depth]"});
+  evidence::Table& table = add_table(
+      exhibit, "runup", "Maximum run-up on a vertical wall",
+      "Nothing where the mesh tangles before; high waves also on a mesh that is rezoned. Series: 2A + A^2/2 + 3A^3/4.",
+      {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.emplace_back("exact", "depth");
   table.columns.emplace_back("series", "depth");
@@ -260,7 +259,7 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
     }
   };
   auto& runup = exhibit.figure(
-      "runup", "Largest run-up on a vertical wall",
+      "runup", "Maximum run-up on a vertical wall",
       "Solitary waves on meshes of Frank's model, high ones on a mesh that is rezoned, exact values of the Euler "
       "equations, and the series of Su and Mirie; beside it relative to the height of the wave.",
       {"frank-fig-2"});

@@ -183,9 +183,9 @@ double exact_runup(const io::Table& exact, double amplitude) {
 void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
       exhibit, "fates", "How far variants of the method go",
-      "Run-up less the exact one, in per cent of it, and whether the reflection runs through or "
-      "when and where the mesh folds; then the largest height tried up to which the run-up is "
-      "reached, and up to which the reflection runs through.",
+      "Run-up less the exact one, in per cent of it, and whether the reflection completes or when and where the mesh "
+      "tangles; then the largest height tried up to which the run-up is reached, and up to which the reflection "
+      "completes.",
       {"variant", "A = 0.5 [%]", "its end", "A = 0.6 [%]", "its end ", "run-up [depth]", "reflection [depth]"});
   const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
   for (const Told& told : all) {
@@ -215,7 +215,7 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
 void draw_runup(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
   auto& panel = exhibit
                     .figure("runup", "Run-up of the variants",
-                            "Up to the first height that does not reach its largest run-up; exact values of the Euler "
+                            "Up to the first height that does not reach its maximum run-up; exact values of the Euler "
                             "equations end at A = 0.6.")
                     .panel({.x = "A [depth]", .y = "R/A", .x_min = 0.38});
   std::vector<double> ratio;
@@ -245,7 +245,7 @@ void draw_meshes(const std::vector<Folded>& drawn, evidence::Exhibit& exhibit) {
     return above;
   };
   auto& figure = exhibit.figure("folds", "The mesh at the wall",
-                                "The upper half of the water: Frank's model before the step in which the mesh folds, "
+                                "The upper half of the water: Frank's model before the step in which the mesh tangles, "
                                 "and with the hourglass potential, kappa_0 = 0.6, at the same time.");
   for (const Folded& one : drawn) {
     draw_mesh(figure.panel(axes(fmt::format("A = {:g}, t = {:.2f}", one.amplitude, one.plain.time()))), "mesh",
@@ -271,9 +271,9 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at(MeshWallClimb::with_rows(exact::SolitaryWave(0.1), rows).resolution());
   const Qualitative reaches{
       .detector =
-          "the contact point falls again before any corner folds and before 1 % of the energy is lost or gained",
+          "the contact point falls again before any corner inverts and before 1 % of the energy is lost or gained",
       .reason = "the Euler equations have a solution that does"};
-  const Qualitative goes{.detector = "no corner folds until the crest is half way back",
+  const Qualitative goes{.detector = "no corner inverts until the crest is half way back",
                          .reason = "the Euler equations have a solution that does"};
   const auto does = [&](const std::string& id, const std::string& text, const std::string& from) {
     return evidence::Claim{id, text, "it does", "1", from};

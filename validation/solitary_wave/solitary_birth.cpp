@@ -232,8 +232,8 @@ void claim_source_table(const Claims<Family>& claims, const io::Table& published
         return difference.value();
       },
       Bound{.limit = 0.005,
-            .reason = "half a unit of the last digit of A moves C by 0.002, that of C is 0.0005; the source does not "
-                      "say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
+            .reason = "half a unit of the last digit of A moves C by 0.002, half a unit of C is 0.0005; the source "
+                      "does not say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
 }
 
 /// Of the distances of speeds from the Euler equations' on a mesh and on the one before, the largest ratio.
@@ -310,8 +310,8 @@ void claim_fold(const Claims<Family>& claims) {
   claims
       .fails({.value = 117.1,
               .width = 0.5,
-              .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; "
-                        "the shear grows slowly, so that a few steps more or less are the same fold"})
+              .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; the shear "
+                        "grows slowly, so that it tangles a few steps earlier or later"})
       .check(
           "fold", "The highest hump leaves no corner inverted on cells one depth wide.",
           "end of the run [sqrt(depth/g)]", [](const Family& coarse) { return coarse.waves.back().track.time.back(); },

@@ -147,9 +147,8 @@ void claim_fold(const Claims<Results>& all) {
   claims
       .fails({.value = 19.2,
               .width = 0.2,
-              .reason =
-                  "surface nodes with the exact velocity slide over the row beneath: no force stops them; the time of "
-                  "the fold is that of a step, to two steps"})
+              .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the "
+                        "time of tangling is known to two steps"})
       .check("fold",
              "A = 0.5 on cells one depth wide: no corner tangles behind a wave that starts with sampled velocities.",
              quantity, end(&Results::sampled), to_the_end);

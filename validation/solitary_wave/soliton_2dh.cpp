@@ -97,7 +97,7 @@ Bound energy_bound(const Travel& travel) {
   const double columns = 3 * a / (1 + a) * h * h / 12;
   const std::string reason =
       "(omega tau)^2/8, by which the energy differs from what the scheme keeps, times the part by which the wave "
-      "changes as it becomes that of the lattice: (2 kappa h)^2/12, the error of differences";
+      "changes as it becomes a wave of the lattice: (2 kappa h)^2/12, the error of differences";
   if (travel.layers == 0) return {missed * columns, reason};
   const auto layers = static_cast<double>(travel.layers);
   return {missed * (columns + 0.5 / (layers * layers)),
@@ -173,8 +173,8 @@ Results compute(const Run& run) {
 void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
   const PlanSolitonRun& coarsest = r.travels.front().run;
   auto& figure = exhibit.figure("waves", "The wave at the beginning and at the end",
-                                fmt::format("Plan model, h = {:g}: nodes of one row about the crest, and the exact "
-                                            "wave of the equations moved to the crest.",
+                                fmt::format("2DH model, h = {:g}: nodes of one row about the crest, and the exact wave "
+                                            "of the equations moved to the crest.",
                                             coarsest.spacing),
                                 {"frank-soliton-plan"});
   auto& panel = figure.panel({.x = "x - crest", .y = "elevation"});
@@ -196,12 +196,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                      "Height of the crest in time: 2DH model, and hexahedral mesh of h = 0.5.", {"frank-soliton-plan"});
   auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "2DH model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
-  evidence::Table& table = add_table(
-      exhibit, "travels", "Solitary waves on coarse grids",
-      "Mean height, its band and speed once the wave has settled; speed against that of the equations for this "
-      "height; largest relative defect of the energy.",
-      {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]", "speed [sqrt(gH)]", "speed error",
-       "energy defect"});
+  evidence::Table& table = add_table(exhibit, "travels", "Solitary waves on coarse grids",
+                                     "Mean height, its band and speed once the wave has settled; speed against the "
+                                     "equations' for this height; largest relative error of the energy.",
+                                     {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]",
+                                      "speed [sqrt(gH)]", "speed error", "energy defect"});
   for (const Travel& travel : r.travels) {
     const SolitonTravel& found = travel.found;
     (travel.layers == 0 ? plan : mesh).line(travel.name, found.time, found.height);
@@ -222,7 +221,7 @@ Case soliton_2dh() {
   c.parameters = {
       real("amplitude", 0.3, "H", {0.02, 0.5}, "of the wave at the beginning"),
       real("time", 100, "sqrt(H/g)", {20, 2000},
-           "length of the runs of the 2DH model, and of those of the mesh up to 100; with one layer twice as long"),
+           "length of the runs of the 2DH model, and of the mesh up to 100; with one layer twice as long"),
       real("finest", {0.5, 0.25, 0.125}, "H", {0.05, 0.5}, "finest cells of the 2DH model, beside 1, 0.7 and 0.5"),
       integer("rows", 1, {1, 16}, "cells across the wave's way"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),

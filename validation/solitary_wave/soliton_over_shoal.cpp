@@ -229,7 +229,7 @@ void claim_energy(const Claims<Results>& claims, const ShoalWave& finest, const 
       },
       Bound{.limit = 3 * finest.amplitude * std::pow(finest.tau(), 2) / 8 * finest.height,
             .reason = "(omega tau)^2/8, omega^2 = 3a, by which the energy differs from what the scheme keeps, times "
-                      "the part by which the shoal can change the wave, that of the depth it takes"});
+                      "the part by which the shoal can change the wave, the part of the depth it takes"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -253,7 +253,7 @@ void claims(const Values& values, const Claims<Results>& all) {
           return {.value = (hexahedra - plan) / std::hypot(grids, 2 * left_out(finest) * plan)};
         },
         Bound{.limit = 1,
-              .reason = "the 95 % half-widths of both from three meshes, and what the plan model leaves out, (kappa "
+              .reason = "the 95 % half-widths of both from three meshes, and what the 2DH model leaves out, (kappa "
                         "h)^4 with a coefficient of up to 2"});
     claims.check(
         fmt::format("resolved-{}", gauge.id),
@@ -265,7 +265,7 @@ void claims(const Values& values, const Claims<Results>& all) {
           return converged(r, &Pair::hexahedra, g).uncertainty / highest(r, &Pair::hexahedra, g);
         },
         Bound{.limit = 2 * left_out(finest),
-              .reason = "what is not known better says nothing about what the plan model leaves out"});
+              .reason = "what is not known better says nothing about what the 2DH model leaves out"});
   }
   claims.check(
       "gathered", "The shoal gathers the wave: it is higher in the lee than across.",

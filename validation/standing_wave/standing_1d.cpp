@@ -191,7 +191,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              "C = (Omega/omega - 1)/(a/H)^2", &Results::own_coefficient,
              Bound{.limit = std::max(0.01 * std::abs(own_theory), 1e-3),
                    .reason = "1 %, and 0.001 where C nearly vanishes: the square of k s is 0.001 at k = 0.6, s = 0.05, "
-                             "that of the amplitude 0.0004, their coefficients are of order one",
+                             "the square of the amplitude 0.0004, their coefficients are of order one",
                    .expected = own_theory});
 
   const Limit fine(values);
