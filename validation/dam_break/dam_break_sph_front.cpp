@@ -209,7 +209,7 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
   const std::vector<double> errors(data.X.size(), data.uncertainty);
   panel.points(data.label, data.T, data.X, Role::data, errors);
   auto& study = exhibit.figure("resolution", "The front with wider spacings, and the energy",
-                               "Left: X/a; right: energy over that of the beginning.");
+                               "Left: X/a; right: energy over the initial energy.");
   auto& fronts = study.panel({.x = "t sqrt(2g/a)", .y = "X/a"});
   auto& energies = study.panel({.x = "t sqrt(2g/a)", .y = "E/E_0"});
   for (const auto& [first_run, one] : runs) {

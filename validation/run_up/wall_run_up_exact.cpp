@@ -1,6 +1,6 @@
 /*
 A solitary wave of the full Euler equations runs against a vertical wall and climbs it: the same flow as the head-on
-collision of two equal waves. The largest run-up follows from fully nonlinear potential flow, started from two exact
+collision of two equal waves. The maximum run-up follows from fully nonlinear potential flow, started from two exact
 solitary waves and followed with a spectral boundary-integral method.
 
 **What is compared.** The case computes the run-up for a sequence of amplitudes with two numbers of markers and shows it

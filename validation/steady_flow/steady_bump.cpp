@@ -11,11 +11,11 @@ The ends are fixed sections: the water comes in at $q$ and goes out at the given
 supercritical), so particles are born at one end and leave at the other. No instant is like the next: errors are means
 over the last fifth of the time.
 
-**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid peer with
-hydrostatic reconstruction beside it.
+**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid comparison
+scheme with hydrostatic reconstruction beside it.
 
 **Your solver.** One regime at a time (`--set regime=jump`; `subcritical` where none is set): depth and velocity of the
-settled flow are judged by the depth, the discharge and the place of the jump.
+settled flow are evaluated by the depth, the discharge and the place of the jump.
 
 **What to look at.** The discharge: it shows what the depth hides. Smooth flow converges with the second order,
 transcritical flow too once the particles, which grow as the water thins, resolve the bump: from 50 on. At a jump the
