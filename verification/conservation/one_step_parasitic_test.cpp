@@ -189,7 +189,7 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
   const auto amplitudes =
       refine(check, {"tau", falling(0.016, 5), "start", "Alternation of the multipliers"},
              {{"projected",
-               "After a projected start the multipliers alternate by O(tau).",
+               "The alternation of the multipliers after a projected start is of first order in tau.",
                {1, 0.05, "w^0 = 0 instead of O(tau^2), divided by tau"}},
               {"smooth",
                "After a corrected start they alternate by O(tau^3).",
@@ -234,14 +234,13 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
              Qualitative{"amplitude of the alternation > 10", "the multipliers are of order 1"});
   refine(check, {"tau", falling(tau, 5), "jump", "Largest jump of a multiplier"},
          {{"jump",
-           "The largest jump of the cured run is the motion's: repeated from shortly before it with shorter steps, it "
-           "falls with the step; an alternation would jump by as much in any step.",
+           "The largest jump of the cured run, repeated with shorter steps, falls at first order in the step.",
            {1, 0.05, "tau times the rate of the multiplier"}}},
          [&](double step) { return largest_jump_from(cured.before_jump, step); });
   const Input parasite = cured.parasite;
   const std::size_t quarter = parasite.size() / 4;
   const std::string quantity = "mean logarithm of the alternation, difference in standard errors: ";
-  check.that("no-growth", "The alternation does not grow in the course of the cured run.",
+  check.that("no-growth", "The alternation in the cured run grows by less than three standard errors.",
              quantity + "last quarter less first", {growth(parasite.first(quarter), parasite.last(quarter))},
              Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
   check.that("no-regrowth", "The alternation does not grow between two reprojections.",
