@@ -23,6 +23,7 @@ step, with zero: not one bit may differ.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::lake_at_rest_1d {
 namespace {
@@ -156,11 +157,8 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
     if (lake.channel.periodic()) continue;
     const bool shore = lake.channel.right == model::End::tip;
     const std::vector<double> x = evenly(-length, shore ? 2 : 0, 881);
-    std::vector<double> bed, surface;
-    for (const double at : x) {
-      bed.push_back(lake.channel.bottom->elevation(at));
-      surface.push_back(bed.back() > 0 ? bed.back() : 0.0);
-    }
+    const auto bed = each(x, [&](double at) { return lake.channel.bottom->elevation(at); });
+    const auto surface = each(bed, [](double level) { return level > 0 ? level : 0.0; });
     auto& panel = figure.panel({.x = "x", .y = "elevation", .title = lake.name});
     panel.fill("water", x, surface, Role::water);
     panel.fill("bottom", x, bed, Role::bed);

@@ -97,8 +97,7 @@ std::pair<double, double> wet_stretch(std::span<const double> edges, std::span<c
 
 Motion by_cells(const exact::Thacker& bowl, double gravity, double length, double wet_depth, long n, double end,
                 const Run::Progress& progress) {
-  std::vector<double> edges;
-  for (long k = 0; k <= n; ++k) edges.push_back(length * static_cast<double>(k) / static_cast<double>(n));
+  const std::vector<double> edges = evenly(0, length, static_cast<int>(n) + 1);
   const std::vector<double> depth =
       each(validation::cell_averages(bowl, edges, 0), [&](const validation::CellMean& mean) { return mean.depth; });
   shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
@@ -232,16 +231,13 @@ void draw_shorelines(evidence::Exhibit& exhibit, const Motion& motion, const exa
 void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const Values& values) {
   const exact::Thacker bowl = bowl_of(values);
   const std::string& scheme = values.text("scheme");
-  std::vector<double> x, bed, surface;
-  for (int k = 0; k <= 200; ++k) {
-    x.push_back(channel_length(values) * k / 200);
-    bed.push_back(bowl.elevation(x.back()));
-    surface.push_back(bowl.at(x.back(), end_of(values)).depth + bed.back());
-  }
+  const std::vector<double> x = evenly(0, channel_length(values), 201);
+  const auto bed = [&](double at) { return bowl.elevation(at); };
+  const auto surface = [&](double at) { return bowl.at(at, end_of(values)).depth + bed(at); };
   auto& panel = exhibit.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
                     .panel({.x = "x [m]", .y = "elevation [m]"});
-  panel.fill("water", x, surface, Role::water);
-  panel.fill("bed", x, bed, Role::bed);
+  panel.fill("water", x, each(x, surface), Role::water);
+  panel.fill("bed", x, each(x, bed), Role::bed);
   std::vector<double> centre, level;
   const Bed bowl_bed = bowl.bed();
   for (std::size_t i = 0; i < motion.depth.size(); ++i) {
@@ -270,8 +266,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const double middle = channel_length(values) / 2;
   const double radius = values.real("radius");
   const double period = bowl.period();
-  std::vector<double> times;
-  for (int k = 0; k <= 100; ++k) times.push_back(values.real("periods") * period * k / 100);
+  const std::vector<double> times = evenly(0, values.real("periods") * period, 101);
   const auto points = [times](double) { return times; };
   const std::string source = "Thacker (1981)";
   const auto shoreline = [&](const Column& column, const auto& reference) {

@@ -144,7 +144,7 @@ void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const
   auto& panel =
       exhibit.figure("setup", "Reflection of a bore: the problem", "The bore before it meets the wall.", {"bzz-fig-13"})
           .panel({.x = "x [m]", .y = "elevation [m]", .y_min = -0.1, .y_max = 1.6 * h1});
-  const ExactCurve before = exact_curve(problem, problem.start, problem.end, 0);
+  const ProfileCurve before = exact_curve(problem, problem.start, problem.end, 0);
   panel.fill("water", before.x, before.depth, Role::water);
   const double wall = solution.left_wall ? problem.start : problem.end;
   panel.line("wall", std::vector<double>{wall, wall}, std::vector<double>{0, 1.5 * h1}, Role::bed);

@@ -361,11 +361,9 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
   auto& jets = exhibit.figure("jet", "Path of the tip of the jet", "Until it touches the water ahead.");
   auto& panel = jets.panel({.x = "x/L", .y = "z/L", .equal_aspect = true});
   for (std::size_t m = 0; m < models.size(); ++m) {
-    std::vector<double> x, z;
-    for (std::size_t i = 0; i < r.runs[m].back().jet_x.size(); ++i) {
-      x.push_back(r.runs[m].back().jet_x[i] / wavelength);
-      z.push_back(r.runs[m].back().jet_z[i] / wavelength);
-    }
+    const auto scaled_by_length = [](double place) { return place / wavelength; };
+    const std::vector<double> x = each(r.runs[m].back().jet_x, scaled_by_length);
+    const std::vector<double> z = each(r.runs[m].back().jet_z, scaled_by_length);
     if (!x.empty()) panel.points(models[m].name, x, z, m == 0 ? Role::computed : Role::peer);
   }
 }

@@ -37,6 +37,7 @@ wall. Waves of fifteen depths push on both together.
 #include "validation/breakwater/basin_wave.hpp"
 #include "validation/breakwater/incident_waves.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater_periodic {
 namespace {
@@ -344,12 +345,10 @@ void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
 }
 
 void draw_tank(const Periodic& one, const SetUp& s, evidence::Panel& panel) {
-  std::vector<double> front, rear, total;
-  for (std::size_t n = 0; n < one.history.time.size(); ++n) {
-    front.push_back(one.history.front[n] / s.height);
-    rear.push_back(one.history.rear[n] / s.height);
-    total.push_back(front.back() + rear.back());
-  }
+  const auto relative = [&](double force) { return force / s.height; };
+  const std::vector<double> front = each(one.history.front, relative), rear = each(one.history.rear, relative);
+  std::vector<double> total = front;
+  for (std::size_t n = 0; n < total.size(); ++n) total[n] += rear[n];
   panel.line("front", one.history.time, front, Role::computed);
   panel.line("rear", one.history.time, rear, Role::peer);
   panel.line("total", one.history.time, total, Role::exact);

@@ -1,5 +1,7 @@
 #include "validation/case/reference_table.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -21,6 +23,20 @@ io::Table reference_table(const std::string& source, std::map<std::string, std::
   }
   read[table.string()] = digest;
   return io::read_csv(table);
+}
+
+std::optional<std::size_t> row_where(const io::Table& table, const std::map<std::string, double>& numbers) {
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const auto has = [&](const auto& one) { return std::abs(table.column(one.first)[k] - one.second) < 1e-9; };
+    if (std::ranges::all_of(numbers, has)) return k;
+  }
+  return {};
+}
+
+std::optional<double> entry_where(const io::Table& table, const std::map<std::string, double>& numbers,
+                                  const std::string& column) {
+  const auto row = row_where(table, numbers);
+  return row ? std::optional(table.column(column)[*row]) : std::nullopt;
 }
 
 }  // namespace seiche::validation

@@ -126,7 +126,7 @@ void draw_levels(evidence::Exhibit& exhibit, const std::string& id, const std::s
       exhibit.figure(id, title, "Levels above and below the dam at several times; all curves meet at the dam.", atlas)
           .panel({.x = "x - dam [m]", .y = "depth h [m]"});
   for (const double t : {1.0, 2.0, 3.0}) {
-    const ExactCurve curve = exact_curve(problem, problem.start, problem.end, t);
+    const ProfileCurve curve = exact_curve(problem, problem.start, problem.end, t);
     panel.line(fmt::format("t = {:g} s", t), curve.x, curve.depth, Role::computed);
   }
   panel.vertical("dam", std::vector<double>{0.0}, Role::guide);
@@ -141,7 +141,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
               {"bzz-fig-8"});
   draw_levels(exhibit, "levels-below", "Depth ratio 0.05, below the critical one", wet(0.05, -12, 15), {"bzz-fig-20"});
   draw_levels(exhibit, "levels-above", "Depth ratio 0.3, above the critical one", wet(0.3, -12, 15), {"bzz-fig-21"});
-  const ExactCurve curve = exact_curve(wet(0.1, -20, 30), -20, 30, 4);
+  const ProfileCurve curve = exact_curve(wet(0.1, -20, 30), -20, 30, 4);
   auto& exact = exhibit.figure("exact-wet", "The exact wet dam break", "Depth ratio 0.1 at t = 4 s.", {"bzz-fig-19"});
   exact.panel({.x = "x - dam [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
   exact.panel({.x = "x - dam [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);

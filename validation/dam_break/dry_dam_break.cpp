@@ -83,8 +83,8 @@ void draw_parabola(evidence::Exhibit& exhibit, const FlowRun& flow, double front
           .figure("parabola", "The dry dam-break parabola",
                   "Ritter's profile and the particles' own curve: parabola tip in the front particle.", {"bzz-fig-7"})
           .panel({.x = "x [m]", .y = "depth h [m]"});
-  const ExactCurve exact = exact_curve(flow.problem, 0, front * 1.02, flow.time());
-  const ExactCurve own = computed_curve(flow.profile());
+  const ProfileCurve exact = exact_curve(flow.problem, 0, front * 1.02, flow.time());
+  const ProfileCurve own = computed_curve(flow.profile());
   panel.line("exact", exact.x, exact.depth, Role::exact);
   panel.line("reconstruction of the particles", own.x, own.depth, Role::computed);
   panel.steps("particles", flow.profile().edges, means_of(flow.profile()).depth, Role::peer);

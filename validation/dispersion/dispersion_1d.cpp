@@ -34,6 +34,7 @@ are roundings: the program solves what the formula describes.
 #include "validation/case/reference_case.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::dispersion_1d {
 namespace {
@@ -175,13 +176,9 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
   const auto error_of = [&](double k, double of) { return std::abs(of / airy.phase_speed(k) - 1); };
   const auto add = [&](const std::string& label, const auto& speed_of, double k_last, Role role) {
     const std::vector<double> k = evenly(0.02, k_last, 500);
-    std::vector<double> speeds, errors;
-    for (const double at : k) {
-      speeds.push_back(speed_of(at));
-      errors.push_back(error_of(at, speeds.back()));
-    }
-    speed.line(label, k, speeds, role);
-    if (role != Role::exact) error.line(label, k, errors, role);
+    const auto error_at = [&](double at) { return error_of(at, speed_of(at)); };
+    speed.line(label, k, each(k, speed_of), role);
+    if (role != Role::exact) error.line(label, k, each(k, error_at), role);
   };
   add(
       "Airy", [&](double k) { return airy.phase_speed(k); }, deepest, Role::exact);

@@ -28,6 +28,8 @@ cut cells, the sums over particles, and the steps.
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"
 
 namespace seiche::validation::cases::ellipse_gauss {
@@ -225,11 +227,8 @@ void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
                     .figure("pressure", "The pressure at the middle",
                             "Fitted to the reactions of single steps, and Dirichlet's.", {"frank-ellipse"})
                     .panel({.x = "t", .y = "p(0, 0)/density"});
-  std::vector<double> time, exact;
-  for (int k = 0; k <= 100; ++k) {
-    time.push_back(r.set_up.end * k / 100);
-    exact.push_back(r.set_up.drop.at(time.back()).central_pressure);
-  }
+  const std::vector<double> time = evenly(0, r.set_up.end, 101);
+  const std::vector<double> exact = each(time, [&](double t) { return r.set_up.drop.at(t).central_pressure; });
   panel.points("fitted", r.pressure_time, r.pressure, Role::computed);
   panel.line("exact", time, exact, Role::exact);
 }

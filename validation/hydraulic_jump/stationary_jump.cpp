@@ -61,7 +61,7 @@ struct Results {
 };
 
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
-  const ExactCurve curve = exact_curve(problem, 0, length, 0);
+  const ProfileCurve curve = exact_curve(problem, 0, length, 0);
   auto& panel = exhibit
                     .figure("setup", "Hydraulic jump at rest: the problem",
                             "Water flows from left to right through a jump that stands.", {"bzz-fig-16"})

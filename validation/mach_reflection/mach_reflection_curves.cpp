@@ -30,6 +30,7 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 
@@ -69,11 +70,8 @@ std::vector<double> angles_of(const Plan& plan, const std::vector<KnownReflectio
 
 /// Whole degrees about resonance.
 std::vector<double> few_angles(double amplitude) {
-  std::vector<double> angles;
-  for (const double part : {0.54, 0.67, 0.81, 0.95, 1.13, 1.35}) {
-    angles.push_back(std::min(std::round(part * resonant_angle(amplitude)), 75.0));
-  }
-  return angles;
+  return each(std::array{0.54, 0.67, 0.81, 0.95, 1.13, 1.35},
+              [&](double part) { return std::min(std::round(part * resonant_angle(amplitude)), 75.0); });
 }
 
 ReflectionSeries series_at(const Values& values, const std::vector<KnownReflection>& known, double amplitude) {

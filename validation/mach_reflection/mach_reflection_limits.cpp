@@ -33,6 +33,7 @@ mostly theirs.
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
+#include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/mach_reflection/kept_reflection.hpp"
@@ -287,14 +288,10 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
       {"frank-fig-7"});
   auto& wall = figure.panel({.x = "kappa", .y = "a_w/a_i"});
   auto& reflected = figure.panel({.x = "kappa", .y = "a_r/a_i"});
-  std::vector<double> kappa, high, low;
-  for (double k = 0.4; k < 1.6; k += 0.005) {
-    kappa.push_back(k);
-    high.push_back(MachReflection::wall_ratio(k));
-    low.push_back(MachReflection::reflected_ratio(k));
-  }
-  wall.line("theory", kappa, high, Role::guide);
-  reflected.line("theory", kappa, low, Role::guide);
+  const std::vector<double> kappa = evenly(0.4, 1.595, 240);
+  wall.line("theory", kappa, each(kappa, [](double k) { return MachReflection::wall_ratio(k); }), Role::guide);
+  reflected.line("theory", kappa, each(kappa, [](double k) { return MachReflection::reflected_ratio(k); }),
+                 Role::guide);
   for (const WaveModel model : {WaveModel::plan, WaveModel::hexahedra}) {
     std::vector<double> amplitudes;
     for (const Wave& wave : all) {

@@ -30,6 +30,8 @@ which is not Frank's, holds them down; it takes energy, which is booked.
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/periodic_wave/surface_fit.hpp"
 
 namespace seiche::validation::cases::stokes_gauss {
@@ -233,13 +235,9 @@ void draw_profile(evidence::Figure& figure, const WaveRun& r) {
     x.push_back(place - std::round(place));
     y.push_back(r.markers[k].y);
   }
-  std::vector<double> exact_x, exact_y;
-  for (int k = 0; k <= 400; ++k) {
-    exact_x.push_back(k / 400.0 - 0.5);
-    exact_y.push_back(r.wave.elevation(length * exact_x.back()));
-  }
+  const std::vector<double> places = evenly(-0.5, 0.5, 401);
   panel.points("markers", x, y, Role::computed);
-  panel.line("exact", exact_x, exact_y, Role::exact);
+  panel.line("exact", places, each(places, [&](double p) { return r.wave.elevation(length * p); }), Role::exact);
 }
 
 void show(const Results& results, const Values& values, evidence::Exhibit& exhibit) {

@@ -18,6 +18,7 @@ particle methods round it off, spectral ones ring.
 #include "seiche/exact/stokes_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::stokes_wave {
 namespace {
@@ -53,18 +54,15 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("crest_velocity", wave.crest_velocity());
 
   const std::vector<double> x = evenly(-wave.wavelength(), wave.wavelength(), 401);
-  std::vector<double> surface, linear, velocity;
-  for (const double at : x) {
-    surface.push_back(wave.elevation(at));
-    linear.push_back(wave.amplitude() * std::cos(wave.wavenumber() * at));
-    velocity.push_back(wave.velocity(at, surface.back()).u);
-  }
+  const auto surface = [&](double at) { return wave.elevation(at); };
+  const auto linear = [&](double at) { return wave.amplitude() * std::cos(wave.wavenumber() * at); };
+  const auto velocity = [&](double at) { return wave.velocity(at, surface(at)).u; };
   auto& figure = exhibit.figure("wave", "Two wavelengths of the wave",
                                 "Surface beside a cosine of the same height; horizontal velocity of the surface.");
   auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
-  profile.line("Euler", x, surface, Role::exact);
-  profile.line("cosine", x, linear, Role::guide);
-  figure.panel({.x = "x [m]", .y = "u at the surface [m/s]"}).line("Euler", x, velocity, Role::exact);
+  profile.line("Euler", x, each(x, surface), Role::exact);
+  profile.line("cosine", x, each(x, linear), Role::guide);
+  figure.panel({.x = "x [m]", .y = "u at the surface [m/s]"}).line("Euler", x, each(x, velocity), Role::exact);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

@@ -24,6 +24,7 @@ is dispersive in the mean alone has one velocity over the depth.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wave_kinematics {
 namespace {
@@ -108,14 +109,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   auto& upwards = figure.panel({.x = "v [m/s]", .y = "y [m]"});
   for (const double section : wave.sections) {
     const std::vector<double> y = heights(wave, section);
-    std::vector<double> u, v;
-    for (const double at : y) {
-      u.push_back(wave.velocity(section, at).u);
-      v.push_back(wave.velocity(section, at).v);
-    }
     const std::string label = fmt::format("{:g} m ahead of the crest", section);
-    along.line(label, u, y, Role::exact);
-    upwards.line(label, v, y, Role::exact);
+    along.line(label, each(y, [&](double at) { return wave.velocity(section, at).u; }), y, Role::exact);
+    upwards.line(label, each(y, [&](double at) { return wave.velocity(section, at).v; }), y, Role::exact);
   }
   if (wave.period == 0) return;
   const double k = 2 * std::numbers::pi / wave.period;

@@ -21,6 +21,8 @@ it, because the deep particle also pushes.
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::particle_rearrangement {
 namespace {
@@ -64,11 +66,8 @@ struct Results {
 void draw_channel(evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("channel", "A channel of constant cross-section",
                                 "Section along the channel and across it.", {"bzz-fig-1"});
-  std::vector<double> x, h;
-  for (int k = 0; k <= 100; ++k) {
-    x.push_back(0.1 * k);
-    h.push_back(1 + 0.15 * std::sin(0.9 * x.back()));
-  }
+  const std::vector<double> x = evenly(0, 10, 101);
+  const std::vector<double> h = each(x, [](double at) { return 1 + 0.15 * std::sin(0.9 * at); });
   auto& along = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = "along", .y_min = -0.1, .y_max = 1.5});
   along.fill("water", x, h, Role::water);
   along.line("bed", std::vector<double>{0, 10}, std::vector<double>{0, 0}, Role::bed);
@@ -80,17 +79,13 @@ void draw_channel(evidence::Exhibit& exhibit) {
 void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parabola) {
   std::vector<double> depth;
   for (std::size_t i = 0; i < parabola.size(); ++i) depth.push_back(parabola.depth(i));
-  std::vector<double> x, h;
-  for (int k = 0; k <= 200; ++k) {
-    x.push_back(-1 + 0.01 * k);
-    h.push_back(parabola_depth(x.back()));
-  }
+  const std::vector<double> x = evenly(-1, 1, 201);
   auto& panel = exhibit
                     .figure("parabola", "Rectangles approximating a parabola",
                             "Each has the area of the parabola above it.", {"bzz-fig-2"})
                     .panel({.x = "x [m]", .y = "depth h [m]"});
   panel.steps("particles", parabola.edge, depth, Role::computed);
-  panel.line("parabola", x, h, Role::exact);
+  panel.line("parabola", x, each(x, parabola_depth), Role::exact);
 }
 
 void draw_rearrangement(evidence::Exhibit& exhibit, const Results& r, double tau) {

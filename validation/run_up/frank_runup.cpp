@@ -1,6 +1,5 @@
 #include "validation/run_up/frank_runup.hpp"
-
-#include <cmath>
+#include "validation/case/reference_table.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +10,8 @@ namespace {
 
 /// Entries of another table at the rows' slopes and amplitudes.
 void join(std::vector<FrankRunup>& rows, const io::Table& table, const std::string& column, double FrankRunup::*to) {
-  constexpr double same = 1e-9;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    for (FrankRunup& row : rows) {
-      if (std::abs(table.column("cot_slope")[k] - row.cot_slope) < same &&
-          std::abs(table.column("A")[k] - row.amplitude) < same) {
-        row.*to = table.column(column)[k];
-      }
-    }
+  for (FrankRunup& row : rows) {
+    row.*to = entry_where(table, {{"cot_slope", row.cot_slope}, {"A", row.amplitude}}, column).value_or(row.*to);
   }
 }
 

@@ -24,6 +24,7 @@ and, with finer markers, rises a little less: what dispersion does.
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_1d {
@@ -73,13 +74,10 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
   const std::span shown_time = std::span(history.time).subspan(static_cast<std::size_t>(first));
   panel.line("model", shown_time, std::span(history.shoreline).subspan(static_cast<std::size_t>(first)),
              Role::computed);
-  std::vector<double> time, elevation;
-  const double end = std::min(shown_time.back(), 0.999 * theory.breaking_time());
-  for (const double t : evenly(shown_time.front(), end, 201)) {
-    time.push_back(t);
-    elevation.push_back(theory.shoreline(t).elevation);
-  }
-  panel.line("shallow-water equations", time, elevation, Role::exact);
+  const std::vector<double> time =
+      evenly(shown_time.front(), std::min(shown_time.back(), 0.999 * theory.breaking_time()), 201);
+  panel.line("shallow-water equations", time, each(time, [&](double t) { return theory.shoreline(t).elevation; }),
+             Role::exact);
   panel.line("run-up law", std::vector{shown_time.front(), shown_time.back()}, std::vector{law, law}, Role::guide);
 }
 

@@ -26,6 +26,7 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/peak.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
@@ -293,13 +294,9 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
                             "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
                             "run-up, 0.8183 cot^(-10/9).")
                     .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
-  std::vector<double> limit, up_limit;
-  for (const double cot_slope : mapped_slopes) {
-    limit.push_back(backwash_limit(cot_slope));
-    up_limit.push_back(0.8183 / 0.479 * limit.back());
-  }
+  const auto limit = each(mapped_slopes, backwash_limit);
   panel.line("breaks running back", mapped_slopes, limit, Role::exact);
-  panel.line("breaks running up", mapped_slopes, up_limit, Role::guide);
+  panel.line("breaks running up", mapped_slopes, each(limit, [](double a) { return 0.8183 / 0.479 * a; }), Role::guide);
   const auto points = [&](const std::string& label, Role role, const auto& is) {
     std::vector<double> cot_slope, amplitude;
     for (const Mapped& one : map) {

@@ -45,6 +45,7 @@ more slowly than at a wall.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
@@ -290,16 +291,9 @@ struct Results {
 };
 
 std::optional<double> tabled(const Values& values, const std::string& name, const std::string& column) {
-  const io::Table table = values.table(name);
-  const bool slopes = name != "wall_runup_exact";
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double amplitude = table.column(slopes ? "A" : "a")[k];
-    const double cot_slope = slopes ? table.column("cot_slope")[k] : 0;
-    if (std::abs(amplitude - values.real("amplitude")) < 1e-12 && cot_slope == values.real("cot_slope")) {
-      return table.column(column)[k];
-    }
-  }
-  return {};
+  const double amplitude = values.real("amplitude");
+  if (name == "wall_runup_exact") return entry_where(values.table(name), {{"a", amplitude}}, column);
+  return entry_where(values.table(name), {{"A", amplitude}, {"cot_slope", values.real("cot_slope")}}, column);
 }
 
 std::optional<double> tabled_exact(const Values& values) {

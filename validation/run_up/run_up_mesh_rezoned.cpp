@@ -31,6 +31,7 @@ half of it while the sheet falls.
 #include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
@@ -106,18 +107,11 @@ double runup_of(const Reached& one) {
   return one.runup;
 }
 
-/// The number of a table at an amplitude, on a slope.
-double entry(const io::Table& table, const std::string& of_amplitude, const std::string& column, const Climb& climb) {
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (std::abs(table.column(of_amplitude)[k] - climb.amplitude) > 1e-9) continue;
-    if (climb.wall() || table.column("cot_slope")[k] == climb.cot_slope) return table.column(column)[k];
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 double exact_runup(const Values& values, const Climb& climb) {
-  return climb.wall() ? entry(values.table("wall_runup_exact"), "a", "R", climb)
-                      : entry(values.table("slope_runup_exact"), "A", "R", climb);
+  const auto found = climb.wall() ? entry_where(values.table("wall_runup_exact"), {{"a", climb.amplitude}}, "R")
+                                  : entry_where(values.table("slope_runup_exact"),
+                                                {{"A", climb.amplitude}, {"cot_slope", climb.cot_slope}}, "R");
+  return found.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 std::string resolution(long rows) {

@@ -36,6 +36,7 @@ its error: 3 % of the highest wave on the mild slope with columns an eighth wide
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/run_up/solitary_climb.hpp"
@@ -88,16 +89,6 @@ struct Climbed : Row {
   [[nodiscard]] double order() const;
 };
 
-/// The number of a table at a slope and an amplitude; NaN where there is none.
-double entry(const io::Table& table, const std::string& column, const Row& row) {
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (table.column("cot_slope")[k] == row.cot_slope && table.column("A")[k] == row.amplitude) {
-      return table.column(column)[k];
-    }
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 /// Before the largest run-up.
 bool folds(const MeshSlopeRun& run) {
   return run.fold && run.fold->time < run.time;
@@ -122,7 +113,8 @@ std::vector<Row> rows_of(const Values& values) {
   for (std::size_t k = 0; k < exact.rows(); ++k) {
     Row& row = rows.emplace_back(Row{
         .cot_slope = exact.column("cot_slope")[k], .amplitude = exact.column("A")[k], .exact = exact.column("R")[k]});
-    row.thesis = entry(thesis, "R_calc", row);
+    row.thesis =
+        entry_where(thesis, {{"cot_slope", row.cot_slope}, {"A", row.amplitude}}, "R_calc").value_or(row.thesis);
   }
   return rows;
 }

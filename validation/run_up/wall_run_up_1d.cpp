@@ -93,11 +93,6 @@ void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
-  std::vector<double> su_mirie, byatt_smith;
-  for (const double a : fine) {
-    su_mirie.push_back(WallRunup::su_mirie(a) / a);
-    byatt_smith.push_back(WallRunup::byatt_smith(a) / a);
-  }
   std::vector<double> euler, serre, gap;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
     euler.push_back(all.euler[k] / all.amplitude[k]);
@@ -110,8 +105,8 @@ void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   auto& heights = figure.panel({.x = "A [depth]", .y = "R/A"});
   heights.line("Euler equations", all.amplitude, euler, Role::exact);
   heights.points("model", all.amplitude, serre, Role::computed);
-  heights.line("Su and Mirie", fine, su_mirie, Role::guide);
-  heights.line("Byatt-Smith", fine, byatt_smith, Role::guide);
+  heights.line("Su and Mirie", fine, each(fine, [](double a) { return WallRunup::su_mirie(a) / a; }), Role::guide);
+  heights.line("Byatt-Smith", fine, each(fine, [](double a) { return WallRunup::byatt_smith(a) / a; }), Role::guide);
   auto& difference = figure.panel({.x = "A [depth]", .y = "|R - R_Euler| [depth]", .log_x = true, .log_y = true});
   difference.points("model", all.amplitude, gap, Role::computed);
   std::vector<double> fifth =

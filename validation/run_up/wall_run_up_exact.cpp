@@ -17,6 +17,7 @@ thin sheet, and the exact values leave every series.
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wall_run_up_exact {
 namespace {
@@ -51,11 +52,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   std::vector<double> ratio;
   for (std::size_t k = 0; k < a.size(); ++k) ratio.push_back(table.column("R")[k] / a[k]);
   const std::vector<double> fine = evenly(0.05, a.back(), 101);
-  std::vector<double> su_mirie, byatt_smith;
-  for (const double at : fine) {
-    su_mirie.push_back(exact::WallRunup::su_mirie(at) / at);
-    byatt_smith.push_back(exact::WallRunup::byatt_smith(at) / at);
-  }
   auto& panel = exhibit
                     .figure("runup", "Run-up over amplitude",
                             fmt::format("Exact values (tabulated, and this run's at a = {:g} depth) beside the series.",
@@ -63,8 +59,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                     .panel({.x = "amplitude/depth", .y = "run-up/amplitude"});
   panel.points("exact, tabulated", a, ratio, Role::exact);
   panel.points("this run", std::vector{amplitude / depth}, std::vector{r.runup / amplitude}, Role::computed);
-  panel.line("Su and Mirie", fine, su_mirie, Role::guide);
-  panel.line("Byatt-Smith", fine, byatt_smith, Role::guide);
+  panel.line("Su and Mirie", fine, each(fine, [](double at) { return exact::WallRunup::su_mirie(at) / at; }),
+             Role::guide);
+  panel.line("Byatt-Smith", fine, each(fine, [](double at) { return exact::WallRunup::byatt_smith(at) / at; }),
+             Role::guide);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

@@ -30,6 +30,7 @@ Above $A = 0.45$ they may tangle when the water falls again; the case then tells
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
@@ -83,11 +84,7 @@ bool has_exact(double amplitude) {
 }
 
 std::optional<double> tabled_runup(const Values& values) {
-  const io::Table table = values.table("wall_runup_exact");
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (std::abs(table.column("a")[k] - values.real("amplitude")) < 1e-12) return table.column("R")[k];
-  }
-  return {};
+  return entry_where(values.table("wall_runup_exact"), {{"a", values.real("amplitude")}}, "R");
 }
 
 /// What the meshes give, the one that was asked for last; NaN where one folds before its largest run-up.
@@ -164,11 +161,9 @@ Order second_order(const MeshWallClimb& climb) {
 /// Of the largest loads, where a table has exact values for the wave.
 void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<Results>& claims) {
   const io::Table table = values.table("wall_load_exact");
-  std::optional<std::size_t> row;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const bool mesh_holds = table.column("A")[k] < 0.55 || climb.rezone > 0;
-    if (mesh_holds && std::abs(table.column("A")[k] - climb.wave.amplitude()) < 1e-12) row = k;
-  }
+  const double amplitude = climb.wave.amplitude();
+  const bool mesh_holds = amplitude < 0.55 || climb.rezone > 0;
+  const auto row = mesh_holds ? row_where(table, {{"A", amplitude}}) : std::nullopt;
   const auto known =
       claims
           .only_if(row.has_value(),

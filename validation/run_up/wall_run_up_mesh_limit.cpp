@@ -31,6 +31,7 @@ with barrier and wide columns besides it completes, but then the run-up is too l
 
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -173,13 +174,6 @@ const Told& find(const std::vector<Told>& all, const std::string& name) {
   return *std::find_if(all.begin(), all.end(), [&](const Told& one) { return one.variant.name == name; });
 }
 
-double exact_runup(const io::Table& exact, double amplitude) {
-  for (std::size_t k = 0; k < exact.column("a").size(); ++k) {
-    if (std::abs(exact.column("a")[k] - amplitude) < 1e-9) return exact.column("R")[k];
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
       exhibit, "fates", "How far variants of the method go",
@@ -195,7 +189,10 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
       if (fate == nullptr || !fate->reached) {
         row.emplace_back(std::string("not reached"));
       } else {
-        const double error = fate->runup / exact_runup(exact, amplitude) - 1;
+        const double error =
+            fate->runup /
+                entry_where(exact, {{"a", amplitude}}, "R").value_or(std::numeric_limits<double>::quiet_NaN()) -
+            1;
         row.emplace_back(rounded(100 * error, 100));
         exhibit.measure(fmt::format("{}_a_{:g}_over_exact_less_1", told.variant.name, amplitude), error);
       }

@@ -371,15 +371,10 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
   auto& speeds = figure.panel({.x = "A [depth]", .y = "C [sqrt(g depth)]"});
   auto& excess = figure.panel({.x = "A [depth]", .y = "C - C_Euler [sqrt(g depth)]"});
   const std::vector<double> fine = evenly(0.1, 0.6, 51);
-  std::vector<double> exact, root, root_excess;
-  for (const double a : fine) {
-    exact.push_back(euler(a));
-    root.push_back(std::sqrt(1 + a));
-    root_excess.push_back(root.back() - exact.back());
-  }
-  speeds.line("Euler equations", fine, exact, Role::exact);
-  speeds.line("sqrt(1 + A)", fine, root, Role::guide);
-  excess.line("sqrt(1 + A)", fine, root_excess, Role::guide);
+  const auto root = [](double a) { return std::sqrt(1 + a); };
+  speeds.line("Euler equations", fine, each(fine, euler), Role::exact);
+  speeds.line("sqrt(1 + A)", fine, each(fine, root), Role::guide);
+  excess.line("sqrt(1 + A)", fine, each(fine, [&](double a) { return root(a) - euler(a); }), Role::guide);
   const ColumnUncertainty uncertainty = reference_source("frank_1994_celerity").standard_uncertainty.at("C");
   std::vector<double> error, data_excess;
   for (std::size_t k = 0; k < published.rows(); ++k) {
@@ -389,10 +384,9 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
   speeds.points("Frank (1994)", published.column("A"), published.column("C"), Role::data, error);
   excess.points("Frank (1994)", published.column("A"), data_excess, Role::data, error);
   for (const Family& family : all) {
-    std::vector<double> c = each(family.waves, [](const Born& wave) { return wave.speed; });
-    std::vector<double> over = each(family.waves, [&](const Born& wave) { return wave.speed - euler(wave.amplitude); });
-    speeds.points(family.label, family.amplitudes(), c, Role::computed);
-    excess.points(family.label, family.amplitudes(), over, Role::computed);
+    const auto over = [&](const Born& wave) { return wave.speed - euler(wave.amplitude); };
+    speeds.points(family.label, family.amplitudes(), each(family.waves, &Born::speed), Role::computed);
+    excess.points(family.label, family.amplitudes(), each(family.waves, over), Role::computed);
   }
 }
 

@@ -18,6 +18,7 @@ Boussinesq-type equations, has the wrong speed: the shift at the last time tells
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::solitary_wave {
 namespace {
@@ -52,23 +53,17 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
   const double depth = wave.depth();
   const std::vector<double> x = evenly(-8 * depth, 8 * depth, 401);
-  std::vector<double> surface, serre;
   const exact::SerreSolitary model(wave.amplitude(), depth, wave.gravity());
-  for (const double at : x) {
-    surface.push_back(wave.elevation(at));
-    serre.push_back(model.elevation(at));
-  }
   auto& figure = exhibit.figure("wave", "The solitary wave",
                                 "Surface beside Rayleigh's (exact for Serre's equations), and horizontal velocity over "
                                 "the depth at three sections.");
   auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
-  profile.line("Euler", x, surface, Role::exact);
-  profile.line("Rayleigh, Serre", x, serre, Role::guide);
+  profile.line("Euler", x, each(x, [&](double at) { return wave.elevation(at); }), Role::exact);
+  profile.line("Rayleigh, Serre", x, each(x, [&](double at) { return model.elevation(at); }), Role::guide);
   auto& velocity = figure.panel({.x = "u [m/s]", .y = "y [m]"});
   for (const double at : {0.0, 1.0, 2.0}) {
-    std::vector<double> u;
     const std::vector<double> y = evenly(-depth, wave.elevation(at * depth), 81);
-    for (const double level : y) u.push_back(wave.velocity(at * depth, level).u);
+    const auto u = each(y, [&](double level) { return wave.velocity(at * depth, level).u; });
     velocity.line(at == 0 ? "x = 0" : at == 1 ? "x = depth" : "x = 2 depth", u, y, Role::exact);
   }
 }

@@ -27,6 +27,8 @@ there in the end, long after the wave has gone, and the runs of two and three la
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/plan/plan_soliton.hpp"
 
 namespace seiche::validation::cases::soliton_2dh {
@@ -182,12 +184,8 @@ void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
     panel.points(fmt::format("t = {:g}", row.time), row.x, row.z, row.time == 0 ? Role::peer : Role::computed);
   }
   const exact::SerreSolitary wave(coarsest.amplitude);
-  std::vector<double> x, z;
-  for (int i = -120; i <= 120; ++i) {
-    x.push_back(0.1 * i);
-    z.push_back(wave.elevation(0.1 * i));
-  }
-  panel.line("Green-Naghdi", x, z, Role::exact);
+  const std::vector<double> x = evenly(-12, 12, 241);
+  panel.line("Green-Naghdi", x, each(x, [&](double at) { return wave.elevation(at); }), Role::exact);
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {

@@ -394,12 +394,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     if (i == 0) slope_guide(by_cells, -2, curve.cells, 0.4 * curve.error.back());
   }
   draw_wave(exhibit, wave_of(values), r.picture);
-  std::vector<double> cells, errors;
-  for (const PeerPoint& point : peer) {
-    cells.push_back(point.cells);
-    errors.push_back(point.error);
-  }
-  by_cells.points("Basilisk", cells, errors, Role::peer);
+  by_cells.points("Basilisk", each(peer, &PeerPoint::cells), each(peer, &PeerPoint::error), Role::peer);
   by_time.points("Basilisk", std::vector{peer_seconds}, std::vector{peer[3].error}, Role::peer);
 }
 

@@ -34,6 +34,7 @@ shortest. Across, where the bottom is level, they agree to half a per cent.
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation::cases::soliton_over_shoal {
@@ -203,12 +204,9 @@ double left_out(const ShoalWave& wave) {
 
 /// On the finest cells, with the uncertainty that all give.
 evidence::GridConvergence converged(const Results& all, ShoalRun Pair::*model, std::size_t gauge) {
-  std::vector<double> size, value;
-  for (const Pair& pair : all) {
-    size.push_back(pair.wave.spacing());
-    value.push_back((pair.*model).highest[gauge].value());
-  }
-  return evidence::grid_convergence(size, value, 2);
+  const auto highest = [&](const Pair& pair) { return (pair.*model).highest[gauge].value(); };
+  return evidence::grid_convergence(each(all, [](const Pair& pair) { return pair.wave.spacing(); }), each(all, highest),
+                                    2);
 }
 
 double highest(const Results& all, ShoalRun Pair::*model, std::size_t gauge) {

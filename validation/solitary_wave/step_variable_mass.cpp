@@ -390,10 +390,8 @@ void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
                                 "booked step by step; below it for all meshes.");
   const SolitaryRun& own = r.own().run;
   auto& parts = figure.panel({.x = "t [sqrt(depth/g)]", .y = "energy"});
-  std::vector<double> sum;
-  for (std::size_t k = 0; k < own.time.size(); ++k) {
-    sum.push_back(own.kinetic[k] + own.potential[k] + own.dissipated[k]);
-  }
+  std::vector<double> sum = own.kinetic;
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += own.potential[k] + own.dissipated[k];
   parts.line("kinetic", own.time, own.kinetic);
   parts.line("potential", own.time, own.potential);
   parts.line("dissipated", own.time, own.dissipated);

@@ -34,6 +34,7 @@ ten periods.
 #include "seiche/models/variable_mass/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 
 namespace seiche::validation::cases::standing_wave_free_lagrangian {
@@ -381,11 +382,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<Kind> all = kinds_of_life();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Wave& wave = r.life[i];
-    std::vector<double> time, amplitude;
-    for (std::size_t n = 0; n < wave.time.size(); ++n) {
-      time.push_back(wave.time[n] / period());
-      amplitude.push_back(wave.amplitude[n] / values.real("amplitude"));
-    }
+    const auto time = each(wave.time, [](double t) { return t / period(); });
+    const auto amplitude = each(wave.amplitude, [&](double a) { return a / values.real("amplitude"); });
     const std::string label =
         fmt::format("{}{}", all[i].name, all[i].stabilisation > 0 ? fmt::format(" by {:g}", all[i].stabilisation) : "");
     waves.line(label, time, amplitude);

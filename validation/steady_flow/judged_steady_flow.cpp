@@ -1,4 +1,6 @@
 #include "validation/steady_flow/judged_steady_flow.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 #include <cmath>
 
@@ -12,12 +14,9 @@ constexpr long cells = 200;  ///< over the channel, of a solver that does not sa
 /// Mean distance of the level water's depth from the exact one.
 double untouched(const JudgedSteadyFlow& flow, const ProfilePoints& points) {
   ProfilePoints level;
-  constexpr int samples = 2000;
-  for (int k = 0; k <= samples; ++k) {
-    level.x.push_back(std::lerp(points.x.front(), points.x.back(), k / double{samples}));
-    level.depth.push_back(flow.level_water(level.x.back()));
-    level.velocity.push_back(0);
-  }
+  level.x = evenly(points.x.front(), points.x.back(), 2001);
+  level.depth = each(level.x, [&](double x) { return flow.level_water(x); });
+  level.velocity.resize(level.x.size());
   return mean_errors(level, flow.exact).depth;
 }
 

@@ -25,6 +25,7 @@ instant the errors scatter so much that the order cannot be told.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
@@ -154,26 +155,20 @@ Results compute(const Run& run) {
   return r;
 }
 
-void draw(evidence::Exhibit& exhibit, const exact::MacDonald& channel, const Means& means) {
-  std::vector<double> x, surface, bed, exact;
-  for (int k = 0; k <= 400; ++k) {
-    x.push_back(channel.length() * k / 400);
-    bed.push_back(channel.elevation(x.back()));
-    exact.push_back(channel.at(x.back()).depth);
-    surface.push_back(bed.back() + exact.back());
-  }
-  std::vector<double> level;
-  for (std::size_t i = 0; i < means.centre.size(); ++i) {
-    level.push_back(means.depth[i] + channel.elevation(means.centre[i]));
-  }
+void draw(evidence::Exhibit& exhibit, const exact::MacDonald& channel, const ProfileCurve& means) {
+  const std::vector<double> x = evenly(0, channel.length(), 401);
+  const auto bed_at = [&](double at) { return channel.elevation(at); };
+  const auto depth_at = [&](double at) { return channel.at(at).depth; };
+  std::vector<double> level = each(means.x, bed_at);
+  for (std::size_t i = 0; i < level.size(); ++i) level[i] += means.depth[i];
   auto& figure = exhibit.figure("profile", "A river reach with friction", "Bed and surface; depth.");
   auto& top = figure.panel({.x = "x [m]", .y = "elevation [m]"});
-  top.fill("water", x, surface, Role::water);
-  top.fill("bed", x, bed, Role::bed);
-  top.points("particles", means.centre, level, Role::computed);
+  top.fill("water", x, each(x, [&](double at) { return bed_at(at) + depth_at(at); }), Role::water);
+  top.fill("bed", x, each(x, bed_at), Role::bed);
+  top.points("particles", means.x, level, Role::computed);
   auto& bottom = figure.panel({.x = "x [m]", .y = "depth h [m]"});
-  bottom.line("exact", x, exact, Role::exact);
-  bottom.points("particles", means.centre, means.depth, Role::computed);
+  bottom.line("exact", x, each(x, depth_at), Role::exact);
+  bottom.points("particles", means.x, means.depth, Role::computed);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {

@@ -34,6 +34,7 @@ disturbance of its own.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
@@ -305,28 +306,22 @@ Results compute(const Run& run) {
 
 void draw(evidence::Exhibit& exhibit, const Settling& r, const Regime& regime) {
   const exact::SteadyBump& flow = regime.flow;
-  std::vector<double> x, surface, bed;
-  for (int k = 0; k <= 500; ++k) {
-    x.push_back(25.0 * k / 500);
-    bed.push_back(flow.elevation(x.back()));
-    surface.push_back(flow.at(x.back()).depth + bed.back());
-  }
+  const std::vector<double> x = evenly(0, 25, 501);
+  const auto bed = [&](double at) { return flow.elevation(at); };
   auto& figure = exhibit.figure("profile-" + regime.name, "Steady flow over a bump, " + regime.name,
                                 "Surface and discharge after the flow has settled.");
   auto& top = figure.panel({.x = "x [m]", .y = "elevation [m]"});
-  const Means means = means_of(r.finest.profile);
-  std::vector<double> level;
-  for (std::size_t i = 0; i < means.centre.size(); ++i) {
-    level.push_back(means.depth[i] + flow.elevation(means.centre[i]));
-  }
-  top.fill("bed", x, bed, Role::bed);
-  top.line("exact surface", x, surface, Role::exact);
-  top.points("particles", means.centre, level, Role::computed);
+  const ProfileCurve means = means_of(r.finest.profile);
+  std::vector<double> level = each(means.x, bed);
+  for (std::size_t i = 0; i < level.size(); ++i) level[i] += means.depth[i];
+  top.fill("bed", x, each(x, bed), Role::bed);
+  top.line("exact surface", x, each(x, [&](double at) { return flow.at(at).depth + bed(at); }), Role::exact);
+  top.points("particles", means.x, level, Role::computed);
   auto& bottom = figure.panel({.x = "x [m]", .y = "discharge q [m²/s]"});
   const double q = flow.discharge();
   bottom.line("exact", std::vector<double>{0, 25}, std::vector<double>{q, q}, Role::exact);
-  bottom.points("particles", means.centre, r.finest.discharge, Role::computed);
-  bottom.points("MUSCL-HLL", means_of(r.peer.profile).centre, r.peer.discharge, Role::peer);
+  bottom.points("particles", means.x, r.finest.discharge, Role::computed);
+  bottom.points("MUSCL-HLL", means_of(r.peer.profile).x, r.peer.discharge, Role::peer);
 }
 
 void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exhibit) {

@@ -20,6 +20,7 @@ transient.
 #include "seiche/require.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wavemaker_start {
 namespace {
@@ -59,10 +60,8 @@ Results compute(const Run& run) {
   const exact::WavemakerTransient start = start_of(run);
   const double gauge = gauge_of(run);
   Results r{.identities = start.self_test()};
-  for (const double t : times_of(run)) {
-    r.elevation.push_back(start.elevation(gauge, t));
-    r.settled.push_back(start.steady().elevation(gauge, t));
-  }
+  r.elevation = each(times_of(run), [&](double t) { return start.elevation(gauge, t); });
+  r.settled = each(times_of(run), [&](double t) { return start.steady().elevation(gauge, t); });
   return r;
 }
 

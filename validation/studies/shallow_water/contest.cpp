@@ -71,7 +71,7 @@ void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, doub
     table.rows.push_back({c.scheme, c.errors.cell.depth.l1, c.errors.reconstructed.depth.l1, c.errors.constant.depth.l1,
                           c.errors.constant.depth.l2, c.errors.constant.depth.linf, c.errors.cell.velocity.l1, c.width,
                           c.front_error});
-    const ExactCurve exact = exact_curve(problem, c.profile, time);
+    const ProfileCurve exact = exact_curve(problem, c.profile, time);
     auto& panel = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = c.scheme});
     panel.line("exact", exact.x, exact.depth, Role::exact);
     const bool particles = std::find(peer_schemes.begin(), peer_schemes.end(), c.scheme) == peer_schemes.end();

@@ -1,4 +1,5 @@
 #include "validation/studies/shallow_water/flow.hpp"
+#include "validation/case/reference_case.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -174,10 +175,8 @@ struct InitialState {
 };
 
 cells::FiniteVolumeFlow cell_flow(const FlowProblem& problem, const Discretisation& d) {
-  std::vector<double> edges;
-  for (long k = 0; k <= d.particles; ++k) {
-    edges.push_back(problem.start + problem.length() * static_cast<double>(k) / static_cast<double>(d.particles));
-  }
+  const std::vector<double> edges =
+      evenly(problem.start, problem.start + problem.length(), static_cast<int>(d.particles) + 1);
   std::vector<double> depth, discharge;
   for (const validation::CellMean& mean : validation::cell_averages(InitialState{&problem}, edges, 0)) {
     depth.push_back(mean.depth);

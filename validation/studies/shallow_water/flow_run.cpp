@@ -193,7 +193,7 @@ void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, c
 }
 
 void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title) {
-  const ExactCurve curve = exact_curve(problem, problem.start, problem.end, time);
+  const ProfileCurve curve = exact_curve(problem, problem.start, problem.end, time);
   figure.panel({.x = "x [m]", .y = "depth h [m]", .title = title}).line("exact", curve.x, curve.depth, Role::exact);
   figure.panel({.x = "x [m]", .y = "velocity u [m/s]", .title = title})
       .line("exact", curve.x, curve.velocity, Role::exact);
@@ -201,9 +201,9 @@ void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double tim
 
 void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const FlowRun& flow, const FlowRun::Frame& frame,
                 const std::string& title, const FlowRun::Frame* beside) {
-  const ExactCurve exact = exact_curve(flow.problem, frame.profile, frame.time);
-  const Means means = means_of(frame.profile);
-  const Means others = beside != nullptr ? means_of(beside->profile) : Means{};
+  const ProfileCurve exact = exact_curve(flow.problem, frame.profile, frame.time);
+  const ProfileCurve means = means_of(frame.profile);
+  const ProfileCurve others = beside != nullptr ? means_of(beside->profile) : ProfileCurve{};
   auto& depth = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = title});
   depth.line("exact", exact.x, exact.depth, Role::exact);
   if (beside != nullptr) depth.steps("hand-over", beside->profile.edges, others.depth, Role::peer);
@@ -211,9 +211,9 @@ void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const Flow
               means.depth, Role::computed);
   auto& velocity = figure.panel({.x = "x [m]", .y = "velocity u [m/s]", .title = title});
   velocity.line("exact", exact.x, exact.velocity, Role::exact);
-  if (beside != nullptr) velocity.points("hand-over", others.centre, others.velocity, Role::peer);
-  velocity.points(flow.discretisation.scheme, means.centre, means.velocity, Role::computed);
-  const ExactCurve curve = computed_curve(frame.profile);
+  if (beside != nullptr) velocity.points("hand-over", others.x, others.velocity, Role::peer);
+  velocity.points(flow.discretisation.scheme, means.x, means.velocity, Role::computed);
+  const ProfileCurve curve = computed_curve(frame.profile);
   exhibit.snapshot({.time = frame.time,
                     .x = curve.x,
                     .z = curve.depth,

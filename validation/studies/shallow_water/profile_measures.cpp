@@ -6,7 +6,7 @@
 
 namespace seiche::validation {
 
-ExactCurve exact_curve(const FlowProblem& problem, double from, double to, double t) {
+ProfileCurve exact_curve(const FlowProblem& problem, double from, double to, double t) {
   constexpr int samples = 400;
   std::vector<double> x;
   for (int k = 0; k <= samples; ++k) x.push_back(from + (to - from) * k / samples);
@@ -16,7 +16,7 @@ ExactCurve exact_curve(const FlowProblem& problem, double from, double to, doubl
     x.insert(x.end(), {p - hair, p + hair});
   }
   std::sort(x.begin(), x.end());
-  ExactCurve curve{.x = x, .depth = {}, .velocity = {}};
+  ProfileCurve curve{.x = x, .depth = {}, .velocity = {}};
   for (const double at : x) {
     const State s = problem.exact(at, t);
     curve.depth.push_back(s.depth);
@@ -25,13 +25,13 @@ ExactCurve exact_curve(const FlowProblem& problem, double from, double to, doubl
   return curve;
 }
 
-ExactCurve exact_curve(const FlowProblem& problem, const Profile& profile, double t) {
+ProfileCurve exact_curve(const FlowProblem& problem, const Profile& profile, double t) {
   return exact_curve(problem, std::min(problem.start, profile.edges.front()),
                      std::max(problem.end, profile.edges.back()), t);
 }
 
-ExactCurve computed_curve(const Profile& profile) {
-  ExactCurve curve;
+ProfileCurve computed_curve(const Profile& profile) {
+  ProfileCurve curve;
   constexpr int samples = 4;
   for (std::size_t i = 0; i < profile.means.size(); ++i) {
     std::vector<double> places;
@@ -53,10 +53,10 @@ ExactCurve computed_curve(const Profile& profile) {
   return curve;
 }
 
-Means means_of(const Profile& profile) {
-  Means means;
+ProfileCurve means_of(const Profile& profile) {
+  ProfileCurve means;
   for (std::size_t i = 0; i < profile.means.size(); ++i) {
-    means.centre.push_back(0.5 * (profile.edges[i] + profile.edges[i + 1]));
+    means.x.push_back(0.5 * (profile.edges[i] + profile.edges[i + 1]));
     means.depth.push_back(profile.means[i].depth);
     means.velocity.push_back(profile.means[i].velocity);
   }

@@ -10,23 +10,20 @@
 namespace seiche::validation {
 
 /// Depth and velocity along x.
-struct ExactCurve {
+struct ProfileCurve {
   std::vector<double> x, depth, velocity;
 };
 
 /// On [from, to], sampled densely and at both sides of every breakpoint.
-ExactCurve exact_curve(const FlowProblem& problem, double from, double to, double t);
+ProfileCurve exact_curve(const FlowProblem& problem, double from, double to, double t);
 /// The same over the channel and whatever of the profile lies beyond it.
-ExactCurve exact_curve(const FlowProblem& problem, const Profile& profile, double t);
+ProfileCurve exact_curve(const FlowProblem& problem, const Profile& profile, double t);
 
 /// The method's own curve: its reconstruction, sampled within every cell.
-ExactCurve computed_curve(const Profile& profile);
+ProfileCurve computed_curve(const Profile& profile);
 
-/// Centres and mean values as arrays.
-struct Means {
-  std::vector<double> centre, depth, velocity;
-};
-Means means_of(const Profile& profile);
+/// Mean values at the centres of the cells.
+ProfileCurve means_of(const Profile& profile);
 
 /// The three measures of a profile's distance from the exact one; which is which: error_measures.hpp. NaN where there
 /// is no profile.

@@ -40,13 +40,7 @@ WantedTable wanted_profile(double start, double end, long cells, const std::func
 }
 
 ProfilePoints points_of(const Profile& profile) {
-  ProfilePoints points;
-  for (std::size_t i = 0; i < profile.means.size(); ++i) {
-    points.x.push_back(0.5 * (profile.edges[i] + profile.edges[i + 1]));
-    points.depth.push_back(profile.means[i].depth);
-    points.velocity.push_back(profile.means[i].velocity);
-  }
-  return points;
+  return {means_of(profile)};
 }
 
 Submitted submitted_profile(const Profile& profile) {

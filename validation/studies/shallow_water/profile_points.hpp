@@ -7,13 +7,12 @@
 
 #include "validation/case/submission.hpp"
 #include "validation/studies/shallow_water/flow.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation {
 
-struct ProfilePoints {
-  std::vector<double> x;  ///< [m], strictly increasing
-  std::vector<double> depth, velocity;
-
+/// x is strictly increasing.
+struct ProfilePoints : ProfileCurve {
   /// The same as cells around the points.
   [[nodiscard]] Profile cells() const;
   /// Mean distance of neighbours.
