@@ -31,10 +31,8 @@ Evaluator ExactSolution::evaluator(const std::map<std::string, double>& values) 
   }
   for (const auto& [key, value] : values) {
     const auto place = complete.find(key);
-    if (place == complete.end()) {
-      throw std::invalid_argument(fmt::format("{} is not a parameter of {}{} it has {}", key, name,
-                                              did_you_mean(key, known), fmt::join(known, ", ")));
-    }
+    require_that(place != complete.end(), "{} is not a parameter of {}{} it has {}", key, name,
+                 did_you_mean(key, known), fmt::join(known, ", "));
     place->second = value;
   }
   for (const Parameter& parameter : parameters) {

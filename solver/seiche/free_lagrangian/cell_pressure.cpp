@@ -10,6 +10,7 @@
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::free_lagrangian {
 
@@ -46,11 +47,8 @@ std::vector<double> first_areas(const Mesh& mesh, const Triangulation& triangula
   std::vector<double> areas(mesh.nodes());
   dirichlet_areas(triangulation, mesh.places(), areas);
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-    if (!(areas[k] > 0)) {
-      throw std::invalid_argument(
-          fmt::format("the cell of node {} at ({:g}, {:g}) has an area of {:g}; allowed: positive", k, mesh.x[k],
-                      mesh.y[k], areas[k]));
-    }
+    require_that(areas[k] > 0, "the cell of node {} at ({:g}, {:g}) has an area of {:g}; allowed: positive", k,
+                 mesh.x[k], mesh.y[k], areas[k]);
   }
   return areas;
 }

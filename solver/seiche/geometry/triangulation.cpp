@@ -180,9 +180,7 @@ void require_nodes(Places nodes, std::span<const int> outline) {
   std::vector<bool> named(nodes.x.size());
   for (const int k : outline) {
     require_that(k >= 0 && k < nodes.size(), "the outline names node {}; allowed: 0 to {}", k, nodes.size() - 1);
-    if (named[static_cast<std::size_t>(k)]) {
-      throw std::invalid_argument("the outline names " + at(nodes, k) + " twice; allowed: once");
-    }
+    require_that(!named[static_cast<std::size_t>(k)], "the outline names {} twice; allowed: once", at(nodes, k));
     named[static_cast<std::size_t>(k)] = true;
   }
 }

@@ -18,7 +18,9 @@ std::size_t Table::index(const std::string& name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const auto why = unusable.find(name);
-  if (why != unusable.end()) throw std::invalid_argument(fmt::format("{}: column {}: {}", source, name, why->second));
+  if (why != unusable.end()) {
+    throw std::invalid_argument(fmt::format("{}: column {}: {}", source, name, why->second));
+  }
   std::vector<std::string> there = names;
   for (const auto& [other, reason] : unusable) there.push_back(other);
   constexpr std::size_t shown = 12;

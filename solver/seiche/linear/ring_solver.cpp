@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::linear {
 
 namespace {
@@ -25,7 +27,7 @@ struct Memberships {
       : begin(unknowns + 1, 0), in(member.size()) {
     for (const int i : member) ++begin[index(i) + 1];
     for (std::size_t i = 0; i < unknowns; ++i) {
-      if (begin[i + 1] == 0) throw std::invalid_argument(fmt::format("unknown {} is in no ring", i));
+      require_that(begin[i + 1] != 0, "unknown {} is in no ring", i);
       begin[i + 1] += begin[i];
     }
     std::vector<int> filled(begin.begin(), begin.end() - 1);

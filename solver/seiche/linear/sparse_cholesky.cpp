@@ -12,6 +12,7 @@
 #include <Eigen/CholmodSupport>
 
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::linear {
 
@@ -83,18 +84,14 @@ struct SparseCholesky::Cholmod {
 namespace {
 
 void require_lower(const Eigen::SparseMatrix<double>& pattern) {
-  if (pattern.rows() != pattern.cols() || pattern.rows() == 0 || !pattern.isCompressed()) {
-    throw std::invalid_argument(fmt::format("pattern is {} x {}{}; allowed: square, not empty, compressed",
-                                            pattern.rows(), pattern.cols(),
-                                            pattern.isCompressed() ? "" : ", not compressed"));
-  }
+  require_that(pattern.rows() == pattern.cols() && pattern.rows() != 0 && pattern.isCompressed(),
+               "pattern is {} x {}{}; allowed: square, not empty, compressed", pattern.rows(), pattern.cols(),
+               pattern.isCompressed() ? "" : ", not compressed");
   for (int column = 0; column < pattern.cols(); ++column) {
     const int begin = pattern.outerIndexPtr()[column];
     const int end = pattern.outerIndexPtr()[column + 1];
-    if (begin == end || pattern.innerIndexPtr()[begin] != column) {
-      throw std::invalid_argument(
-          fmt::format("pattern: column {} does not begin with its diagonal; allowed: lower triangle", column));
-    }
+    require_that(begin != end && pattern.innerIndexPtr()[begin] == column,
+                 "pattern: column {} does not begin with its diagonal; allowed: lower triangle", column);
   }
 }
 
@@ -105,10 +102,8 @@ SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern)
 
 SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering) {
   require_lower(pattern);
-  if (!ordering.empty() && ordering.size() != static_cast<std::size_t>(pattern.cols())) {
-    throw std::invalid_argument(
-        fmt::format("ordering has {} unknowns; the pattern has {}", ordering.size(), pattern.cols()));
-  }
+  require_that(ordering.empty() && ordering.size() != static_cast<std::size_t>(pattern.cols()),
+               "ordering has {} unknowns; the pattern has {}", ordering.size(), pattern.cols());
   cholmod_ = std::make_unique<Cholmod>(pattern, ordering);
 }
 
@@ -135,9 +130,7 @@ double SparseCholesky::pivot_ratio() const {
 void SparseCholesky::factor(std::span<const double> values) {
   Cholmod& c = *cholmod_;
   const auto count = static_cast<std::size_t>(c.pattern.nonZeros());
-  if (values.size() != count) {
-    throw std::invalid_argument(fmt::format("{} values; the pattern has {}", values.size(), count));
-  }
+  require_that(values.size() == count, "{} values; the pattern has {}", values.size(), count);
   // CHOLMOD compares pivots with zero, which NaN and infinity pass.
   const auto bad = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
   if (bad != values.end()) {

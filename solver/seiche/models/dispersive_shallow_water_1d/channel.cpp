@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -12,7 +13,7 @@ double Friction::per_length(double gravity, double depth) const {
 }
 
 void Channel::validate() const {
-  if (!bottom) throw std::invalid_argument("channel without a bottom: set Channel::bottom");
+  require_that(bottom != nullptr, "channel without a bottom: set Channel::bottom");
   require_not_negative("period", period);
   require_positive("gravity", gravity);
   require_positive("density", density);
@@ -23,11 +24,9 @@ void Channel::validate() const {
   require_positive("reference_depth", reference_depth);
   require_not_negative("friction coefficient", friction.coefficient);
   if (breaking) breaking->validate();
-  if (kinetics == Kinetics::green_naghdi && alpha < 0.25) {
-    throw std::invalid_argument(
-        "kinetics = green_naghdi needs alpha >= 1/4: the kinetic energy over steep slopes "
-        "would not be positive");
-  }
+  require_that(kinetics != Kinetics::green_naghdi || alpha >= 0.25,
+               "kinetics = green_naghdi needs alpha >= 1/4: the kinetic energy over steep slopes "
+               "would not be positive");
 }
 
 }  // namespace seiche::dispersive_shallow_water_1d

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
@@ -34,12 +36,8 @@ double surely_stable_step(const Model& model) {
 }
 
 void require_movable(const Window& window, const Model& model) {
-  if (window.reach && model.has_shoreline()) {
-    throw std::invalid_argument("a moving window with a shoreline; allowed: one of them");
-  }
-  if (window.reach && model.absorbs()) {
-    throw std::invalid_argument("a moving window with absorption; allowed: one of them");
-  }
+  require_that(!window.reach || !model.has_shoreline(), "a moving window with a shoreline; allowed: one of them");
+  require_that(!window.reach || !model.absorbs(), "a moving window with absorption; allowed: one of them");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -16,14 +17,11 @@ void Lattice::require_valid() const {
   require_at_least("rows", static_cast<long>(shape.rows), 1);
   require_positive("depth", depth);
   for (const auto& [name, values] : {std::pair{"x", &x}, std::pair{"y", &y}, std::pair{"z", &z}}) {
-    if (values->size() != shape.nodes()) {
-      throw std::invalid_argument(fmt::format("{} has {} values; allowed: {}, one per node of {} x {} cells", name,
-                                              values->size(), shape.nodes(), shape.columns, shape.rows));
-    }
+    require_that(values->size() == shape.nodes(), "{} has {} values; allowed: {}, one per node of {} x {} cells", name,
+                 values->size(), shape.nodes(), shape.columns, shape.rows);
     const auto bad = std::find_if(values->begin(), values->end(), [](double value) { return !std::isfinite(value); });
-    if (bad != values->end()) {
-      throw std::invalid_argument(fmt::format("{}[{}] = {}; allowed: finite", name, bad - values->begin(), *bad));
-    }
+    if (bad == values->end()) continue;
+    throw std::invalid_argument(fmt::format("{}[{}] = {}; allowed: finite", name, bad - values->begin(), *bad));
   }
   const auto bottom_below = [this](double at_x, double at_y) {
     try {
@@ -34,7 +32,7 @@ void Lattice::require_valid() const {
   };
   std::vector<char> on_shore(shape.nodes(), 0);
   for (const auto& edge : plan_lattice::shore_edges(shape, sides)) {
-    if (!bottom) throw std::invalid_argument("a shoreline over a level bottom; allowed: an uneven bottom");
+    require_that(bottom != nullptr, "a shoreline over a level bottom; allowed: an uneven bottom");
     for (const std::size_t k : edge) on_shore[k] = 1;
   }
   std::vector<double> bed(shape.nodes());
@@ -52,20 +50,15 @@ void Lattice::require_valid() const {
                       "1e-12 of the largest depth, it is on a shoreline",
                       z[k], x[k], y[k], under));
     }
-    if (!(z[k] > under)) {
-      throw std::invalid_argument(
-          fmt::format("z = {:g} at ({:g}, {:g}); allowed: above the bottom, {:g}", z[k], x[k], y[k], under));
-    }
+    require_that(z[k] > under, "z = {:g} at ({:g}, {:g}); allowed: above the bottom, {:g}", z[k], x[k], y[k], under);
   }
   for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
     const auto corners = shape.corners(cell);
     const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
-    if (!(bilinear_patch::smallest(bilinear_patch::jacobians(at(x), at(y))) > 0)) {
-      throw std::invalid_argument(
-          fmt::format("cell {} at ({:g}, {:g}) is not convex, or its corners do not go around "
-                      "anticlockwise; allowed: x grows with the column, y with the row",
-                      cell, x[corners[0]], y[corners[0]]));
-    }
+    require_that(bilinear_patch::smallest(bilinear_patch::jacobians(at(x), at(y))) > 0,
+                 "cell {} at ({:g}, {:g}) is not convex, or its corners do not go around "
+                 "anticlockwise; allowed: x grows with the column, y with the row",
+                 cell, x[corners[0]], y[corners[0]]);
   }
 }
 
@@ -73,7 +66,7 @@ Lattice rectangular_lattice(const Rectangle& rectangle) {
   for (const auto& [name, from, to] :
        {std::tuple{"end", rectangle.begin, rectangle.end}, std::tuple{"north", rectangle.south, rectangle.north}}) {
     require_finite(name, to);
-    if (!(to > from)) throw std::invalid_argument(fmt::format("{} = {:g}; allowed: above {:g}", name, to, from));
+    require_that(to > from, "{} = {:g}; allowed: above {:g}", name, to, from);
   }
   require_at_least("columns", static_cast<long>(rectangle.columns), 2);
   require_at_least("rows", static_cast<long>(rectangle.rows), 1);

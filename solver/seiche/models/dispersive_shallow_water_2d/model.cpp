@@ -11,6 +11,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -86,10 +87,8 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
     const std::size_t corner = first_node(cell);
     volume_[cell] = cell_volume(places, cell);
     mean_area_ += cell_area(shape(), places, cell) / static_cast<double>(volume_.size());
-    if (!(volume_[cell] > 0)) {
-      throw std::invalid_argument(fmt::format("cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
-                                              lattice_.x[corner], lattice_.y[corner], volume_[cell]));
-    }
+    require_that(volume_[cell] > 0, "cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
+                 lattice_.x[corner], lattice_.y[corner], volume_[cell]);
   }
   east_width_ = lattice_.x[shape().columns] - lattice_.x[shape().columns - 1];
   sum_masses();

@@ -13,6 +13,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -344,9 +345,8 @@ ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
   require_not_negative("edge_slope", settings.edge_slope);
   require_not_negative("shore_slope", settings.shore_slope);
   require_within("strain", settings.strain, 1e-6, 1);
-  if (!std::holds_alternative<plan_lattice::ShoreSide>(first.sides.south)) {
-    throw std::invalid_argument("a lattice without a shoreline on its south side; allowed: one with it");
-  }
+  require_that(std::holds_alternative<plan_lattice::ShoreSide>(first.sides.south),
+               "a lattice without a shoreline on its south side; allowed: one with it");
   require_at_least("columns", static_cast<long>(shape_.columns), 3);
   for (std::size_t k = 0; k < shape_.nodes(); ++k) first_.push_back({first.x[k], first.y[k]});
   for (std::size_t i = 0; i <= shape_.columns; ++i) {
@@ -467,7 +467,7 @@ RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Schem
       settings_(rezone),
       flow_(std::make_unique<Flow>(std::move(lattice), velocity, scheme, std::move(settings), Forcing{}, Window{},
                                    false)) {
-  if (flow_->model().has_driven_sides()) throw std::invalid_argument("a rezoned lattice with driven sides");
+  require_that(!flow_->model().has_driven_sides(), "a rezoned lattice with driven sides");
 }
 
 std::vector<Invariant> RezonedFlow::invariants() const {

@@ -10,6 +10,7 @@
 
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -21,13 +22,10 @@ Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocit
       one_step_(model_),
       projected_step_(model_),
       watch_(model_, state_) {
-  if (settings.surface && stepping == Stepping::dissipative) {
-    throw std::invalid_argument("gravity on the surface with dissipative stepping; allowed: conservative stepping");
-  }
-  if (settings.penalty > 0 && stepping == Stepping::dissipative) {
-    throw std::invalid_argument(fmt::format(
-        "penalty = {:g} with dissipative stepping; allowed: 0, or conservative stepping", settings.penalty));
-  }
+  require_that(!settings.surface || stepping != Stepping::dissipative,
+               "gravity on the surface with dissipative stepping; allowed: conservative stepping");
+  require_that(settings.penalty == 0 || stepping != Stepping::dissipative,
+               "penalty = {:g} with dissipative stepping; allowed: 0, or conservative stepping", settings.penalty);
   mechanics::require_state(state_, model_.coordinates(), model_.rates());
 }
 
@@ -40,10 +38,8 @@ double Flow::stable_step() const {
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
-  if (tau > stable_step()) {
-    throw std::invalid_argument(
-        fmt::format("tau = {:g} is out of range: at most {:.4g} = 2/sqrt(pi g/h) on this lattice", tau, stable_step()));
-  }
+  require_that(tau <= stable_step(), "tau = {:g} is out of range: at most {:.4g} = 2/sqrt(pi g/h) on this lattice", tau,
+               stable_step());
   if (stepping_ == Stepping::conservative) {
     one_step_.step(state_, tau);
   } else {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -27,10 +28,8 @@ double fraction(std::uint64_t seed, double time, std::uint64_t axis) {
 
 long whole_cells(const char* what, double length, double cell) {
   const double count = std::round(length / cell);
-  if (!(length > 0) || !(std::abs(count * cell - length) <= 1e-9 * length)) {
-    throw std::invalid_argument(
-        fmt::format("{} = {:.17g} is out of range: must be a positive multiple of the cell, {:g}", what, length, cell));
-  }
+  require_that(length > 0 && std::abs(count * cell - length) <= 1e-9 * length,
+               "{} = {:.17g} is out of range: must be a positive multiple of the cell, {:g}", what, length, cell);
   return static_cast<long>(count);
 }
 
@@ -63,10 +62,9 @@ void require_continuous_slope(const BottomProfile& profile, double begin, double
         (first_half ? right : left) = middle;
         (first_half ? to : from) = between;
       }
-      if (std::abs(to - from) > 0.5 * rise) {
-        throw std::invalid_argument(fmt::format(
-            "bottom: its slope jumps from {:g} to {:g} at x = {:g}; allowed: a continuous slope", from, to, left));
-      }
+      require_that(std::abs(to - from) <= 0.5 * rise,
+                   "bottom: its slope jumps from {:g} to {:g} at x = {:g}; allowed: a continuous slope", from, to,
+                   left);
     }
     before = after;
   }
@@ -79,7 +77,7 @@ void LatticePlan::check() const {
   require_not_negative("period", period);
   if (left_wall) require_finite("left_wall", *left_wall);
   if (right_wall) require_finite("right_wall", *right_wall);
-  if (period > 0 && right_wall) throw std::invalid_argument("right_wall in a periodic channel; allowed: none");
+  require_that(period == 0 || !right_wall, "right_wall in a periodic channel; allowed: none");
   if (period > 0) whole_cells("period", period, cell_x);
   if (left_wall && right_wall) whole_cells("right_wall - left_wall", *right_wall - *left_wall, cell_x);
   require_finite("level of the ground", ground.level);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -25,8 +26,7 @@ constexpr int most_sweeps = 200;
 Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings settings, Forcing forcing)
     : particles_(std::move(particles)), space_(std::move(space)), settings_(settings), forcing_(std::move(forcing)) {
   require_particles(particles_);
-  if (!space_)
-    throw std::invalid_argument("no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
+  require_that(space_ != nullptr, "no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
   require_not_negative("gravity", settings_.gravity);
   require_positive("density", settings_.density);
   require_not_negative("penalty", settings_.penalty);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -15,7 +16,7 @@ std::vector<StreamFunction> linear_fields() {
 }
 
 PolynomialSpace::PolynomialSpace(std::vector<StreamFunction> basis) : basis_(std::move(basis)) {
-  if (basis_.empty()) throw std::invalid_argument("no stream function; allowed: at least one");
+  require_that(!basis_.empty(), "no stream function; allowed: at least one");
   for (const StreamFunction& function : basis_) {
     for (const Monomial& term : function) {
       require_finite("coefficient of a stream function", term.coefficient);

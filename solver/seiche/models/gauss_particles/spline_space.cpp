@@ -11,6 +11,7 @@
 
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -32,7 +33,7 @@ SplineSpace::SplineSpace(Ground ground, LatticeAt at, Settings settings)
     : ground_(std::move(ground)), at_(std::move(at)), settings_(settings) {
   require_positive("density", settings_.density);
   require_within("inner_fraction", settings_.inner_fraction, 0.05, 1);
-  if (!at_) throw std::invalid_argument("no lattice; allowed: a function that gives one");
+  require_that(at_ != nullptr, "no lattice; allowed: a function that gives one");
 }
 
 double SplineSpace::resolution() const {

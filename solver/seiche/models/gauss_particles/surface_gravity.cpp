@@ -6,6 +6,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -15,9 +16,7 @@ SurfaceGravity::SurfaceGravity(SurfaceLine line, const Particles& particles, dou
   for (std::size_t k = 0; k < particles.size(); ++k) {
     if (particles.mass[k] == 0) markers_.push_back(k);
   }
-  if (markers_.size() < 2) {
-    throw std::invalid_argument(fmt::format("{} markers for a surface; allowed: at least 2", markers_.size()));
-  }
+  require_that(markers_.size() >= 2, "{} markers for a surface; allowed: at least 2", markers_.size());
 }
 
 /// Calls visit(a, b, width, ya, yb) for the pieces of the line.

@@ -10,6 +10,7 @@
 
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -26,16 +27,14 @@ std::array<double, 4> corner_triangles(const Mesh& mesh, std::span<const double>
 
 void require_on(std::string_view side, const Wall& wall, const Mesh& mesh, double size, std::size_t first,
                 std::size_t stride, std::size_t count) {
-  if (!wall.curve) throw std::invalid_argument(fmt::format("{} wall has no curve", side));
+  require_that(wall.curve != nullptr, "{} wall has no curve", side);
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t k = first + n * stride;
     const Point node{mesh.x[k], mesh.y[k]};
     const Point foot = wall.curve->position(wall.curve->arc_length_at(node));
     const double distance = std::hypot(node.x - foot.x, node.y - foot.y);
-    if (!(distance <= 1e-12 * size)) {
-      throw std::invalid_argument(fmt::format("node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}",
-                                              node.x, node.y, distance, side, 1e-12 * size));
-    }
+    require_that(distance <= 1e-12 * size, "node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}", node.x,
+                 node.y, distance, side, 1e-12 * size);
   }
 }
 
@@ -44,14 +43,10 @@ void require_side(std::string_view name, const Side& side, const Mesh& mesh, dou
   if (const auto* wall = std::get_if<Wall>(&side)) {
     require_on(name, *wall, mesh, size, first, stride, count);
   } else if (const auto* moving = std::get_if<MovingWall>(&side)) {
-    if (!moving->place || !moving->velocity) {
-      throw std::invalid_argument(fmt::format("{} moving wall needs place and velocity", name));
-    }
-    if (stride == 1) throw std::invalid_argument(fmt::format("a moving wall at the {}; allowed: left or right", name));
+    require_that(moving->place && moving->velocity, "{} moving wall needs place and velocity", name);
+    require_that(stride != 1, "a moving wall at the {}; allowed: left or right", name);
   } else if (const auto* given = std::get_if<PrescribedSide>(&side)) {
-    if (!given->position || !given->velocity) {
-      throw std::invalid_argument(fmt::format("{} prescribed side needs position and velocity", name));
-    }
+    require_that(given->position && given->velocity, "{} prescribed side needs position and velocity", name);
   }
 }
 
@@ -91,15 +86,12 @@ std::array<std::size_t, 4> Mesh::corners(std::size_t cell) const {
 void Mesh::require_valid() const {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
-  if (x.size() != nodes() || y.size() != nodes()) {
-    throw std::invalid_argument(fmt::format("{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)",
-                                            x.size(), y.size(), nodes()));
-  }
+  require_that(x.size() == nodes() && y.size() == nodes(),
+               "{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)", x.size(), y.size(), nodes());
   double size = 0;
   for (std::size_t k = 0; k < nodes(); ++k) {
-    if (!std::isfinite(x[k]) || !std::isfinite(y[k])) {
-      throw std::invalid_argument(fmt::format("node {} is at ({:g}, {:g}); allowed: finite", k, x[k], y[k]));
-    }
+    require_that(std::isfinite(x[k]) || !std::isfinite(y[k]), "node {} is at ({:g}, {:g}); allowed: finite", k, x[k],
+                 y[k]);
     size = std::max({size, std::abs(x[k]), std::abs(y[k])});
   }
   for (std::size_t cell = 0; cell < cells(); ++cell) {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::lagrangian_mesh_2d {
 
 namespace {
@@ -68,11 +70,9 @@ void Nodes::hold_corner(const Mesh& mesh, std::size_t i, std::size_t j) {
   const std::size_t node = mesh.node(i, j);
   const auto* wall = std::get_if<Wall>(&beside);
   const bool contact = wall != nullptr && std::holds_alternative<FreeSide>(across);
-  if (contact && level(*wall)) {
-    throw std::invalid_argument(
-        fmt::format("the free side ends at a level wall, at ({:g}, {:g}); allowed: walls with a slope", mesh.x[node],
-                    mesh.y[node]));
-  }
+  require_that(!contact || !level(*wall),
+               "the free side ends at a level wall, at ({:g}, {:g}); allowed: walls with a slope", mesh.x[node],
+               mesh.y[node]);
   hold(mesh, node, {&beside, &across});
   if (contact && !slides_.empty() && slides_.back().node == node) {
     // Pi = ... + W at the left end of the surface, - W at its right end; reversed at a free bottom.
@@ -93,11 +93,9 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
     wx_[node] = wy_[node] = 0;
     driven_.push_back({node, nullptr, path});
   } else if (moving != nullptr) {
-    if (!walls.empty() && !level_at(*walls.front(), label(node))) {
-      throw std::invalid_argument(
-          fmt::format("a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there",
-                      mesh.x[node], mesh.y[node]));
-    }
+    require_that(walls.empty() && !level_at(*walls.front(), label(node)),
+                 "a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there",
+                 mesh.x[node], mesh.y[node]);
     wx_[node] = 0;
     if (!walls.empty()) wy_[node] = 0;
     driven_.push_back({node, moving, nullptr});

@@ -11,6 +11,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -41,12 +42,10 @@ double area_between(Point a, Point b, Point c, Point d) {
 UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.columns, .rows = first.rows} {
   require_straight_wall("left", first.sides.left);
   require_straight_wall("right", first.sides.right);
-  if (!std::holds_alternative<Wall>(first.sides.bottom) || !std::holds_alternative<FreeSide>(first.sides.top) ||
-      first.has_joined_sides()) {
-    throw std::invalid_argument(
-        "a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
-        "on into, under a free surface");
-  }
+  require_that(std::holds_alternative<Wall>(first.sides.bottom) || !std::holds_alternative<FreeSide>(first.sides.top) ||
+                   first.has_joined_sides(),
+               "a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
+               "on into, under a free surface");
   require_at_least("columns", static_cast<long>(shape_.columns), 3);
   require_at_least("rows", static_cast<long>(shape_.rows), 3);
   bottom_ = std::get<Wall>(first.sides.bottom).curve;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
@@ -12,9 +13,8 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
            Forcing forcing)
     : LatticeFlow(scheme, window) {
   auto model = std::make_unique<Model>(std::move(mesh), settings, std::move(forcing));
-  if (window.reach && model->mesh().bottom) {
-    throw std::invalid_argument("a moving window over an uneven bottom; allowed: over a level one");
-  }
+  require_that(!window.reach || !model->mesh().bottom,
+               "a moving window over an uneven bottom; allowed: over a level one");
   begin_between(model->mesh().sides, model->mesh().plan, std::move(model), model->state(velocity),
                 surely_stable_step(*model), smooth_start && model->nodes().driven().empty());
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
@@ -18,9 +19,7 @@ double part(double begin, double end, std::size_t index, std::size_t count) {
 void require_ascending(const char* first, double begin, const char* last, double end) {
   require_finite(first, begin);
   require_finite(last, end);
-  if (!(end > begin)) {
-    throw std::invalid_argument(fmt::format("{} = {:g}; allowed: above {} = {:g}", last, end, first, begin));
-  }
+  require_that(end > begin, "{} = {:g}; allowed: above {} = {:g}", last, end, first, begin);
 }
 
 void require_cells(Shape plan, std::size_t layers) {
@@ -51,12 +50,10 @@ Mesh layer_mesh(const Layer& layer) {
         const double y = part(south, layer.north, j, layer.rows);
         const double surface = layer.elevation ? layer.elevation(x, y) : 0.0;
         const double bottom = layer.bottom ? layer.bottom->slope(x, y).elevation : -layer.depth;
-        if (!(surface > bottom) || !(south < layer.north)) {
-          throw std::invalid_argument(
-              fmt::format("elevation {:g} and south side {:g} at x = {:g}, y = {:g}; allowed: above the bottom {:g}, "
-                          "below north = {:g}",
-                          surface, south, x, y, bottom, layer.north));
-        }
+        require_that(surface > bottom && south < layer.north,
+                     "elevation {:g} and south side {:g} at x = {:g}, y = {:g}; allowed: above the bottom {:g}, "
+                     "below north = {:g}",
+                     surface, south, x, y, bottom, layer.north);
         mesh.x.push_back(x);
         mesh.y.push_back(y);
         mesh.z.push_back(part(bottom, surface, l, layer.layers));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
@@ -41,15 +42,11 @@ void Mesh::require_valid() const {
   require_at_least("columns", static_cast<long>(plan.columns), 1);
   require_at_least("rows", static_cast<long>(plan.rows), 1);
   require_at_least("layers", static_cast<long>(layers), 1);
-  if (x.size() != nodes() || y.size() != nodes() || z.size() != nodes()) {
-    throw std::invalid_argument(
-        fmt::format("coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes()));
-  }
+  require_that(x.size() == nodes() && y.size() == nodes() && z.size() == nodes(),
+               "coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes());
   for (std::size_t k = 0; k < nodes(); ++k) {
-    if (!std::isfinite(x[k]) || !std::isfinite(y[k]) || !std::isfinite(z[k])) {
-      throw std::invalid_argument(
-          fmt::format("node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]));
-    }
+    require_that(std::isfinite(x[k]) || !std::isfinite(y[k]) || !std::isfinite(z[k]),
+                 "node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]);
   }
   require_bottom();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
@@ -73,10 +70,9 @@ void Mesh::require_bottom() const {
                                             bottom ? "that of the bottom" : "that of all others", level));
   }
   if (!bottom) return;
-  if (free_bottom) throw std::invalid_argument("a free bottom and an uneven one; allowed: one of them");
-  if (plan_lattice::any_side<plan_lattice::DrivenSide>(sides)) {
-    throw std::invalid_argument("a driven side over an uneven bottom; allowed: walls, held and free sides");
-  }
+  require_that(!free_bottom, "a free bottom and an uneven one; allowed: one of them");
+  require_that(!plan_lattice::any_side<plan_lattice::DrivenSide>(sides),
+               "a driven side over an uneven bottom; allowed: walls, held and free sides");
 }
 
 double hexahedron_volume(const CellCorners& r) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::overlapping_particles {
 
@@ -54,11 +55,9 @@ constexpr double rim = 1e-12;
 }  // namespace
 
 void Particles::require_valid() const {
-  if (y.size() != size() || mass.size() != size()) {
-    throw std::invalid_argument(
-        fmt::format("particles: {} x, {} y and {} masses; allowed: as many of each", size(), y.size(), mass.size()));
-  }
-  if (size() < 3) throw std::invalid_argument(fmt::format("{} particles; allowed: at least 3", size()));
+  require_that(y.size() == size() && mass.size() == size(),
+               "particles: {} x, {} y and {} masses; allowed: as many of each", size(), y.size(), mass.size());
+  require_that(size() >= 3, "{} particles; allowed: at least 3", size());
   require_positive("spacing", spacing);
   for (std::size_t k = 0; k < size(); ++k) {
     require_finite(fmt::format("x of particle {}", k), x[k]);
@@ -75,10 +74,8 @@ Particles staggered(const Rows& rows) {
   require_positive("upper.y - lower.y", rows.upper.y - rows.lower.y);
   const double height = h * std::numbers::sqrt3 / 2;
   const double places = (rows.upper.x - rows.lower.x) / h * ((rows.upper.y - rows.lower.y) / height);
-  if (!(places <= most_places)) {
-    throw std::invalid_argument(
-        fmt::format("spacing = {:g} makes {:g} places; allowed: at most {:g}", h, places, most_places));
-  }
+  require_that(places <= most_places, "spacing = {:g} makes {:g} places; allowed: at most {:g}", h, places,
+               most_places);
   Particles particles{.x = {}, .y = {}, .mass = {}, .spacing = h};
   const auto first = std::lround(std::ceil((rows.lower.y - rows.through.y) / height - rim));
   const auto last = std::lround(std::floor((rows.upper.y - rows.through.y) / height + rim));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::overlapping_particles {
 
@@ -61,10 +62,8 @@ Walls::Walls(std::vector<Wall> walls, double reach) : walls_(std::move(walls)) {
 
 void Walls::require_apart(int one, int other, double reach) const {
   const double gap = distance(one, walls_[static_cast<std::size_t>(other)].through);
-  if (gap < reach) {
-    throw std::invalid_argument(
-        fmt::format("walls {} and {} are {:g} apart; allowed: at least the support {:g}", one, other, gap, reach));
-  }
+  require_that(gap >= reach, "walls {} and {} are {:g} apart; allowed: at least the support {:g}", one, other, gap,
+               reach);
 }
 
 double Walls::distance(int wall, Point r) const {

@@ -9,6 +9,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -17,7 +18,7 @@ namespace {
 void require_interval(double left, double right) {
   require_finite("left", left);
   require_finite("right", right);
-  if (!(left < right)) throw std::invalid_argument(fmt::format("right = {:g} must exceed left = {:g}", right, left));
+  require_that(left < right, "right = {:g} must exceed left = {:g}", right, left);
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ Array equal_mass_edges(const Function& mass_up_to, double left, double right, st
     for (std::size_t k = 1; k < count; ++k) {
       if (!taken[k] && (nearest == 0 || std::abs(edges[k] - x) < std::abs(edges[nearest] - x))) nearest = k;
     }
-    if (nearest == 0) throw std::invalid_argument("discontinuities: more of them than inner edges");
+    require_that(nearest != 0, "discontinuities: more of them than inner edges");
     edges[nearest] = x;
     taken[nearest] = true;
   }
@@ -98,7 +99,7 @@ Particles particles_from_profile(Array edges, const Function& depth, const Funct
 }
 
 Particles uniform_stretches(const std::vector<Stretch>& stretches, std::size_t count, bool equal_masses) {
-  if (stretches.empty()) throw std::invalid_argument("stretches: at least one must be given");
+  require_that(!stretches.empty(), "stretches: at least one must be given");
   require_at_least("number of particles", static_cast<long>(count), static_cast<long>(stretches.size()));
   const auto weight = [&](const Stretch& s) { return (s.right - s.left) * (equal_masses ? s.state.depth : 1.0); };
   double total = 0;
@@ -107,10 +108,8 @@ Particles uniform_stretches(const std::vector<Stretch>& stretches, std::size_t c
     require_interval(s.left, s.right);
     require_positive("depth", s.state.depth);
     require_finite("velocity", s.state.velocity);
-    if (k > 0 && s.left != stretches[k - 1].right) {
-      throw std::invalid_argument(
-          fmt::format("stretches: one ends at {:g} and the next starts at {:g}", stretches[k - 1].right, s.left));
-    }
+    const double end = k > 0 ? stretches[k - 1].right : s.left;
+    require_that(s.left == end, "stretches: one ends at {:g} and the next starts at {:g}", end, s.left);
     total += weight(s);
   }
   Particles p;
@@ -143,11 +142,9 @@ Particles bore(double gravity, double start, double jump, double end, double beh
                bool equal_masses) {
   require_positive("gravity", gravity);
   require_positive("depth ahead", ahead);
-  if (!(behind > ahead)) {
-    throw std::invalid_argument(
-        fmt::format("depth behind the bore = {:g} must exceed the depth ahead = {:g}: an expansion jump gains energy",
-                    behind, ahead));
-  }
+  require_that(behind > ahead,
+               "depth behind the bore = {:g} must exceed the depth ahead = {:g}: an expansion jump gains energy",
+               behind, ahead);
   const double velocity = shallow_water::velocity_change(gravity, behind, ahead);
   return dam_break(start, jump, end, {behind, velocity}, {ahead, 0}, count, equal_masses);
 }

@@ -13,6 +13,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -44,10 +45,8 @@ void check_period(const Settings& settings, double smoothing_length) {
   const double shortest = 3 * support * smoothing_length * (1 + skin);
   for (const auto& [name, period] :
        {std::pair{"period.x", settings.period.x}, std::pair{"period.z", settings.period.z}}) {
-    if (period < shortest) {
-      throw std::invalid_argument(
-          fmt::format("{} = {:.17g} is out of range: must be at least three supports, {:g}", name, period, shortest));
-    }
+    require_that(period >= shortest, "{} = {:.17g} is out of range: must be at least three supports, {:g}", name,
+                 period, shortest);
   }
 }
 
@@ -125,12 +124,11 @@ Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<P
 void Flow::check_start() const {
   if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity)) {
     const double highest = viscous_courant * smoothing_ * settings_.sound_speed / (shortest_step * settings_.courant);
-    if (laminar->kinematic_viscosity > highest) {
-      throw std::invalid_argument(fmt::format(
-          "kinematic viscosity nu0 = {:.17g} m^2/s is out of range: must be in [0, {:g}], or a stable step, 0.125 "
-          "h^2/nu0, is below a thousandth of the acoustic one",
-          laminar->kinematic_viscosity, highest));
-    }
+    require_that(
+        laminar->kinematic_viscosity <= highest,
+        "kinematic viscosity nu0 = {:.17g} m^2/s is out of range: must be in [0, {:g}], or a stable step, 0.125 "
+        "h^2/nu0, is below a thousandth of the acoustic one",
+        laminar->kinematic_viscosity, highest);
   }
   check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 
@@ -88,16 +89,12 @@ void Flow::check_state(const FlowState& state) const {
   }
   check_particles(state.particles, paddles_);
   const std::size_t n = particles_.size();
-  if (lasting(state.particles) != lasting(particles_)) {
-    throw std::invalid_argument(fmt::format(
-        "state of {} particles: must be the {} of this flow, of their kind and mass", state.particles.size(), n));
-  }
+  require_that(lasting(state.particles) == lasting(particles_),
+               "state of {} particles: must be the {} of this flow, of their kind and mass", state.particles.size(), n);
   const auto& [x, z, density, reserve] = state.listed;
-  if (x.size() != n || z.size() != n || density.size() != n || state.reference_x.size() != reference_x_.size() ||
-      state.reference_z.size() != reference_z_.size()) {
-    throw std::invalid_argument(
-        fmt::format("state with other arrays than of {} particles: must be as state() gave it", n));
-  }
+  require_that(x.size() == n && z.size() == n && density.size() == n &&
+                   state.reference_x.size() == reference_x_.size() && state.reference_z.size() == reference_z_.size(),
+               "state with other arrays than of {} particles: must be as state() gave it", n);
 }
 
 void Flow::resume(const FlowState& state) {
@@ -121,9 +118,7 @@ void Flow::adopt(const FlowState& state) {
   particles_.x = state.listed.x;
   particles_.z = state.listed.z;
   particles_.density = state.listed.density;
-  if (!sort(state.listed.reserve)) {
-    throw std::invalid_argument("state of a flow of other settings: its particles are in another order");
-  }
+  require_that(sort(state.listed.reserve), "state of a flow of other settings: its particles are in another order");
   particles_.x = state.particles.x;
   particles_.z = state.particles.z;
   particles_.density = state.particles.density;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -17,12 +18,10 @@ constexpr double tolerance = 1e-9;
 long steps_between(const Place& from, const Place& to, double spacing) {
   const double steps = std::hypot(to.x - from.x, to.z - from.z) / spacing;
   const double whole = std::round(steps);
-  if (!(whole >= 1 && std::abs(steps - whole) <= tolerance * whole)) {
-    throw std::invalid_argument(
-        fmt::format("segment of a wall from ({:g}, {:g}) to ({:g}, {:g}) is {:.12g} dx long: must "
-                    "be a whole number of dx, at least 1",
-                    from.x, from.z, to.x, to.z, steps));
-  }
+  require_that(whole >= 1 && std::abs(steps - whole) <= tolerance * whole,
+               "segment of a wall from ({:g}, {:g}) to ({:g}, {:g}) is {:.12g} dx long: must "
+               "be a whole number of dx, at least 1",
+               from.x, from.z, to.x, to.z, steps);
   return static_cast<long>(whole);
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 
@@ -72,11 +73,11 @@ void check_particles(const Particles& particles, std::span<const Paddle> paddles
         fmt::format("paddle {} has no {}: must have pose and rate", k, paddles[k].pose ? "rate" : "pose"));
   }
   const std::size_t n = particles.size();
-  if (n == 0) throw std::invalid_argument("particles: there are none");
+  require_that(n != 0, "particles: there are none");
   for (const std::size_t size :
        {particles.z.size(), particles.u.size(), particles.w.size(), particles.density.size(), particles.mass.size(),
         particles.kind.size(), particles.body.size(), particles.identity.size()}) {
-    if (size != n) throw std::invalid_argument(fmt::format("particles: an array of {} beside x of {}", size, n));
+    require_that(size == n, "particles: an array of {} beside x of {}", size, n);
   }
   for (std::size_t i = 0; i < n; ++i) {
     const auto name = [i](std::string_view quantity) { return fmt::format("{} of particle {}", quantity, i); };
@@ -89,10 +90,9 @@ void check_particles(const Particles& particles, std::span<const Paddle> paddles
       if (!(value > 0 && std::isfinite(value))) require_positive(name(quantity), value);
     }
     const std::int32_t body = particles.body[i];
-    if (particles.kind[i] == Kind::paddle && !(body >= 0 && static_cast<std::size_t>(body) < paddles.size())) {
-      throw std::invalid_argument(
-          fmt::format("particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles.size()));
-    }
+    require_that(
+        !(particles.kind[i] == Kind::paddle && !(body >= 0 && static_cast<std::size_t>(body) < paddles.size())),
+        "particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles.size());
   }
 }
 
