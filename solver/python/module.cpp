@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "seiche/exact/catalogue.hpp"
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "seiche/require_that.hpp"
 
 namespace py = pybind11;

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/wcsph_direct_sums.hpp"

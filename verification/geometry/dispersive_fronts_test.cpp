@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
 #include "seiche/shallow_water/breaking_bore.hpp"
 #include "verification/check.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/kernel.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
 #include "verification/lattice_sums.hpp"
 #include "verification/reference_digits.hpp"

@@ -8,7 +8,7 @@
 
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
-#include "seiche/spelling.hpp"
+#include "seiche/wording.hpp"
 
 namespace seiche::exact {
 

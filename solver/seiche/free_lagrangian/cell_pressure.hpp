@@ -16,8 +16,8 @@
 
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/dirichlet_cells.hpp"
-#include "seiche/geometry/moving_triangulation.hpp"
-#include "seiche/linear/ring_solver.hpp"
+#include "seiche/geometry/triangulation.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::free_lagrangian {
 

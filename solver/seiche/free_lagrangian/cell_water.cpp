@@ -4,7 +4,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/projection.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::free_lagrangian {

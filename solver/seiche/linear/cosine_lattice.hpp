@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/linear/cosine_transform.hpp"
+#include "seiche/linear/fourier.hpp"
 
 namespace seiche::linear {
 

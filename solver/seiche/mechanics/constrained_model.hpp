@@ -36,7 +36,7 @@
 ///     settle(Interval, q, u)     at the end of the step: transport back, walls' own velocities, tips on the bed
 ///     linearise_between(Interval, q0, q1, sweep)   discrete gradients over the segment (conservative_step.hpp)
 ///     constraint_values(q, f)    defects of the constraints themselves (drift feedback, RATTLE, invariants)
-///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (index_reduced.hpp)
+///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (start.hpp)
 ///     solver_accuracy()          relative accuracy of solve where it is iterative (conservative_step.hpp), else 0
 ///     place(i)                   coordinate of rate i, for messages
 ///     of_all(SweepChange)        the change of a sweep of all processes that share the model out (SharedOut)

@@ -1,6 +1,6 @@
 #include "validation/studies/wcsph/particle_frames.hpp"
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 
 namespace seiche::validation {
 

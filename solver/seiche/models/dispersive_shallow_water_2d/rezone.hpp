@@ -36,7 +36,7 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
-#include "seiche/plan_lattice/rezoned_places.hpp"
+#include "seiche/plan_lattice/swept_remap.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

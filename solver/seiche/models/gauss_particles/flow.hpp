@@ -23,7 +23,6 @@
 
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
-#include "seiche/mechanics/projected_step.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/gauss_particles/model.hpp"
 #include "seiche/samples.hpp"

@@ -41,14 +41,13 @@
 
 #include "seiche/lattice/surface_patches.hpp"
 #include "seiche/lattice/water.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/lagrangian_mesh_3d/element.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_3d/nodes.hpp"
 

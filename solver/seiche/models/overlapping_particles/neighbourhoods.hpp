@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "seiche/geometry/curve.hpp"
-#include "seiche/models/overlapping_particles/walls.hpp"
+#include "seiche/models/overlapping_particles/particles.hpp"
 
 namespace seiche::overlapping_particles {
 

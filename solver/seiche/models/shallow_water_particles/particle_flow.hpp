@@ -12,7 +12,7 @@
 /// Whatever u* and p* are, mass is exact, and momentum changes by booked impulses only. In the rules of Bogomolov,
 /// Zakharov and Zerkal (overlap: rebuild the particle of smaller density; gap: rebuild the faster one) the shared edge
 /// takes the velocity of the particle that is not rebuilt; here u* and p* come from one Riemann problem, and "the jump
-/// is handed from one particle to the next" holds for momentum as well as for mass (hand_over.hpp, collision.hpp).
+/// is handed from one particle to the next" holds for momentum as well as for mass (collision.hpp, collision.hpp).
 ///
 ///     ParticleFlow flow(equal_widths(...), {Wall{}, Vacuum{}});
 ///     march(flow, 3);
@@ -37,8 +37,6 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/model.hpp"
 #include "seiche/models/shallow_water_particles/collision.hpp"
-#include "seiche/models/shallow_water_particles/edges.hpp"
-#include "seiche/models/shallow_water_particles/hand_over.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
 #include "seiche/models/shallow_water_particles/row_kernels.hpp"
@@ -203,7 +201,7 @@ class ParticleFlow {
   void start_collisions();
   void list_structures();
 
-  // particle_flow_open.cpp
+  // particle_flow_edges.cpp
   void regulate(Side s);
   void split(Side s);
   void merge(Side s);

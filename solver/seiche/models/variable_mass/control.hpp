@@ -22,7 +22,7 @@
 
 #include "seiche/free_lagrangian/cell_pressure.hpp"
 #include "seiche/free_lagrangian/mesh.hpp"
-#include "seiche/geometry/moving_triangulation.hpp"
+#include "seiche/geometry/triangulation.hpp"
 
 namespace seiche::variable_mass {
 

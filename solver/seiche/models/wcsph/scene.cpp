@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 

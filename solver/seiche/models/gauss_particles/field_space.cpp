@@ -1,4 +1,4 @@
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 
 #include <cmath>
 #include <stdexcept>
