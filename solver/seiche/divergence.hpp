@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace seiche {
 
 /// Thrown by a computation that breaks down: not by bad input, which is std::invalid_argument.
@@ -14,7 +16,11 @@ class Divergence : public std::runtime_error {
   /// @param time      physical time at the start of the step that failed
   /// @param step      number of steps completed before it
   /// @param place     coordinate at which it happened
-  Divergence(const std::string& quantity, double time, long step, double place);
+  Divergence(const std::string& quantity, double time, long step, double place)
+      : std::runtime_error(fmt::format("{} at x = {:.6g}, t = {:.6g}, after {} steps", quantity, place, time, step)),
+        time_(time),
+        step_(step),
+        place_(place) {}
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] long step() const { return step_; }

@@ -34,7 +34,7 @@ struct Blob {
         mass(particles.mass),
         records(count + most_lanes,
                 Record{.x = 1e30, .z = 1e30, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0}) {
-    const TaitFluid water(settings.density, settings.sound_speed, settings.exponent);
+    const TaitFluid water(settings.density, settings.sound_speed);
     mass.resize(records.size());
     for (std::size_t a = 0; a < count; ++a) {
       const double density = particles.density[a];

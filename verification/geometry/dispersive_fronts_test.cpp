@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
-#include "seiche/shallow_water/breaking_bore.hpp"
+#include "seiche/shallow_water/relations.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::dispersive_fronts_test {

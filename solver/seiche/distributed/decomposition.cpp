@@ -120,7 +120,7 @@ Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbe
   std::vector<PetscInt> node_columns = lengths(columns, blocks_x);
   std::vector<PetscInt> node_rows = lengths(rows, blocks_y);
   require_that((blocks_x == 1 || *std::min_element(node_columns.begin(), node_columns.end()) >= rim) &&
-                   (!(blocks_y > 1) || !(*std::min_element(node_rows.begin(), node_rows.end()) < rim)),
+                   (blocks_y == 1 || *std::min_element(node_rows.begin(), node_rows.end()) >= rim),
                "a lattice of {} x {} cells in {} x {} blocks; allowed: blocks of at least {} x {} cells, so use "
                "fewer processes",
                lattice.columns, lattice.rows, blocks_x, blocks_y, rim, rim);

@@ -205,8 +205,4 @@ void Bed::validate(double start, double end) const {
   }
 }
 
-Bed flat_bed() {
-  return {[](double) { return 0.0; }, [](double) { return 0.0; }};
-}
-
 }  // namespace seiche

@@ -124,7 +124,4 @@ struct Bed {
   void validate(double start, double end) const;
 };
 
-/// Bed z = 0.
-Bed flat_bed();
-
 }  // namespace seiche

@@ -130,7 +130,7 @@ SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern)
 
 SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering) {
   require_lower(pattern);
-  require_that(ordering.empty() && ordering.size() != static_cast<std::size_t>(pattern.cols()),
+  require_that(ordering.empty() || ordering.size() == static_cast<std::size_t>(pattern.cols()),
                "ordering has {} unknowns; the pattern has {}", ordering.size(), pattern.cols());
   cholmod_ = std::make_unique<Cholmod>(pattern, ordering);
 }

@@ -6,7 +6,7 @@ namespace seiche::validation {
 
 void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particles& particles,
                    const wcsph::Settings& settings) {
-  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed);
   std::vector<double> pressure, identity, kind;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     pressure.push_back(fluid.pressure(particles.density[i]));

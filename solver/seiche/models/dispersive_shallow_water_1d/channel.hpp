@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "seiche/geometry/bottom_profile.hpp"
-#include "seiche/shallow_water/breaking_bore.hpp"
+#include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -25,7 +25,7 @@ namespace seiche::dispersive_shallow_water_1d {
 // breaks on is the front that overlaps the one before, cell by cell.
 //
 // In cells that break markers exchange horizontal momentum like in a viscous fluid, with the viscosity that leaves a
-// bore of the model's equations without waves behind it (shallow_water/breaking_bore.hpp), h and c = sqrt(g h) those
+// bore of the model's equations without waves behind it (shallow_water/relations.hpp), h and c = sqrt(g h) those
 // of the cell.
 //
 // No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and

@@ -9,7 +9,7 @@
 #include "seiche/lattice/water.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
-#include "seiche/shallow_water/breaking_bore.hpp"
+#include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

@@ -57,7 +57,7 @@ inline void push(const InverseMasses& inverse, std::size_t k, Point impulse, mec
 /// surface between two of them is steeper than a slope, and goes on until the Froude number of a bore of its depths
 /// falls below 1.3: what breaks on is the front that overlaps the one before. All within exchange horizontal momentum
 /// like in a viscous fluid, with the viscosity that leaves a bore of the model's equations without waves behind it
-/// (shallow_water/breaking_bore.hpp),
+/// (shallow_water/relations.hpp),
 ///
 /// @f[ \nu = 2 \sqrt{\alpha} \, H \sqrt{g H} \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
 ///

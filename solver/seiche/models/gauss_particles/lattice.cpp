@@ -102,7 +102,7 @@ void LatticePlan::check() const {
   require_not_negative("period", period);
   if (left_wall) require_finite("left_wall", *left_wall);
   if (right_wall) require_finite("right_wall", *right_wall);
-  require_that(period == 0 || !right_wall, "right_wall in a periodic channel; allowed: none");
+  require_that(!(period > 0 && right_wall), "right_wall in a periodic channel; allowed: none");
   if (period > 0) whole_cells("period", period, cell_x);
   if (left_wall && right_wall) whole_cells("right_wall - left_wall", *right_wall - *left_wall, cell_x);
   require_finite("level of the ground", ground.level);

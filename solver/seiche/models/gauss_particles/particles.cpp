@@ -24,7 +24,7 @@ void require_particles(const Particles& particles) {
                particles.mass.size());
   bool massive = false;
   for (std::size_t k = 0; k < particles.size(); ++k) {
-    require_that(std::isfinite(particles.x[k]) || !std::isfinite(particles.y[k]),
+    require_that(std::isfinite(particles.x[k]) && std::isfinite(particles.y[k]),
                  "particle {} is at ({:g}, {:g}); allowed: finite", k, particles.x[k], particles.y[k]);
     require_that(particles.mass[k] >= 0 && std::isfinite(particles.mass[k]),
                  "mass of particle {} = {:g}; allowed: non-negative and finite, 0 for markers", k, particles.mass[k]);

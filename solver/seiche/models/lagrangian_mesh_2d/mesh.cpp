@@ -90,7 +90,7 @@ void Mesh::require_valid() const {
                "{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)", x.size(), y.size(), nodes());
   double size = 0;
   for (std::size_t k = 0; k < nodes(); ++k) {
-    require_that(std::isfinite(x[k]) || !std::isfinite(y[k]), "node {} is at ({:g}, {:g}); allowed: finite", k, x[k],
+    require_that(std::isfinite(x[k]) && std::isfinite(y[k]), "node {} is at ({:g}, {:g}); allowed: finite", k, x[k],
                  y[k]);
     size = std::max({size, std::abs(x[k]), std::abs(y[k])});
   }

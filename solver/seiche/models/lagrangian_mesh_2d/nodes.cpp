@@ -93,7 +93,7 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
     wx_[node] = wy_[node] = 0;
     driven_.push_back({node, nullptr, path});
   } else if (moving != nullptr) {
-    require_that(walls.empty() && !level_at(*walls.front(), label(node)),
+    require_that(walls.empty() || level_at(*walls.front(), label(node)),
                  "a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there",
                  mesh.x[node], mesh.y[node]);
     wx_[node] = 0;

@@ -119,7 +119,7 @@ void Mesh::require_valid() const {
   require_that(x.size() == nodes() && y.size() == nodes() && z.size() == nodes(),
                "coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes());
   for (std::size_t k = 0; k < nodes(); ++k) {
-    require_that(std::isfinite(x[k]) || !std::isfinite(y[k]) || !std::isfinite(z[k]),
+    require_that(std::isfinite(x[k]) && std::isfinite(y[k]) && std::isfinite(z[k]),
                  "node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]);
   }
   require_bottom();

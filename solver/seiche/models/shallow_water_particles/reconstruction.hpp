@@ -8,7 +8,6 @@
 
 #include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
-#include "seiche/shallow_water/limited_slope.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_particles {

@@ -190,7 +190,7 @@ ControlVelocity::ControlVelocity(const Mesh& rest, Control control)
     : control_(control), rest_(valid(rest)), surface_(rest), freedom_(freedoms(rest)), controlled_(rest.nodes(), true) {
   require_not_negative("rate", control.rate);
   require_not_negative("surface_rate", control.surface_rate);
-  require_that(surface_.exists() && (lifts() || control.surface_rate > 0),
+  require_that(surface_.exists() || !(lifts() || control.surface_rate > 0),
                "the mesh has no surface between two walls; allowed: control none or centroid with surface_rate = "
                "0, not {:g}",
                control.surface_rate);

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "seiche/free_lagrangian/cell_pressure.hpp"
+#include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/triangulation.hpp"
 

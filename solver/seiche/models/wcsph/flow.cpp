@@ -100,7 +100,7 @@ std::vector<double> numbers(Values... values) {
 /// Of a parameter of Flow::parameters().
 std::string name_of(std::size_t parameter) {
   std::istringstream names(
-      "spacing kernel smoothing gravity density sound_speed exponent xsph filter_every density_diffusion "
+      "spacing kernel smoothing gravity density sound_speed xsph filter_every density_diffusion "
       "particle_shifting walls courant period.x period.z viscosity alpha "
       "kinematic_viscosity smagorinsky isotropic paddles");
   std::string name;
@@ -123,7 +123,7 @@ auto lasting(const Particles& p) {
 Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<Paddle> paddles)
     : settings_(settings),
       spacing_(spacing),
-      fluid_(settings.density, settings.sound_speed, settings.exponent),
+      fluid_(settings.density, settings.sound_speed),
       smoothing_(settings.smoothing * spacing),
       paddles_(std::move(paddles)),
       particles_(checked(std::move(particles), settings, spacing, paddles_)),
@@ -308,15 +308,15 @@ long Flow::outside(double left, double right, double bottom, double top) const {
 
 std::vector<double> Flow::parameters(double time) const {
   // All settings that there are: with one more this does not compile.
-  const auto& [kernel, smoothing, gravity, density, sound_speed, exponent, viscosity, xsph, filter_every, diffusion,
-               shifting, walls, courant, period] = settings_;
+  const auto& [kernel, smoothing, gravity, density, sound_speed, viscosity, xsph, filter_every, diffusion, shifting,
+               walls, courant, period] = settings_;
   const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
   const auto* given = std::get_if<LaminarSps>(&viscosity);
   const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
-  std::vector<double> all = numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, exponent, xsph,
-                                    filter_every, diffusion, shifting, walls, courant, period.x, period.z,
-                                    viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
-                                    sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
+  std::vector<double> all =
+      numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, xsph, filter_every, diffusion, shifting,
+              walls, courant, period.x, period.z, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
+              sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
   const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {
     for (const double value : numbers(paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement,

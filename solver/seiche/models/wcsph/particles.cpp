@@ -90,9 +90,8 @@ void check_particles(const Particles& particles, std::span<const Paddle> paddles
       if (!(value > 0 && std::isfinite(value))) require_positive(name(quantity), value);
     }
     const std::int32_t body = particles.body[i];
-    require_that(
-        !(particles.kind[i] == Kind::paddle && !(body >= 0 && static_cast<std::size_t>(body) < paddles.size())),
-        "particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles.size());
+    require_that(particles.kind[i] != Kind::paddle || (body >= 0 && static_cast<std::size_t>(body) < paddles.size()),
+                 "particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles.size());
   }
 }
 

@@ -98,7 +98,7 @@ void copy_to_images(const Neighbours& neighbours, std::vector<T>& values) {
 
 Corrections::Corrections(const Settings& settings, double spacing)
     : loops_(&pair_loops(settings.kernel)),
-      fluid_(settings.density, settings.sound_speed, settings.exponent),
+      fluid_(settings.density, settings.sound_speed),
       diffusion_(settings.density_diffusion * settings.sound_speed),
       spacing_(spacing),
       smoothing_(settings.smoothing * spacing) {}

@@ -33,7 +33,7 @@ struct WallRows {
 class SceneBuilder {
  public:
   SceneBuilder(double spacing, Lattice lattice, const Settings& settings)
-      : fluid_(settings.density, settings.sound_speed, settings.exponent),
+      : fluid_(settings.density, settings.sound_speed),
         gravity_(settings.gravity),
         cell_mass_(settings.density * spacing * spacing),
         particle_area_(area_per_particle(lattice)),

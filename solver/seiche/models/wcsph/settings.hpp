@@ -47,7 +47,6 @@ struct Settings {
   double gravity = 9.81;   ///< [m/s^2], downwards
   double density = 1000;   ///< rho_0 [kg/m^3]
   double sound_speed = 0;  ///< c_0 [m/s]; must be given, see sound_speed_for
-  double exponent = 7;     ///< gamma
   Viscosity viscosity = ArtificialViscosity{};
   double xsph = 0.5;               ///< epsilon of (6), in [0, 1]
   int filter_every = 0;            ///< steps between density filters (MLS of first order); 0: never
@@ -86,11 +85,12 @@ void validate(const Settings& settings);
 
 class TaitFluid {
  public:
+  static constexpr double exponent = 7;  ///< gamma
+
   /// @param density      rho_0 [kg/m^3]
   /// @param sound_speed  c_0 [m/s] at rho_0
-  /// @param exponent     gamma >= 1
   /// Throws std::invalid_argument.
-  TaitFluid(double density, double sound_speed, double exponent = 7);
+  TaitFluid(double density, double sound_speed);
 
   [[nodiscard]] double pressure(double density) const;        ///< [Pa]
   [[nodiscard]] double density_at(double pressure) const;     ///< inverse of pressure [kg/m^3]
@@ -102,13 +102,11 @@ class TaitFluid {
 
   [[nodiscard]] double reference_density() const { return density_; }
   [[nodiscard]] double reference_sound_speed() const { return sound_speed_; }
-  [[nodiscard]] double exponent() const { return exponent_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< B [Pa]
 
  private:
   double density_;
   double sound_speed_;
-  double exponent_;
   double stiffness_;
 };
 
