@@ -29,19 +29,18 @@
 
 namespace seiche::exact {
 
-// Velocity inside a wave from its values on the surface, by the quotient of two Cauchy sums.
-//
-// Cauchy's formula with a kernel of simple pole z, summed by the trapezoidal rule along the closed contour, over the
-// same sum for the constant 1: errors of the rule near the pole cancel in the quotient, so that it is uniformly
-// accurate up to the surface (a barycentric formula). Waves symmetric about the crest have a contour of pairs with
-// conjugate poles and conjugate weights; in a variable p(z), even about the bottom where there is one, the mirror
-// image is contained in the sum:
-//
-//     f(z) = sum_j [w_j f_j/(p_j - p) + conj] / sum_j [w_j/(p_j - p) + conj].
-//
-// References: Helsing & Ojala, On the evaluation of layer potentials close to their sources, J. Comput. Phys. 227
-// (2008) 2899; Berrut & Trefethen, Barycentric Lagrange interpolation, SIAM Rev. 46 (2004) 501.
-
+/// Velocity inside a wave from its values on the surface, by the quotient of two Cauchy sums.
+///
+/// Cauchy's formula with a kernel of simple pole z, summed by the trapezoidal rule along the closed contour, over the
+/// same sum for the constant 1: errors of the rule near the pole cancel in the quotient, so that it is uniformly
+/// accurate up to the surface (a barycentric formula). Waves symmetric about the crest have a contour of pairs with
+/// conjugate poles and conjugate weights; in a variable p(z), even about the bottom where there is one, the mirror
+/// image is contained in the sum:
+///
+///     f(z) = sum_j [w_j f_j/(p_j - p) + conj] / sum_j [w_j/(p_j - p) + conj].
+///
+/// References: Helsing & Ojala, On the evaluation of layer potentials close to their sources, J. Comput. Phys. 227
+/// (2008) 2899; Berrut & Trefethen, Barycentric Lagrange interpolation, SIAM Rev. 46 (2004) 501.
 class CauchyVelocity {
  public:
   using Complex = std::complex<double>;

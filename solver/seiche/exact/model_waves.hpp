@@ -111,26 +111,25 @@ class GrimshawSolitary final : public AsymptoticSolitary {
   explicit GrimshawSolitary(double amplitude, double depth = 1, double gravity = 1);
 };
 
-// Periodic travelling wave of Serre's equations (Green and Naghdi's) over a level bottom: cnoidal, exact at any
-// height.
-//
-// Seen from the wave the discharge Q per unit of width is constant, and with depths h_c under the crest, h_t under the
-// trough and a third root h_0 < h_t
-//
-//     h = h_t + (h_c - h_t) cn^2(kappa x | m),   m = (h_c - h_t)/(h_c - h_0),   kappa^2 = 3 (h_c - h_0)/(4 h_0 h_t
-//     h_c), Q^2 = g h_0 h_t h_c,   wavelength 2 K(m)/kappa,   mean depth h_0 + (h_c - h_0) E(m)/K(m).
-//
-// c is the speed in the frame where the mean of u - (h^3 u_x)_x/(3h) is zero: the velocity along the surface, which
-// Serre's equations transport without sources, as the Euler equations do in StokesWave's frame. u is the mean over the
-// depth, y = 0 the mean level, the crest at x = 0 travels to +x.
-//
-// When not to use it: as a wave of the Euler equations, whose dispersion Serre's follow for k depth < 1 or so; waves
-// so long that their crests are solitary (SerreSolitary).
-//
-// References: Serre, La Houille Blanche 8 (1953) 374; El, Grimshaw & Smyth, Unsteady undular bores in fully nonlinear
-// shallow-water theory, Phys. Fluids 18 (2006) 027104; Carter & Cienfuegos, The kinematics and stability of solitary
-// and cnoidal wave solutions of the Serre equations, Eur. J. Mech. B 30 (2011) 259.
-
+/// Periodic travelling wave of Serre's equations (Green and Naghdi's) over a level bottom: cnoidal, exact at any
+/// height.
+///
+/// Seen from the wave the discharge Q per unit of width is constant, and with depths h_c under the crest, h_t under the
+/// trough and a third root h_0 < h_t
+///
+///     h = h_t + (h_c - h_t) cn^2(kappa x | m),   m = (h_c - h_t)/(h_c - h_0),   kappa^2 = 3 (h_c - h_0)/(4 h_0 h_t
+///     h_c), Q^2 = g h_0 h_t h_c,   wavelength 2 K(m)/kappa,   mean depth h_0 + (h_c - h_0) E(m)/K(m).
+///
+/// c is the speed in the frame where the mean of u - (h^3 u_x)_x/(3h) is zero: the velocity along the surface, which
+/// Serre's equations transport without sources, as the Euler equations do in StokesWave's frame. u is the mean over the
+/// depth, y = 0 the mean level, the crest at x = 0 travels to +x.
+///
+/// When not to use it: as a wave of the Euler equations, whose dispersion Serre's follow for k depth < 1 or so; waves
+/// so long that their crests are solitary (SerreSolitary).
+///
+/// References: Serre, La Houille Blanche 8 (1953) 374; El, Grimshaw & Smyth, Unsteady undular bores in fully nonlinear
+/// shallow-water theory, Phys. Fluids 18 (2006) 027104; Carter & Cienfuegos, The kinematics and stability of solitary
+/// and cnoidal wave solutions of the Serre equations, Eur. J. Mech. B 30 (2011) 259.
 class SerreCnoidal {
  public:
   /// @param height  from trough to crest [m], at most the depth;  @param wavelength [m];  @param depth  on average [m]

@@ -69,36 +69,35 @@ class StandingWave {
   double wavenumber_, gravity_, kh_, steepness_, w_;
 };
 
-// Standing wave of finite amplitude of the dispersive shallow-water model over a flat bottom, in the limit of fine
-// spacing: third-order frequency, second-order motion.
-//
-// With g = H = 1, x = a + xi(a, t), J = x_a = 1 + q, depth 1/J, the model's Lagrangian per unit of label is
-//
-//     xi_t^2/2 + (alpha/2) J_t^2/J^4 - 1/(2 J) - (gamma/2) J_a^2/J^n,   n = s + 5
-//
-// (the last term is the added energy (gamma/2) int h^s h_x^2 dx of surface slopes, h depth). Averaged over
-//
-//     q = -e cos(k a) cos(theta) + e^2 (B0 + B2 cos(2 theta)) cos(2 k a),   theta = Omega t,
-//
-// e amplitude of the first harmonic of the elevation over depth, and made stationary in B0, B2 and e, with
-// kappa = k H, nu = omega^2 H/g = kappa^2 (1 + gamma kappa^2)/(1 + alpha kappa^2),
-//
-//     Omega = omega (1 + C e^2),   C = -8 N/(1 + gamma kappa^2)
-//     N = c0^2/(4 (1 + 4 gamma kappa^2)) - c2^2 (1 + alpha kappa^2)/(6 (alpha - gamma) kappa^2)
-//         + (15/64) alpha nu - 9/128 - (3/256) gamma n (n + 1) kappa^2
-//     c0 = (3/8) (1 + n gamma kappa^2) - alpha nu/2,   c2 = (3/16) (1 + n gamma kappa^2) - (3/4) alpha nu
-//     B0 = c0/(1 + 4 gamma kappa^2),   B2 = -(2/3) c2 (1 + alpha kappa^2)/((alpha - gamma) kappa^2)
-//
-// For gamma = 0: C = -(59 alpha^3 kappa^6 + 27 alpha^2 kappa^4 - 3 alpha kappa^2 - 3)/(64 alpha kappa^2
-// (1 + alpha kappa^2)^2), zero at alpha kappa^2 = 0.29573. Water itself has the zero at kappa = 1.0581
-// (standing_wave.hpp).
-//
-// When not to use it: coarse spacing (error O(spacing^2)), amplitudes at which e^4 counts.
-//
-// References: Frank, Discrete models of incompressible fluids (1994), ch. 3; Whitham, Linear and nonlinear waves
-// (1974), ch. 14 (averaged Lagrangian); Clamond, Dutykh and Mitsotakis, Conservative modified Serre-Green-Naghdi
-// equations with improved dispersion characteristics, Commun. Nonlinear Sci. Numer. Simul. 45 (2017) 245 (gamma).
-
+/// Standing wave of finite amplitude of the dispersive shallow-water model over a flat bottom, in the limit of fine
+/// spacing: third-order frequency, second-order motion.
+///
+/// With g = H = 1, x = a + xi(a, t), J = x_a = 1 + q, depth 1/J, the model's Lagrangian per unit of label is
+///
+///     xi_t^2/2 + (alpha/2) J_t^2/J^4 - 1/(2 J) - (gamma/2) J_a^2/J^n,   n = s + 5
+///
+/// (the last term is the added energy (gamma/2) int h^s h_x^2 dx of surface slopes, h depth). Averaged over
+///
+///     q = -e cos(k a) cos(theta) + e^2 (B0 + B2 cos(2 theta)) cos(2 k a),   theta = Omega t,
+///
+/// e amplitude of the first harmonic of the elevation over depth, and made stationary in B0, B2 and e, with
+/// kappa = k H, nu = omega^2 H/g = kappa^2 (1 + gamma kappa^2)/(1 + alpha kappa^2),
+///
+///     Omega = omega (1 + C e^2),   C = -8 N/(1 + gamma kappa^2)
+///     N = c0^2/(4 (1 + 4 gamma kappa^2)) - c2^2 (1 + alpha kappa^2)/(6 (alpha - gamma) kappa^2)
+///         + (15/64) alpha nu - 9/128 - (3/256) gamma n (n + 1) kappa^2
+///     c0 = (3/8) (1 + n gamma kappa^2) - alpha nu/2,   c2 = (3/16) (1 + n gamma kappa^2) - (3/4) alpha nu
+///     B0 = c0/(1 + 4 gamma kappa^2),   B2 = -(2/3) c2 (1 + alpha kappa^2)/((alpha - gamma) kappa^2)
+///
+/// For gamma = 0: C = -(59 alpha^3 kappa^6 + 27 alpha^2 kappa^4 - 3 alpha kappa^2 - 3)/(64 alpha kappa^2
+/// (1 + alpha kappa^2)^2), zero at alpha kappa^2 = 0.29573. Water itself has the zero at kappa = 1.0581
+/// (standing_wave.hpp).
+///
+/// When not to use it: coarse spacing (error O(spacing^2)), amplitudes at which e^4 counts.
+///
+/// References: Frank, Discrete models of incompressible fluids (1994), ch. 3; Whitham, Linear and nonlinear waves
+/// (1974), ch. 14 (averaged Lagrangian); Clamond, Dutykh and Mitsotakis, Conservative modified Serre-Green-Naghdi
+/// equations with improved dispersion characteristics, Commun. Nonlinear Sci. Numer. Simul. 45 (2017) 245 (gamma).
 class DispersiveStandingWave {
  public:
   struct Parameters {

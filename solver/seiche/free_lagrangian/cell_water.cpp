@@ -163,14 +163,6 @@ CellPressure::CellPressure(const Mesh& mesh, double stabilisation)
   require_not_negative("stabilisation", stabilisation);
 }
 
-void CellPressure::follow(Places at) {
-  try {
-    triangulation_.move_to(at);
-  } catch (const MeshTangled& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
-  }
-}
-
 MeshQuality CellPressure::quality(Places at) {
   follow(at);
   return quality_of(triangulation_.mesh(), triangulation_.nodes());
@@ -226,12 +218,11 @@ void CellPressure::factor(std::span<const Mobility> mobility) {
 
 void CellPressure::throw_singular(double pivots) const {
   throw mechanics::Infeasible(
-      fmt::format(
-          "singular configuration: pressures without forces, as on lattices symmetric about their nodes "
-          "(smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set stabilisation > "
-          "0, or stagger the rows",
-          pivots, smallest_pivot),
-      triangulation_.nodes()[0].x);
+      triangulation_.nodes()[0].x,
+      "singular configuration: pressures without forces, as on lattices symmetric about their nodes "
+      "(smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set stabilisation > "
+      "0, or stagger the rows",
+      pivots, smallest_pivot);
 }
 
 void CellPressure::rates(std::span<const double> u, std::span<double> w) const {

@@ -4,7 +4,7 @@
 /// @f[ m_i \ddot{\mathbf{r}}_i = \sum_j \lambda_j \frac{\partial A_j}{\partial \mathbf{r}_i}
 ///                             - \frac{\partial \Pi}{\partial \mathbf{r}_i}, \qquad A_i = m_i/\rho @f]
 ///
-/// Pressures and their stabilisation are cell_water.hpp's, Pi is potential_energy's. This is what
+/// Pressures and their stabilisation are CellPressure's, Pi is potential_energy's. This is what
 /// mechanics::OneStep steps: q = (x of all nodes, y of all nodes), u = (velocities along x, along y). A model whose
 /// masses change sets them between its steps.
 ///
@@ -65,7 +65,7 @@ class CellPressure {
   /// Where the triangulation was last asked to be.
   [[nodiscard]] const MovingTriangulation& triangulation() const { return triangulation_; }
   /// Throws mechanics::Infeasible where the mesh tangles.
-  void follow(Places at);
+  void follow(Places at) { triangulation_.move_to(at); }
   [[nodiscard]] MeshQuality quality(Places at);
   /// Areas there, and nothing else.
   void areas(Places at, std::span<double> areas);
@@ -135,7 +135,7 @@ using VelocityAt = std::function<Point(Point place)>;
 
 class CellWater : public mechanics::PointMasses<CellWater> {
  public:
-  /// Throws std::invalid_argument (cell_water.hpp): settings out of range, bad meshes.
+  /// Throws std::invalid_argument: settings out of range, bad meshes.
   explicit CellWater(const Mesh& mesh, Settings settings = {});
 
   static constexpr bool warm_start = true;

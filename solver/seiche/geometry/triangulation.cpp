@@ -395,10 +395,9 @@ void MovingTriangulation::move_to(Places nodes) {
 
 void MovingTriangulation::throw_tangled(int triangle, Places there) const {
   const auto [a, b, c] = mesh_[triangle].vertex;
-  throw MeshTangled(fmt::format("triangle {} of nodes {}, {}, {} turns over: a node reaches the outline, or two of the "
-                                "outline meet",
-                                triangle, a, b, c),
-                    there[a].x);
+  throw Infeasible(there[a].x,
+                   "triangle {} of nodes {}, {}, {} turns over: a node reaches the outline, or two of the outline meet",
+                   triangle, a, b, c);
 }
 
 }  // namespace seiche

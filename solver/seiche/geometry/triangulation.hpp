@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "seiche/divergence.hpp"
 #include "seiche/geometry/curve.hpp"
 
 namespace seiche {
@@ -113,23 +114,12 @@ double enclosed_area(Places nodes, std::span<const int> outline);
 // Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), 5.2; Pautov & Frank,
 // Zh. Vychisl. Mat. Mat. Fiz. 28 (1988) 1730.
 
-/// The nodes cannot go on without a change of the outline.
-class MeshTangled : public std::runtime_error {
- public:
-  MeshTangled(const std::string& what, double place) : std::runtime_error(what), place_(place) {}
-  /// x of a node of the triangle that turns over.
-  [[nodiscard]] double place() const { return place_; }
-
- private:
-  double place_;
-};
-
 class MovingTriangulation {
  public:
   /// @param mesh  Delaunay at these places, with all nodes
   MovingTriangulation(Triangulation mesh, Places nodes);
 
-  /// Moves the nodes along straight lines. Throws std::invalid_argument for another number of nodes, MeshTangled: the
+  /// Moves the nodes along straight lines. Throws std::invalid_argument for another number of nodes, Infeasible: the
   /// mesh then is somewhere on the way, and as good as before.
   void move_to(Places nodes);
 

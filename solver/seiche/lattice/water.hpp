@@ -64,18 +64,6 @@ Corner worst_corner(std::size_t cells, const Shape& shape_of) {
   return worst;
 }
 
-/// Does what may leave a curve or a bottom: a configuration that cannot be.
-template <class Action>
-void feasible(const Action& action) {
-  try {
-    action();
-  } catch (const OutsideCurve& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
-  } catch (const OutsidePlanBottom& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
-  }
-}
-
 struct Cells {
   std::size_t columns, rows, layers = 1;
 };
@@ -404,8 +392,8 @@ class Water {
     try {
       solver_.factor(matrix_);
     } catch (const linear::NotPositiveDefinite& failure) {
-      throw mechanics::Infeasible(fmt::format("cell {}: {}", failure.row(), failure.what()),
-                                  self().place(first_node(failure.row())));
+      throw mechanics::Infeasible(self().place(first_node(failure.row())), "cell {}: {}", failure.row(),
+                                  failure.what());
     }
   }
   /// @param lowest  allowed shape
@@ -414,11 +402,11 @@ class Water {
     const auto [columns, rows, layers] = shape_;
     const std::size_t corner = first_node(worst.cell);
     throw mechanics::Infeasible(
-        fmt::format("the mesh folds: a corner of cell {} (column {}, row {}, layer {}) at ({:.4g}, {:.4g}) has shape "
-                    "{:.3g} (1 where it is as at first, allowed: above {:g})",
-                    worst.cell, worst.cell % columns, worst.cell / columns % rows, worst.cell / (columns * rows),
-                    q[corner], q[n_ + corner], worst.shape, lowest),
-        q[corner]);
+        q[corner],
+        "the mesh folds: a corner of cell {} (column {}, row {}, layer {}) at ({:.4g}, {:.4g}) has shape "
+        "{:.3g} (1 where it is as at first, allowed: above {:g})",
+        worst.cell, worst.cell % columns, worst.cell / columns % rows, worst.cell / (columns * rows), q[corner],
+        q[n_ + corner], worst.shape, lowest);
   }
   /// Corner 0.
   [[nodiscard]] std::size_t first_node(std::size_t cell) const {

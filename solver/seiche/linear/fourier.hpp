@@ -61,21 +61,20 @@ class Fourier {
   Plan backward_;
 };
 
-// Discrete cosine transform (DCT-II) of rows of single-precision numbers, two rows at a time.
-//
-//     C_m = sum_n x_n cos(pi m (n + 1/2)/N),  m = 0..N-1,    x_n = (1/N) [C_0 + 2 sum_{m>0} C_m cos(pi m (n + 1/2)/N)]
-//
-// The permutation v_n = x_2n, v_{N-1-n} = x_{2n+1} turns it into a Fourier transform V_m of length N, with
-// exp(-i pi m/2N) V_m = C_m - i C_{N-m} (Makhoul 1980). Two real rows are the real and imaginary parts of one complex
-// row. FFTW's own cosine transforms take four times as long: their innermost loops are scalar.
-//
-// Coefficients are stored in the order m = 0, 1, .., N/2, N-1, N-2, .., N/2+1: see mode().
-//
-// Plans are made by estimation: measured plans differ from run to run, and so would the last digits. All members are
-// const; threads share one object, each with a workspace of its own.
-//
-// Reference: Makhoul, A fast cosine transform in one and two dimensions, IEEE Trans. ASSP 28 (1980) 27.
-
+/// Discrete cosine transform (DCT-II) of rows of single-precision numbers, two rows at a time.
+///
+///     C_m = sum_n x_n cos(pi m (n + 1/2)/N),  m = 0..N-1,    x_n = (1/N) [C_0 + 2 sum_{m>0} C_m cos(pi m (n + 1/2)/N)]
+///
+/// The permutation v_n = x_2n, v_{N-1-n} = x_{2n+1} turns it into a Fourier transform V_m of length N, with
+/// exp(-i pi m/2N) V_m = C_m - i C_{N-m} (Makhoul 1980). Two real rows are the real and imaginary parts of one complex
+/// row. FFTW's own cosine transforms take four times as long: their innermost loops are scalar.
+///
+/// Coefficients are stored in the order m = 0, 1, .., N/2, N-1, N-2, .., N/2+1: see mode().
+///
+/// Plans are made by estimation: measured plans differ from run to run, and so would the last digits. All members are
+/// const; threads share one object, each with a workspace of its own.
+///
+/// Reference: Makhoul, A fast cosine transform in one and two dimensions, IEEE Trans. ASSP 28 (1980) 27.
 class CosineTransform {
  public:
   /// @param size  number of samples N, at least 1. Throws std::invalid_argument.

@@ -55,19 +55,18 @@ class SparseCholesky {
   std::unique_ptr<Cholmod> cholmod_;
 };
 
-// Symmetric matrices that are sums of small dense blocks, one for each ring of unknowns, A = sum_k P_k B_k P_k^T, and
-// their direct solution.
-//
-// The matrix of a free-Lagrangian mesh has a ring for each node, the cells whose volume the node changes: G W G^T is
-// the sum of its blocks, and so is the square of a Laplacian on the same rings. The pattern, about 19 entries in a row
-// for cells in the plane, follows the rings and is found anew when they change.
-//
-// The solver is sparse Cholesky (CHOLMOD), analysed anew only when the pattern is another one, and then in the
-// elimination order of the first as long as that fits. It factorises A + shift I and refines its solutions twice with
-// A itself: the shift leaves no trace unless A is singular.
-//
-// When not to use it: beyond some million unknowns (1e6 Dirichlet cells: 8 s a step and 3.3 GB).
-
+/// Symmetric matrices that are sums of small dense blocks, one for each ring of unknowns, A = sum_k P_k B_k P_k^T, and
+/// their direct solution.
+///
+/// The matrix of a free-Lagrangian mesh has a ring for each node, the cells whose volume the node changes: G W G^T is
+/// the sum of its blocks, and so is the square of a Laplacian on the same rings. The pattern, about 19 entries in a row
+/// for cells in the plane, follows the rings and is found anew when they change.
+///
+/// The solver is sparse Cholesky (CHOLMOD), analysed anew only when the pattern is another one, and then in the
+/// elimination order of the first as long as that fits. It factorises A + shift I and refines its solutions twice with
+/// A itself: the shift leaves no trace unless A is singular.
+///
+/// When not to use it: beyond some million unknowns (1e6 Dirichlet cells: 8 s a step and 3.3 GB).
 class RingMatrix {
  public:
   /// @param begin    ring k are the members begin[k] to begin[k+1] - 1, each unknown at most once

@@ -52,19 +52,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "seiche/divergence.hpp"
+
 namespace seiche::mechanics {
 
-/// Thrown by a model for a configuration in which it cannot be: crossed markers, no water, a matrix that is not
-/// positive definite. Integrators turn it into Divergence, to which they add time and step.
-class Infeasible : public std::runtime_error {
- public:
-  /// @param quantity  what is wrong ("width of cell 12 is -0.1"). @param place  coordinate
-  Infeasible(const std::string& quantity, double place) : std::runtime_error(quantity), place_(place) {}
-  [[nodiscard]] double place() const { return place_; }
-
- private:
-  double place_;
-};
+using seiche::Infeasible;
 
 using Input = std::span<const double>;
 using Output = std::span<double>;

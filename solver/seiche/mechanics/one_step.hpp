@@ -91,16 +91,15 @@ class OneStep {
   std::vector<double> fused_multipliers_;
 };
 
-// Frank's projection scheme (Frank 1994, formulas 21 to 23): move freely, then project.
-//
-// @f[ q^{n+1} = q^n + \tau S u^n, \qquad
-//     u^{n+1} = \text{projection of } u^n + \tau W F(q^{n+1}) \text{ on } J(q^{n+1}) \, u = 0 @f]
-//
-// First order. Momentum and angular momentum of a free body are exact. The energy is not: it falls at the rate (tau/2)
-// sum m |acceleration|^2, which makes the scheme robust and rules it out for waves that are to run.
-//
-// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 6.
-
+/// Frank's projection scheme (Frank 1994, formulas 21 to 23): move freely, then project.
+///
+/// @f[ q^{n+1} = q^n + \tau S u^n, \qquad
+///     u^{n+1} = \text{projection of } u^n + \tau W F(q^{n+1}) \text{ on } J(q^{n+1}) \, u = 0 @f]
+///
+/// First order. Momentum and angular momentum of a free body are exact. The energy is not: it falls at the rate (tau/2)
+/// sum m |acceleration|^2, which makes the scheme robust and rules it out for waves that are to run.
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 6.
 template <ConstrainedModel Model>
 class ProjectedStep {
  public:

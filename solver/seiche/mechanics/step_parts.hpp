@@ -16,12 +16,11 @@
 
 namespace seiche::mechanics {
 
-// The W-orthogonal projection of rates on {u : J u = target}, at the linearised configuration:
-//
-// @f[ A \mu = \mathrm{target} - J u^*, \qquad \tilde{u} = u^* + W J^T \mu, \qquad A = J W J^T \tag{Frank 1994, 5} @f]
-//
-// mu is the impulse of the multipliers: lambda = 2 mu/tau in a step of length tau.
-
+/// The W-orthogonal projection of rates on {u : J u = target}, at the linearised configuration:
+///
+/// @f[ A \mu = \mathrm{target} - J u^*, \qquad \tilde{u} = u^* + W J^T \mu, \qquad A = J W J^T \tag{Frank 1994, 5} @f]
+///
+/// mu is the impulse of the multipliers: lambda = 2 mu/tau in a step of length tau.
 template <ConstrainedModel Model>
 class Projection {
  public:

@@ -12,36 +12,35 @@
 
 namespace seiche::dispersive_shallow_water_1d {
 
-// Breaking fronts: where the water gives energy to turbulence.
-//
-// A front is a run of neighbouring cells that the motion compresses, -du/dx > 0.0015 c/h: a hundredth of the rate at
-// which Kennedy et al. let breaking end, so that its foot is not where velocities converge by their noise. It begins
-// to break when its surface is somewhere steeper than onset_slope, and goes on until it is no bore any more: until the
-// Froude number of a bore of its depths,
-//
-// @f[ Fr = \sqrt{\frac{h_2 (h_1 + h_2)}{2 h_1^2}}, @f]
-//
-// h1 at its foot, h2 above h1 by the front's height, falls below ceasing_froude. Water flows through a front: what
-// breaks on is the front that overlaps the one before, cell by cell.
-//
-// In cells that break markers exchange horizontal momentum like in a viscous fluid, with the viscosity that leaves a
-// bore of the model's equations without waves behind it (shallow_water/relations.hpp), h and c = sqrt(g h) those
-// of the cell.
-//
-// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and
-// the energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
-//
-// What is left of a broken wave becomes thin. Where markers stand farther apart than the water is deep, going up and
-// down by turns is no wave of the model's but would dry them: there neighbours exchange vertical momentum too, by the
-// factor alpha m omega/2 times their distance over the depth, omega^2 = g/(3 alpha h). It damps this critically where
-// the two are equal and more where the water is thinner, and leaves what is smooth.
-//
-// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular; run-up of
-// broken waves without friction, whose thin tongue the light marker at the tip leads too far.
-//
-// References: M. Tissier, P. Bonneton, F. Marche, F. Chazel, D. Lannes, Coastal Eng. 67 (2012) 54 (30 degrees, 1.3);
-// A. B. Kennedy, Q. Chen, J. T. Kirby, R. A. Dalrymple, J. Waterway 126 (2000) 39 (viscosity on fronts).
-
+/// Breaking fronts: where the water gives energy to turbulence.
+///
+/// A front is a run of neighbouring cells that the motion compresses, -du/dx > 0.0015 c/h: a hundredth of the rate at
+/// which Kennedy et al. let breaking end, so that its foot is not where velocities converge by their noise. It begins
+/// to break when its surface is somewhere steeper than onset_slope, and goes on until it is no bore any more: until the
+/// Froude number of a bore of its depths,
+///
+/// @f[ Fr = \sqrt{\frac{h_2 (h_1 + h_2)}{2 h_1^2}}, @f]
+///
+/// h1 at its foot, h2 above h1 by the front's height, falls below ceasing_froude. Water flows through a front: what
+/// breaks on is the front that overlaps the one before, cell by cell.
+///
+/// In cells that break markers exchange horizontal momentum like in a viscous fluid, with the viscosity that leaves a
+/// bore of the model's equations without waves behind it (shallow_water/relations.hpp), h and c = sqrt(g h) those
+/// of the cell.
+///
+/// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and
+/// the energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
+///
+/// What is left of a broken wave becomes thin. Where markers stand farther apart than the water is deep, going up and
+/// down by turns is no wave of the model's but would dry them: there neighbours exchange vertical momentum too, by the
+/// factor alpha m omega/2 times their distance over the depth, omega^2 = g/(3 alpha h). It damps this critically where
+/// the two are equal and more where the water is thinner, and leaves what is smooth.
+///
+/// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular; run-up of
+/// broken waves without friction, whose thin tongue the light marker at the tip leads too far.
+///
+/// References: M. Tissier, P. Bonneton, F. Marche, F. Chazel, D. Lannes, Coastal Eng. 67 (2012) 54 (30 degrees, 1.3);
+/// A. B. Kennedy, Q. Chen, J. T. Kirby, R. A. Dalrymple, J. Waterway 126 (2000) 39 (viscosity on fronts).
 struct Breaking {
   double onset_slope = 0.577;                                    ///< of the surface, tan 30 degrees
   double ceasing_froude = shallow_water::weakest_breaking_bore;  ///< at least 1

@@ -184,14 +184,10 @@ double Model::potential_energy(Input q) const {
 void Model::constraint_values(Input q, Output f) const {
   const double* const y = q.data() + n_;
   const BottomProfile& bottom = *channel_.bottom;
-  try {
-    for (std::size_t j = 0; j < cells_; ++j) {
-      const std::size_t k = j + 1 < n_ ? j + 1 : 0;
-      const double width = cell_width(q, j);
-      f[j] = width * (0.5 * (y[j] + y[k]) - bottom.mean(q[j], q[j] + width)) - rest_volume_[j];
-    }
-  } catch (const OutsideBottom& outside) {
-    throw mechanics::Infeasible(outside.what(), outside.place());
+  for (std::size_t j = 0; j < cells_; ++j) {
+    const std::size_t k = j + 1 < n_ ? j + 1 : 0;
+    const double width = cell_width(q, j);
+    f[j] = width * (0.5 * (y[j] + y[k]) - bottom.mean(q[j], q[j] + width)) - rest_volume_[j];
   }
 }
 

@@ -26,7 +26,7 @@ void Lattice::require_valid() const {
   const auto bottom_below = [this](double at_x, double at_y) {
     try {
       return bottom ? bottom->slope(at_x, at_y).elevation : -depth;
-    } catch (const OutsidePlanBottom& outside) {
+    } catch (const Infeasible& outside) {
       throw std::invalid_argument(outside.what());
     }
   };

@@ -33,7 +33,7 @@ Lattice moved(Lattice lattice, std::vector<double> x, std::vector<double> y) {
     const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
     if (smallest(bilinear_patch::jacobians(at(lattice.x), at(lattice.y))) > 0) continue;
     const Point corner{lattice.x[corners[0]], lattice.y[corners[0]]};
-    throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y), corner.x);
+    throw mechanics::Infeasible(corner.x, "cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y);
   }
   return lattice;
 }
@@ -170,8 +170,8 @@ class Remap {
       const double before = model_.first_volumes()[cell];
       volume_.push_back(before + level[cell] - under_[cell] + bottom_under(corners_of(cell, false)));
       if (!(volume_[cell] > 0)) {
-        throw mechanics::Infeasible(fmt::format("cell {} would hold {:g} of water", cell, volume_[cell]),
-                                    corners_of(cell, true)[0].x);
+        throw mechanics::Infeasible(corners_of(cell, true)[0].x, "cell {} would hold {:g} of water", cell,
+                                    volume_[cell]);
       }
       momentum_[cell] += before * swept_.mean(cell, [&](std::size_t k) { return Point{u_[k], u_[n_ + k]}; });
     }

@@ -45,9 +45,8 @@ void PolynomialSpace::place(mechanics::Interval, std::span<const double> x, std:
   factors_.compute(root_mass_.asDiagonal() * fields_);
   facts_ = {.unknowns = basis_.size()};
   if (factors_.rank() < count) {
-    throw mechanics::Infeasible(
-        fmt::format("{} fields, of which {} are independent on the {} particles", count, factors_.rank(), n),
-        x.empty() ? 0 : x[0]);
+    throw mechanics::Infeasible(x.empty() ? 0 : x[0], "{} fields, of which {} are independent on the {} particles",
+                                count, factors_.rank(), n);
   }
 }
 

@@ -138,10 +138,10 @@ void Model::project_under_surface(Output u) {
     if (change <= roundoff || (change <= 100 * roundoff && change >= last)) return;
     if (sweep == most_sweeps) {
       throw mechanics::Infeasible(
-          fmt::format("markers under gravity not found in {} iterations: they still move by {:.2g} m; take a shorter "
-                      "step",
-                      most_sweeps, change),
-          places_[surface_->markers().front()]);
+          places_[surface_->markers().front()],
+          "markers under gravity not found in {} iterations: they still move by {:.2g} m; take a shorter "
+          "step",
+          most_sweeps, change);
     }
     last = change;
   }

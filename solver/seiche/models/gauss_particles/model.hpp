@@ -120,7 +120,7 @@ struct Settings {
   /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs,
   /// 0.1 no better than 0.01. Conservative stepping only.
   double penalty = 0.01;
-  /// Gravity acts through the surface (model.hpp) and not on every particle; conservative stepping only.
+  /// Gravity acts through the surface (SurfaceGravity) and not on every particle; conservative stepping only.
   std::optional<SurfaceLine> surface = {};
 };
 

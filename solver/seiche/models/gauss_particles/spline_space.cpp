@@ -115,8 +115,8 @@ double SplineSpace::particles_per_cell(std::span<const double> mass) const {
   }
   const double per_cell = full_mass_ * static_cast<double>(count) / total;
   if (!(per_cell >= fewest_per_cell)) {
-    throw mechanics::Infeasible(
-        fmt::format("a full cell holds {:.3g} particles; allowed: at least {:g}", per_cell, fewest_per_cell), 0);
+    throw mechanics::Infeasible(0, "a full cell holds {:.3g} particles; allowed: at least {:g}", per_cell,
+                                fewest_per_cell);
   }
   return per_cell;
 }
@@ -133,10 +133,9 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   const double extent = static_cast<double>(lattice.x.cells()) * static_cast<double>(lattice.y.cells());
   if (extent > most_cells_per_particle * static_cast<double>(particles_) + 1e6) {
     throw mechanics::Infeasible(
-        fmt::format(
-            "particles from ({:g}, {:g}) to ({:g}, {:g}): a lattice of {:.3g} cells; allowed: {:g} per particle",
-            bounds.left, bounds.low, bounds.right, bounds.high, extent, most_cells_per_particle),
-        bounds.left);
+        bounds.left,
+        "particles from ({:g}, {:g}) to ({:g}, {:g}): a lattice of {:.3g} cells; allowed: {:g} per particle",
+        bounds.left, bounds.low, bounds.right, bounds.high, extent, most_cells_per_particle);
   }
   cells_.sort(lattice, x, mass);
   functions_.choose(lattice, cells_, full_mass_, settings_.inner_fraction);
@@ -385,8 +384,8 @@ void SplineSpace::project(std::span<double> u, std::span<double> v, std::span<co
     evaluate();
   }
   if (!(facts_.residual <= largest_residual)) {
-    throw mechanics::Infeasible(
-        fmt::format("normal equations solved to {:.2g} only; allowed: {:g}", facts_.residual, largest_residual), 0);
+    throw mechanics::Infeasible(0, "normal equations solved to {:.2g} only; allowed: {:g}", facts_.residual,
+                                largest_residual);
   }
   facts_.penalty = penalty_form();
   for (std::size_t c = 0; c < cells_.cells().size(); ++c) {

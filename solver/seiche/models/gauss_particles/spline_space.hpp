@@ -19,18 +19,17 @@
 
 namespace seiche::gauss_particles {
 
-// The penalty on gradients of vorticity that holds down the quadrature instability under gravity.
-//
-// Sums over particles are no exact integrals: gravity does work on eddies of the lattice's size as if they had a small
-// negative potential energy, and they grow although the total energy is exact. The penalty adds, in the norm that the
-// projection minimises,
-//
-// @f[ \frac{\tau}{2} \nu_4 \sum_c \min(1, M_c/(\rho h^2)) \, \rho \int_c |\nabla \Delta \Phi|^2, \qquad
-//     \nu_4 = C h^{7/2} g^{1/2} @f]
-//
-// over the occupied cells c. It vanishes for irrotational and for linear velocity fields, so that momenta stay exact;
-// the energy it takes is tau nu_4 times the form, known to round-off. Over uneven ground it is taken in (x, eta).
-
+/// The penalty on gradients of vorticity that holds down the quadrature instability under gravity.
+///
+/// Sums over particles are no exact integrals: gravity does work on eddies of the lattice's size as if they had a small
+/// negative potential energy, and they grow although the total energy is exact. The penalty adds, in the norm that the
+/// projection minimises,
+///
+/// @f[ \frac{\tau}{2} \nu_4 \sum_c \min(1, M_c/(\rho h^2)) \, \rho \int_c |\nabla \Delta \Phi|^2, \qquad
+///     \nu_4 = C h^{7/2} g^{1/2} @f]
+///
+/// over the occupied cells c. It vanishes for irrotational and for linear velocity fields, so that momenta stay exact;
+/// the energy it takes is tau nu_4 times the form, known to round-off. Over uneven ground it is taken in (x, eta).
 class VorticityPenalty {
  public:
   /// Computes again what depends on the cells, when they changed.

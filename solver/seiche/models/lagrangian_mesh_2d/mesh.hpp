@@ -87,11 +87,10 @@ double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const do
 /// where the wall is straight; should its node pass one of its neighbours, that one's corner folds.
 double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
 
-// A quadrilateral cell of the mesh. Its two half diagonals a = (r2 - r0)/2 and b = (r3 - r1)/2 are all that its
-// gradients need:
-//
-//     dV/dr0 = (-by, bx) = -dV/dr2,   dV/dr1 = (ay, -ax) = -dV/dr3,   V = 2 (ax by - bx ay)
-
+/// A quadrilateral cell of the mesh. Its two half diagonals a = (r2 - r0)/2 and b = (r3 - r1)/2 are all that its
+/// gradients need:
+///
+///     dV/dr0 = (-by, bx) = -dV/dr2,   dV/dr1 = (ay, -ax) = -dV/dr3,   V = 2 (ax by - bx ay)
 struct Quadrilateral {
   static constexpr std::size_t axes = 2, corners = 4, stored = 4, mobilities = 2, momenta = 2, turns = 1;
 

@@ -130,7 +130,7 @@ Input Model::with_driven(Interval when, Input q) {
 void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
   when_ = when;
   clear_push();
-  lattice::feasible([&] { turn_slides(q0, q1); });
+  turn_slides(q0, q1);
   const bool instant = q0.data() == q1.data();
   const Input at = with_driven(when, instant ? q0 : middle(q0, q1));
   measure(at);
@@ -206,12 +206,10 @@ void Model::advance_along(Input from, Input u, double h, Output to, bool by_tang
 }
 
 void Model::move_along(const Slide& slide, double s, std::size_t index, Output q) const {
-  lattice::feasible([&] {
-    const Point position = slide.curve->position(s);
-    q[slide.node] = position.x;
-    q[n_ + slide.node] = position.y;
-    q[2 * n_ + index] = s;
-  });
+  const Point position = slide.curve->position(s);
+  q[slide.node] = position.x;
+  q[n_ + slide.node] = position.y;
+  q[2 * n_ + index] = s;
 }
 
 void Model::enter(Input q, Output u) const {

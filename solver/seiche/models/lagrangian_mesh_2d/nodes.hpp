@@ -65,13 +65,12 @@ class Nodes {
   std::vector<Driven> driven_;
 };
 
-// The edges of the mesh at its free sides: potential energy of the polygon of water (Frank 1994, formula 7), and
-// pressure on it.
-//
-//     Pi = rho g sum (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6,   from a to b with the water below
-//
-// Only sides that can move are summed: what fixed sides contribute is constant.
-
+/// The edges of the mesh at its free sides: potential energy of the polygon of water (Frank 1994, formula 7), and
+/// pressure on it.
+///
+///     Pi = rho g sum (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6,   from a to b with the water below
+///
+/// Only sides that can move are summed: what fixed sides contribute is constant.
 class FreeEdges {
  public:
   explicit FreeEdges(const Mesh& mesh);

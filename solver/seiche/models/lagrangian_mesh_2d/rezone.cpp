@@ -154,9 +154,8 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
     area.push_back(cell_area(now.mesh, now.mesh.x, now.mesh.y, cell));
     if (area[cell] > 0 && least_triangle(now.mesh, now.mesh.x, now.mesh.y, cell) > 0) continue;
     const std::size_t corner = was.corners(cell)[0];
-    throw mechanics::Infeasible(
-        fmt::format("cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner], now.mesh.y[corner]),
-        now.mesh.x[corner]);
+    throw mechanics::Infeasible(now.mesh.x[corner], "cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner],
+                                now.mesh.y[corner]);
   }
   const plan_lattice::SweptRemap sweep({.columns = was.columns, .rows = was.rows}, q.first(n), q.subspan(n, n),
                                        now.mesh.x, now.mesh.y, std::vector<double>(n, 0.25));

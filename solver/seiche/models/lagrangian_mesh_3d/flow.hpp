@@ -40,7 +40,7 @@ struct Layer {
   std::shared_ptr<const PlanBottom> bottom = {};
 };
 /// Throws std::invalid_argument: ends out of order, no cells, depth not positive, a surface below the bottom (by
-/// place). Throws OutsidePlanBottom.
+/// place). Throws Infeasible.
 Mesh layer_mesh(const Layer& layer);
 
 /// A box of equal cells, [0, 1]^3 scaled to `sides` and moved to `corner`, that nothing holds.

@@ -73,7 +73,7 @@ using VelocityAt = std::function<Point(Point place)>;
 
 class Model : public mechanics::PointMasses<Model> {
  public:
-  /// Throws std::invalid_argument (particles.hpp, particles.hpp): settings out of range, particles at one place, behind
+  /// Throws std::invalid_argument (particles.hpp): settings out of range, particles at one place, behind
   /// a wall, or without a neighbour.
   explicit Model(Particles particles, Settings settings = {});
 

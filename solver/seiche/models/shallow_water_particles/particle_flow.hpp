@@ -12,7 +12,7 @@
 /// Whatever u* and p* are, mass is exact, and momentum changes by booked impulses only. In the rules of Bogomolov,
 /// Zakharov and Zerkal (overlap: rebuild the particle of smaller density; gap: rebuild the faster one) the shared edge
 /// takes the velocity of the particle that is not rebuilt; here u* and p* come from one Riemann problem, and "the jump
-/// is handed from one particle to the next" holds for momentum as well as for mass (collision.hpp, collision.hpp).
+/// is handed from one particle to the next" holds for momentum as well as for mass (collision.hpp).
 ///
 ///     ParticleFlow flow(equal_widths(...), {Wall{}, Vacuum{}});
 ///     march(flow, 3);

@@ -73,8 +73,7 @@ void Surface::require_single_valued(Places at) const {
   for (std::size_t s = 1; s < nodes_.size(); ++s) {
     if (!(at[nodes_[s]].x > at[nodes_[s - 1]].x)) {
       const Point r = at[nodes_[s]];
-      throw mechanics::Infeasible(
-          fmt::format("the surface goes back in x at node {} at ({:g}, {:g})", nodes_[s], r.x, r.y), r.x);
+      throw mechanics::Infeasible(r.x, "the surface goes back in x at node {} at ({:g}, {:g})", nodes_[s], r.x, r.y);
     }
   }
 }

@@ -161,9 +161,8 @@ void Convection::begin(std::span<const double> masses, std::span<const Exchange>
   for (std::size_t k = 0; k < n; ++k) {
     if (!(next_[k] > 0)) {
       const Point r = at[static_cast<int>(k)];
-      throw mechanics::Infeasible(
-          fmt::format("the mass of node {} at ({:g}, {:g}) becomes {:g}; allowed: positive", k, r.x, r.y, next_[k]),
-          r.x);
+      throw mechanics::Infeasible(r.x, "the mass of node {} at ({:g}, {:g}) becomes {:g}; allowed: positive", k, r.x,
+                                  r.y, next_[k]);
     }
     root_[k] = std::sqrt(masses[k]);
     next_root_[k] = std::sqrt(next_[k]);
@@ -208,9 +207,8 @@ int Convection::settle(std::span<const double> u, const Respond& respond, double
     last = now;
   }
   throw mechanics::Infeasible(
-      fmt::format("the convective term does not settle in {} iterations: the control is too strong for the step",
-                  most_iterations),
-      0);
+      0, "the convective term does not settle in {} iterations: the control is too strong for the step",
+      most_iterations);
 }
 
 void Convection::finish(std::span<const double> u, std::span<const double> mean, std::vector<double>& next) const {

@@ -10,7 +10,7 @@
 ///       - \frac{\partial \Pi}{\partial \mathbf{r}_i} + \rho \sum_j q_{ij} \frac{\mathbf{u}_i + \mathbf{u}_j}{2} . @f]
 ///
 /// The areas change by c alone, as the masses do. In a step, with the geometry at the middle
-/// r + (tau/2)(u + c) and the means of flow.hpp,
+/// r + (tau/2)(u + c) and the means of Exchange,
 ///
 ///     D ubar - sum_j (d_ij/2) ubar_j - G^T mu = a (a + b) u - tau dPi,   G ubar = 0,   r' = r + tau (ubar + c).
 ///
@@ -42,24 +42,23 @@
 
 namespace seiche::variable_mass {
 
-// The convective term of masses that change: cells hand mass to one another, with half of either's velocity, and the
-// kinetic energy does not notice (Frank 1994, 5.3).
-//
-// In a step node i gains the mass d_ij = -d_ji from its neighbours j. With a = sqrt(m), b = sqrt(m + sum_j d_ij)
-// before and after it, and velocities averaged with the roots of the masses,
-//
-// @f[ \bar{u} = \frac{a u + b u'}{a + b}, \qquad
-//     b^2 u' - a^2 u = \sum_j d_{ij} \frac{\bar{u}_i + \bar{u}_j}{2} + \text{impulse}, @f]
-//
-// the kinetic energy changes by ubar.impulse exactly, whatever the exchanges, small or finite: they are antisymmetric.
-// The mean velocities solve
-//
-// @f[ \frac{(a + b)^2}{2} \bar{u}_i - \sum_j \frac{d_{ij}}{2} \bar{u}_j = a (a + b) u_i + \text{impulse} @f]
-//
-// by iteration on the sum. What is left of angular momentum is not kept: masses hand it over at two places.
-//
-// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), 5.3.
-
+/// The convective term of masses that change: cells hand mass to one another, with half of either's velocity, and the
+/// kinetic energy does not notice (Frank 1994, 5.3).
+///
+/// In a step node i gains the mass d_ij = -d_ji from its neighbours j. With a = sqrt(m), b = sqrt(m + sum_j d_ij)
+/// before and after it, and velocities averaged with the roots of the masses,
+///
+/// @f[ \bar{u} = \frac{a u + b u'}{a + b}, \qquad
+///     b^2 u' - a^2 u = \sum_j d_{ij} \frac{\bar{u}_i + \bar{u}_j}{2} + \text{impulse}, @f]
+///
+/// the kinetic energy changes by ubar.impulse exactly, whatever the exchanges, small or finite: they are antisymmetric.
+/// The mean velocities solve
+///
+/// @f[ \frac{(a + b)^2}{2} \bar{u}_i - \sum_j \frac{d_{ij}}{2} \bar{u}_j = a (a + b) u_i + \text{impulse} @f]
+///
+/// by iteration on the sum. What is left of angular momentum is not kept: masses hand it over at two places.
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), 5.3.
 struct Exchange {
   int to;
   int from;

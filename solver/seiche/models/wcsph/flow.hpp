@@ -90,7 +90,7 @@ class Flow {
   /// where it is below 1e-3 of the acoustic one.
   [[nodiscard]] double stable_step();
 
-  /// Everything that decides how it goes on; see flow.hpp.
+  /// Everything that decides how it goes on.
   [[nodiscard]] FlowState state() const;
   /// Goes on from the state of a Flow that was made of the same particles, settings and paddles: the same bytes as
   /// that one would have given. Throws std::invalid_argument, with the parameter and both its values, where it was of

@@ -22,13 +22,12 @@
 
 namespace seiche::wcsph {
 
-// Order of particles in the plane: tiles of strips of bins; internal to Flow.
-//
-// A strip is a few particle spacings high, a bin one spacing wide. Within a strip particles go by x, in every second
-// strip backwards, so that consecutive ones stay near each other across its ends; strips are cut into tiles, so that
-// neighbours above and below stay in cache however long the tank. What lies outside the box counts to its edge:
-// neighbouring places stay neighbours.
-
+/// Order of particles in the plane: tiles of strips of bins; internal to Flow.
+///
+/// A strip is a few particle spacings high, a bin one spacing wide. Within a strip particles go by x, in every second
+/// strip backwards, so that consecutive ones stay near each other across its ends; strips are cut into tiles, so that
+/// neighbours above and below stay in cache however long the tank. What lies outside the box counts to its edge:
+/// neighbouring places stay neighbours.
 class TileGrid {
  public:
   TileGrid() = default;

@@ -73,16 +73,15 @@ double sound_speed_for(double gravity, double height, double coefficient = 10);
 /// Throws std::invalid_argument naming the parameter, its value and range.
 void validate(const Settings& settings);
 
-// Tait's equation of state of a weakly compressible fluid.
-//
-// @f[ P = B \left( s^\gamma - 1 \right), \qquad s = \frac{\rho}{\rho_0}, \qquad
-//     B = \frac{\rho_0 c_0^2}{\gamma}, \qquad c = c_0 \, s^{(\gamma - 1)/2} \tag{5} @f]
-// @f[ e = \frac{B}{\rho_0} \left( \frac{s^{\gamma - 1}}{\gamma - 1} + \frac{1}{s} - \frac{\gamma}{\gamma - 1} \right),
-//     \qquad de = \frac{P}{\rho^2} \, d\rho @f]
-//
-// Reference: Batchelor, An introduction to fluid dynamics (1967), section 1.8; Monaghan, Simulating free surface flows
-// with SPH, J. Comput. Phys. 110 (1994) 399.
-
+/// Tait's equation of state of a weakly compressible fluid.
+///
+/// @f[ P = B \left( s^\gamma - 1 \right), \qquad s = \frac{\rho}{\rho_0}, \qquad
+///     B = \frac{\rho_0 c_0^2}{\gamma}, \qquad c = c_0 \, s^{(\gamma - 1)/2} \tag{5} @f]
+/// @f[ e = \frac{B}{\rho_0} \left( \frac{s^{\gamma - 1}}{\gamma - 1} + \frac{1}{s} - \frac{\gamma}{\gamma - 1} \right),
+///     \qquad de = \frac{P}{\rho^2} \, d\rho @f]
+///
+/// Reference: Batchelor, An introduction to fluid dynamics (1967), section 1.8; Monaghan, Simulating free surface flows
+/// with SPH, J. Comput. Phys. 110 (1994) 399.
 class TaitFluid {
  public:
   static constexpr double exponent = 7;  ///< gamma
