@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import tomllib
@@ -77,6 +78,18 @@ class Operators(unittest.TestCase):
         self.assertFalse([change for change in found if "h is" in CPP[change.begin:change.end]], "a message")
         minus = next(change for change in found if change.operator == "sign")
         self.assertEqual((minus.applied(CPP.encode()).decode(), minus.line), (CPP.replace(": -h", ":  h"), 9))
+
+    @unittest.skipUnless(clang, "needs python3-clang-19")
+    def test_changes_compile_together_as_choices(self):
+        """Each of the template's lines, changed by the condition, is C++ that the compiler takes."""
+        for change in self.made("a.hpp", CPP, "-xc++", "-std=c++20"):
+            text, end = b"bool chosen();\n", 0
+            for first, stop, choice in change.chosen(CPP.encode(), "chosen()"):
+                text, end = text + CPP[end:first].encode() + choice.encode(), stop
+            with self.subTest(change.shown(CPP.encode())):
+                said = subprocess.run(["c++", "-std=c++20", "-fsyntax-only", "-w", "-xc++", "-"], capture_output=True,
+                                      input=text + CPP[end:].encode())
+                self.assertEqual(said.returncode, 0, said.stderr.decode())
 
     def test_each_operator_of_python(self):
         found = self.made("a.py", PYTHON)

@@ -19,9 +19,9 @@ DRAWN = 200                    # cells along each side of a drawn lattice
 
 
 def kind(panel):
-    """What a panel is: "surface", "plan", "polar" or "plain"."""
+    """What a panel is: "surface", "plan" or "plain"."""
     styles = {series.get("style") for series in panel["series"]}
-    return next((style for style in ("surface", "plan") if style in styles), "polar" if panel.get("polar") else "plain")
+    return next((style for style in ("surface", "plan") if style in styles), "plain")
 
 
 def lattices(panel, style):

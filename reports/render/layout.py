@@ -16,8 +16,6 @@ def share_limits(shown):
         limited = any(given(panel.get(f"{axis}_{end}")) for panel in shown for end in ("min", "max"))
         if len(shown) < 2 or len(kinds) > 1 or limited or shown[0].get(f"log_{axis}"):
             continue
-        if any(kind(panel) == "polar" for panel in shown):
-            continue
         low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
         if not high - low <= 1.8 * max(r[1] - r[0] for r in ranges) or high == low:
             continue
@@ -69,8 +67,6 @@ def ratio(panel):
     if kind(panel) == "surface":
         left, right, bottom, top = scene(panel).extent([thinned(series, panel) for series in panel["series"]])
         return (right - left) / (top - bottom)
-    if kind(panel) == "polar":
-        return 1.0
     if panel.get("aspect") != "equal" and kind(panel) != "plan":
         return None
     spans = []
@@ -87,8 +83,6 @@ def height(panel, width, count):
     """Inches that a panel of this width needs."""
     proportion = ratio(panel)
     labels = 0.62 if count > 1 else 0.55
-    if kind(panel) == "polar":
-        return min(width, 4.2) + (0.3 if panel.get("title") else 0)
     if kind(panel) == "plan":
         width *= 0.9                          # the colour bar
     if proportion:

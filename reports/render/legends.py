@@ -55,11 +55,13 @@ def _handle(series, look):
 
 def own_legend(axis, panel, looks):
     labelled = labels(panel)
-    if len(labelled) > 6:
-        axis.legend(*handles(labelled, looks), loc="upper center", bbox_to_anchor=(0.5, -0.17),
-                    ncol=min(3, legend_columns(labelled)))
-    else:
-        axis.legend(*handles(labelled, looks), loc="best")
+    below = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "ncol": min(3, legend_columns(labelled))}
+    named_keys(axis.legend(*handles(labelled, looks), **(below if len(labelled) > 6 else {"loc": "best"})), labelled, looks)
+
+
+def named_keys(legend, labelled, looks):
+    for text, series in zip(legend.get_texts(), labelled):
+        text.set_gid(f"key-{looks.number(series)}")
 
 
 def safe(text):

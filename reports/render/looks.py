@@ -39,6 +39,13 @@ class Looks:
     def of(self, series):
         return self._looks[self.key(series)]
 
+    def number(self, series):
+        return list(self._looks).index(self.key(series))
+
+    def labels(self):
+        """Of all series, as they are counted."""
+        return [label for _, label, _ in self._looks]
+
 
 def _look(role, index):
     turn = index // len(COLOURS)

@@ -90,9 +90,7 @@ def survey(cases, drawn, others, path=PROBLEMS):
     runs = {table.case.name: [run for run in table.runs if not run.record.own] for table in others}
     by_name = {model["name"]: model["id"] for model in said["model"]}
     problems = [_problem(about, cases, own, runs, drawn, by_name) for about in said["problem"]]
-    return {"models": said["model"], "problems": problems, "synonyms": said["synonyms"],
-            "others": any(problem.yours for problem in problems),
-            "also": [own[name] for name in side_by_side.ALSO if own.get(name)]}
+    return {"models": said["model"], "problems": problems, "synonyms": said["synonyms"]}
 
 
 def _problem(about, cases, own, runs, drawn, by_name):

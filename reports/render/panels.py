@@ -1,14 +1,18 @@
-"""The general drawing: panels of series, each series with a role (what it is) and a style (how it is drawn)."""
+"""The drawings: panels of series, each series with a role (what it is) and a style (how it is drawn); and films of them.
+
+What a reader may ask of a figure has a name in its file (assets/figure.js): "panel-2", "series-3", its key in the
+legend "key-3", what a film shows at an instant "frame-1". Series count as their labels in Looks do.
+"""
 import math
 
+import matplotlib.lines
 import matplotlib.pyplot
 import matplotlib.ticker
 import numpy
 
-from render.drawings import drawing
 from render.lattices import colour_bar, kind, plan, share_heights
-from render.layout import columns_of, given, height, ratio, share_limits, span_of
-from render.legends import handles, labels, legend_columns, own_legend, safe, shared_legend
+from render.layout import columns_of, given, height, ratio, share_limits
+from render.legends import handles, labels, legend_columns, named_keys, own_legend, safe, shared_legend
 from render.looks import Looks
 from render.surfaces import surfaces
 
@@ -16,7 +20,6 @@ WIDTH = 7.4                     # inches: the width of the page's text block
 MANY = 5000                     # points above which a series is thinned (lines) or rasterised (markers)
 
 
-@drawing("panels")
 def panels(figure, small):
     """One or more panels; labels shared by all panels go into one legend below."""
     shown = figure["panels"]
@@ -42,7 +45,8 @@ def panels(figure, small):
     axes = _axes(canvas, shown, rows, columns, height_ratios=heights)
     canvas.set_layout_engine("constrained", rect=(0, legend_height / total, 1, 1 - legend_height / total),
                              w_pad=0.06, h_pad=0.05, wspace=0.04, hspace=0.05)
-    for axis, panel in zip(axes, shown):
+    for number, (axis, panel) in enumerate(zip(axes, shown)):
+        axis.set_gid(f"panel-{number}")
         _draw_panel(axis, panel, looks)
         _text(axis, panel)
         if not shared and labels(panel):
@@ -56,16 +60,63 @@ def panels(figure, small):
                     axis.set_xlabel("")
     _colour_bars(canvas, axes, shown)
     if shared:
-        canvas.legend(*handles(shared, looks), loc="lower center", ncol=legend_columns(shared),
-                      bbox_to_anchor=(0.5, 0), borderaxespad=0.15)
+        named_keys(canvas.legend(*handles(shared, looks), loc="lower center", ncol=legend_columns(shared),
+                                 bbox_to_anchor=(0.5, 0), borderaxespad=0.15), shared, looks)
     return canvas
+
+
+def film(figure, small):
+    """Panels one after the other in the same place; until the figure's script plays them, the last is seen."""
+    shown = figure["panels"]
+    looks = Looks(shown)
+    share_limits(shown)
+    share_heights(shown)
+    if small:
+        return _stamp(shown[-1:], looks)
+    room = height(shown[0], WIDTH, 1) + 0.6
+    canvas = matplotlib.pyplot.figure(figsize=(WIDTH, room))
+    canvas.set_layout_engine("constrained", rect=(0, 0.3 / room, 1, 1 - 0.3 / room))
+    (axis,) = _axes(canvas, shown[:1], 1, 1)
+    axis.set_gid("panel-0")
+    for number, panel in enumerate(shown):
+        _draw_panel(axis, panel, looks, frame=f"frame-{number}")
+        axis.text(0, 1.02, safe(panel["title"]), transform=axis.transAxes, gid=f"frame-{number}")
+    _text(axis, {**shown[0], "title": ""})
+    if labels(shown[-1]):
+        own_legend(axis, shown[-1], looks)
+    _colour_bars(canvas, [axis], shown[:1])
+    return canvas
+
+
+DRAWINGS = {"panels": panels, "film": film}     # by the name that a record gives
+
+
+def _named(name, axis, draw, *what):
+    """Draws on an axis and names what is drawn. A rasterised artist leaves its group before it paints: it gets its own."""
+    before = set(axis.get_children())
+    draw(axis, *what)
+    for artist in set(axis.get_children()) - before:
+        own = name if isinstance(artist, matplotlib.lines.Line2D) else f"{name} area-0".strip()
+        artist.set_gid(own)
+        if artist.get_rasterized():
+            artist.draw = _grouped(artist.draw, own)
+
+
+def _grouped(draw, name):
+    def grouped(renderer):
+        renderer.open_group("raster", name)
+        draw(renderer)
+        if getattr(renderer, "_rasterizing", False):
+            renderer.stop_rasterizing()
+            renderer._rasterizing = False
+        renderer.close_group("raster")
+    return grouped
 
 
 def _axes(canvas, shown, rows, columns, **proportions):
     """Axes for the panels, row by row."""
     grid = canvas.add_gridspec(rows, columns, **proportions)
-    return [canvas.add_subplot(grid[divmod(position, columns)], projection="polar" if kind(panel) == "polar" else None)
-            for position, panel in enumerate(shown)]
+    return [canvas.add_subplot(grid[divmod(position, columns)]) for position in range(len(shown))]
 
 
 def _colour_bars(canvas, axes, shown):
@@ -93,12 +144,9 @@ def _stamp(shown, looks):
     return canvas
 
 
-def _draw_panel(axis, panel, looks, small=False):
+def _draw_panel(axis, panel, looks, small=False, frame=""):
     if kind(panel) == "surface":
         surfaces(axis, panel, small)
-        return
-    if kind(panel) == "polar":
-        _polar(axis, panel, looks, small)
         return
     if panel.get("log_x"):
         axis.set_xscale("log")
@@ -107,16 +155,16 @@ def _draw_panel(axis, panel, looks, small=False):
     later = []
     for series in panel["series"]:
         if series.get("style") == "plan":
-            plan(axis, panel, series)
+            _named(frame, axis, plan, panel, series)
             continue
         if series.get("style") == "fill" or (series.get("style") == "steps" and series.get("role") in ("water", "bed")):
             later.append(series)
-        _draw_series(axis, series, looks.of(series))
+        _named(f"{frame} series-{looks.number(series)}".strip(), axis, _draw_series, series, looks.of(series))
     _limits(axis, panel)
     base = axis.get_ylim()[0]
     limits = axis.get_xlim(), axis.get_ylim()
     for series in later:
-        _fill(axis, series, looks.of(series), base)
+        _named(f"{frame} series-{looks.number(series)}".strip(), axis, _fill, series, looks.of(series), base)
     axis.set_xlim(limits[0])
     axis.set_ylim(limits[1])
     equal = panel.get("aspect") == "equal" or kind(panel) == "plan"
@@ -132,38 +180,7 @@ def _draw_panel(axis, panel, looks, small=False):
         _log_ticks(axis, panel)
 
 
-def _polar(axis, panel, looks, small):
-    """Distances against directions; of a quarter or half of the circle only that sector."""
-    for series in panel["series"]:
-        if series.get("style", "line") not in ("line", "points"):
-            raise ValueError(f"a polar panel shows lines and points, not {series['style']}")
-        _draw_series(axis, {**series, "x": numpy.radians(series["x"])}, looks.of(series))
-    low, high = span_of(panel, "x")
-    low, high = panel.get("x_min", low), panel.get("x_max", high)
-    for sector in (90, 180):
-        if -1e-9 <= low and high <= sector * (1 + 1e-9):
-            axis.set_thetalim(0, math.radians(sector))
-            break
-    else:
-        sector = 360
-    for name, which in (("y_min", "bottom"), ("y_max", "top")):
-        if given(panel.get(name)):
-            axis.set_ylim(**{which: panel[name]})
-    axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
-    axis.grid(True)
-    if small:
-        return
-    axis.set_title(safe(panel.get("title", "")), y=1.1)
-    axis.set_xlabel(safe(panel.get("y_label", "")), labelpad=4 if sector == 360 else 14)
-    place = math.radians(45 if sector < 360 else -45)
-    axis.annotate(safe(panel.get("x_label", "")), (place, axis.get_ylim()[1]),
-                  (36 * math.cos(place), 36 * math.sin(place)), textcoords="offset points", ha="center", va="center",
-                  rotation=-math.degrees(place), annotation_clip=False)
-
-
 def _text(axis, panel):
-    if kind(panel) == "polar":
-        return
     # The label of a surface's heights stands at the top of its panel, where the title would be.
     axis.set_title(safe(panel.get("title", "")), pad=18 if kind(panel) == "surface" else None)
     axis.set_xlabel(safe(panel.get("x_label", "")))
@@ -207,7 +224,7 @@ def _points(axis, series, look):
              "markerfacecolor": look["color"] if filled else "white", "markeredgewidth": 0.8 if len(x) <= 400 else 0,
              "zorder": look["zorder"] + 0.5}
     if error is not None:
-        axis.errorbar(x, y, yerr=error, elinewidth=0.7, capsize=0 if axis.name == "polar" else None, **style)
+        axis.errorbar(x, y, yerr=error, elinewidth=0.7, **style)
     else:
         axis.plot(x, y, rasterized=len(x) > MANY, **style)
 

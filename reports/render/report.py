@@ -71,7 +71,7 @@ def build(evidence, stage, out, options):
         write("print.html.j2", "print.html", "", **whole)
     search.write(stage / "assets" / "search.js", whole["matrix"], cases)
 
-    for asset in ("report.css", "report.js"):
+    for asset in ("report.css", "report.js", "figure.js"):
         _copy(_HERE / "assets" / asset, stage / "assets" / asset)
     _copy_figures(loaded, drawn, stage)
     if options.with_data:

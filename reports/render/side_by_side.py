@@ -7,7 +7,6 @@ FIGURE = "cost"
 COLUMNS = ("model", "size of", "size", "error", "uncertainty", "processor time", "energy", "momentum", "lasted",
            "asked", "broke by")
 WORDS = ("model", "size of", "broke by")
-ALSO = ("stokes_models",)      # cases that set several models side by side in their own way
 
 
 @dataclasses.dataclass
@@ -48,11 +47,7 @@ def problem(name, title, case, record, drawn):
 
     @param drawn  {(record stem, figure id): gallery.Drawn}
     """
-    return _fill(Problem(name, title, case), record, drawn)
-
-
-def _fill(problem, record, drawn):
-    problem.record = record
+    problem = Problem(name, title, case, record)
     if record is None:
         problem.reason = "This report holds no record of the case."
         return problem
@@ -83,4 +78,3 @@ def _fits(name, cell):
     if name in WORDS:
         return isinstance(cell, str)
     return cell is None or (isinstance(cell, (int, float)) and not isinstance(cell, bool) and math.isfinite(cell))
-

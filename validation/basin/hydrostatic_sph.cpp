@@ -136,11 +136,15 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
   const Bound pressure =
       extrapolated ? Bound{.limit = cell, .reason = "the pressure of one spacing of water: no wall is known better"}
                    : Bound{.limit = 0.05, .reason = "5 % of the pressure at the bottom is what is asked of them"};
-  check("velocity", "The water stays at rest", "rms velocity over sqrt(g H)", &Rest::velocity,
+  check("velocity",
+        "The rms velocity of water at rest is at most the velocity of a sound wave with the pressure limit, 5 % or one "
+        "spacing",
+        "rms velocity over sqrt(g H)", &Rest::velocity,
         {.limit = pressure.limit.value() * std::sqrt(compression),
          .reason = "waves of sound, of pressure rho c u, as high as the pressure may be wrong"});
-  check("core", "Away from walls and surface the pressure agrees with the depth", "rms error over rho g H", &Rest::core,
-        pressure);
+  check("core",
+        "The pressure away from walls and surface agrees with the hydrostatic one within 5 %, or one spacing of water",
+        "rms error over rho g H", &Rest::core, pressure);
   Bound level{.limit = 2 * settings_of(values).smoothing * cell * compression,
               .reason =
                   "wall particles feel the water within 2h, and carry its weight when it has come nearer by the share "
@@ -150,7 +154,10 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
   } else if (option.name == "filter") {
     level = {.limit = 0.5 * cell, .reason = "half a spacing: filtered densities forget the volume of the water"};
   }
-  check("level", "The water does not sink", "sinking of the centre of mass over the depth", &Rest::sinking, level);
+  check("level",
+        "The sinking of the centre of mass is at most the compression g H/c^2 over two smoothing lengths, or half a "
+        "spacing",
+        "sinking of the centre of mass over the depth", &Rest::sinking, level);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {

@@ -184,9 +184,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
               Bound{0, "every force is a product with an elevation, which is zero"});
     };
     exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
-    exactly_zero("elevation", "The surface of water at rest stays level.", "largest elevation", "H",
-                 &Unrest::elevation);
-    exactly_zero("displacement", "Markers of the water at rest do not move.", "largest displacement", "H",
+    exactly_zero("elevation", "Elevations of water at rest are zero.", "largest elevation", "H", &Unrest::elevation);
+    exactly_zero("displacement", "Displacements of markers in water at rest are zero.", "largest displacement", "H",
                  &Unrest::displacement);
   }
 }
@@ -231,7 +230,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case lake_at_rest_1d() {
   Case c;
-  c.title = "A lake at rest under the dispersive model stays so to the last bit";
+  c.title = "Lake at rest under the dispersive model";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3; E. Audusse et al., "
       "SIAM J. Sci. Comput. 25 (2004) 2050";

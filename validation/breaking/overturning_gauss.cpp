@@ -148,7 +148,7 @@ void turn_particles(Results& r, const SteepWave& wave, long cells) {
   const double began = processor_seconds();
   Flow flow = flow_of(wave, cells);
   const double kinetic = flow.energy();
-  Computed one{.model = "free particles", .size = cell_of(cells)};
+  Computed one{.model = "Gauss particles", .size = cell_of(cells)};
   r.turned = std::numeric_limits<double>::quiet_NaN();
   for (const double time : r.times) {
     march(flow, time, step_of(wave, cells), [&] {
@@ -223,7 +223,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        instants[i].when + " the surface agrees with potential flow, as far as the lattice resolves it.",
+        instants[i].when +
+            " the surface agrees with potential flow within half a cell and the parts of a jet thinner than a cell.",
         "largest distance of the surfaces [1/k]",
         [i](const Results& r) -> Measurement {
           return {.value = r.finest().distances.at(i).largest,
@@ -235,7 +236,9 @@ void claims(const Values& values, const Claims<Results>& all) {
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
   claims.check(
-      "vertical-tangent", "The time of the first vertical front agrees with potential flow.",
+      "vertical-tangent",
+      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
+      "takes for half a cell.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const Results& r) { return r.turned - r.vertical; },
       Bound{.limit = cell * period_of(wave) / (2 * wavelength) + tau,
@@ -264,7 +267,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       for (const Polyline& line : lines) panel.line(&line == &lines.front() ? name : "", line.x, line.y, role);
     };
     draw("potential flow", r.exact[i], Role::exact);
-    draw("free particles", r.finest().surfaces[i], Role::computed);
+    draw("Gauss particles", r.finest().surfaces[i], Role::computed);
     draw("SPH", r.sph.surfaces[i], Role::peer);
   }
   evidence::Table& table = add_table(exhibit, "models", "Distance from potential flow",
@@ -291,7 +294,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case overturning_gauss() {
   Case c;
-  c.title = "A steep wave turns over, by free particles under Gauss's principle beside SPH";
+  c.title = "A steep wave overturns: Gauss-principle particles beside SPH";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

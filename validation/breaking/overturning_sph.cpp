@@ -202,8 +202,8 @@ void claim_stress(const Claims<Results>& claims) {
   claims.from("Plunging breaking waves by weakly compressible smoothed particles, figure 6")
       .check(
           "nearer-with-stress",
-          "The surface of a developed jet with the stress of unresolved eddies is nearer to potential flow than with "
-          "artificial viscosity.",
+          "The rms distance of a developed jet from potential flow with the stress of unresolved eddies is below 1 "
+          "times the distance with artificial viscosity.",
           "rms distance over that with artificial viscosity",
           [](const Results& r) -> Measurement {
             const SphOverturned& one = r.others[stress];
@@ -223,7 +223,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                            .reason = "potential flow from the same start does"});
   claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
       .check(
-          "overhang-time", "The front overhangs at the time of potential flow.",
+          "overhang-time", "The time at which the front overhangs agrees with potential flow within 5 % of the period.",
           "when it hangs over by a hundredth of the wavelength [s]",
           [](const Results& r) -> Measurement {
             return {.value = r.finest().hangs_over,
@@ -234,7 +234,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                 .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is what "
                           "particles form last",
                 .expected = Amount::told_by_run(last_phase * period)});
-  claims.check("kinetic-energy", "With a developed jet the water has the kinetic energy of potential flow.",
+  claims.check("kinetic-energy",
+               "The kinetic energy of the water with a developed jet agrees with potential flow within 5 %.",
                "over that of potential flow", on_finest([](const Results& r) {
                  return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
                }),

@@ -164,12 +164,15 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
                   .reason = "a rim known to half a spacing in each of both: as for a round hole of the same area",
                   .expected = 1};
   landed.check(
-      claim("cavity", "The air that the jet shuts off does not change with the stress of unresolved eddies.",
+      claim("cavity",
+            "The cavity of the jet with the stress of unresolved eddies equals the laminar cavity within half a "
+            "spacing along either rim.",
             "of laminar water"),
       [over](const Results& r) { return over(r.laminar, r.stress); }, rim);
-  const evidence::Claim standard =
-      claim("cavity-standard", "The air that the jet shuts off does not change with artificial viscosity.",
-            "with artificial viscosity");
+  const evidence::Claim standard = claim("cavity-standard",
+                                         "The cavity of the jet with the stress of unresolved eddies equals the cavity "
+                                         "with artificial viscosity within half a spacing along either rim.",
+                                         "with artificial viscosity");
   landed
       .fails({.value = 1.45,
               .width = 0.18,

@@ -104,7 +104,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
     };
     finest.from("this comparison")
         .check("against-peer-" + id,
-               fmt::format("{}: equal masses are at least as accurate as today's scheme at the same N.", name),
+               fmt::format("{}: the error with equal masses is at most 1 times the error of MUSCL-HLL with equal N.",
+                           name),
                "error over that of MUSCL-HLL", quotient("h2_masses", "muscl"),
                Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
   }
@@ -170,7 +171,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case dam_break_convergence() {
   Case c;
-  c.title = "Dam breaks refined";
+  c.title = "Convergence of dam breaks";
   c.source = "exact solutions of Ritter (1892) and Stoker (1957)";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

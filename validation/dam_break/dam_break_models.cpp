@@ -200,7 +200,7 @@ std::vector<Contender> column_contenders(const ColumnFront& measured, const Colu
   };
   const std::vector<double> three{0.5, 0.75, 1};
   return {
-      {"particles", "free particles", "cell", Role::computed, ladder_to(sizes.particles, three), over,
+      {"particles", "Gauss particles", "cell", Role::computed, ladder_to(sizes.particles, three), over,
        starting(start_particles)},
       {"mesh", "Lagrangian mesh", "cell", Role::peer, ladder_to(sizes.mesh, three), over, starting(start_mesh)},
       {"dirichlet", "Dirichlet cells", "cell", Role::peer, ladder_to(sizes.cells, three), over,
@@ -212,7 +212,7 @@ std::vector<Contender> column_contenders(const ColumnFront& measured, const Colu
 }
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994); Martin and Moyce (1952)";
-const Named particles{"particles", "free particles"};
+const Named particles{"particles", "Gauss particles"};
 const Named sph{"sph", "SPH"};
 
 ColumnFront data_of(const Values& values) {
@@ -288,7 +288,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case dam_break_models() {
   Case c;
-  c.title = "Which model should one take? A collapsing column by six of them";
+  c.title = "Model comparison: a collapsing column";
   c.source =
       "J. C. Martin, W. J. Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312; A. M. Frank, Discrete models of "
       "incompressible fluid, doctoral thesis (1994)";

@@ -86,7 +86,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.of(&Results::collapse)
       .of(&SphCollapses::run)
       .check(
-          "contained", "No particle leaves through a wall.", "particles outside the tank at the end",
+          "contained", "The number of particles that leave the tank through a wall is zero.",
+          "particles outside the tank at the end",
           [](const SphCollapse& run) -> Measurement {
             return {.value = static_cast<double>(run.lost), .resolution = run.resolution()};
           },

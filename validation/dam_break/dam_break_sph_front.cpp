@@ -151,7 +151,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
               data);
   claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
       .check(
-          "speed-uncertain", "The speeds agree within the uncertainties of points and lattice.",
+          "speed-uncertain",
+          "The front speed for 1.6 < T < 3 agrees with the measurement within the uncertainties of points and lattice.",
           "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
           [](const Results& runs) -> Measurement {
             const std::vector<double> speeds = of_all(runs, front_speed);

@@ -155,7 +155,8 @@ void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
            .reason = "cause unknown: by sixty spacings to the column one of 4776 particles passes the rows of a wall"},
           passed)
       .check(
-          "contained", "No particle leaves through a wall.", "particles beside or below the tank at the end",
+          "contained", "The number of particles beside or below the tank at the end is zero.",
+          "particles beside or below the tank at the end",
           [](const SphCollapse& series) -> Measurement {
             return {.value = static_cast<double>(series.lost), .resolution = series.resolution()};
           },

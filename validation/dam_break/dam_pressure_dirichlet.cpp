@@ -135,16 +135,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const long finest = meshes_up_to(values.integer("ny")).back();
   claims.at(fmt::format("h = H/{}", finest))
       .check(
-          "rms", "The pressure inside is known better than to a cell.", "error over rho g H, rms",
-          [](const Results& r) { return r.finest.rms; },
+          "rms", "The rms error of the pressure inside is below the hydrostatic pressure over one cell.",
+          "error over rho g H, rms", [](const Results& r) { return r.finest.rms; },
           Bound{.limit = 1 / static_cast<double>(finest),
                 .reason = "the hydrostatic pressure over one cell, twice what the cells of the free faces are off by"});
   claims
       .only_if(tabulated && stabilisation == 0.1, "less leaves the pressure chequered, more smooths it; " + other_shape)
       .at(fmt::format("h = H/{}", mesh_of_corner))
       .check(
-          "corner", "The pressure at the foot of the wall agrees with the series.", "error over rho g H",
-          [](const Results& r) { return r.corner - r.exact.pressure(0, 0) / r.height; },
+          "corner",
+          "The pressure at the foot of the wall agrees with the series within (k h)^2/8 of its gravest mode, k = pi/(2 "
+          "H).",
+          "error over rho g H", [](const Results& r) { return r.corner - r.exact.pressure(0, 0) / r.height; },
           Bound{.limit = std::pow(std::numbers::pi / 2 / mesh_of_corner, 2) / 8,
                 .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): what a second-order difference is off by"});
   claims

@@ -191,7 +191,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case riemann() {
   Case c;
-  c.title = "The Riemann problem, as you set it";
+  c.title = "Riemann problem with given states";
   c.source =
       "E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001; J. J. Stoker, Water Waves, 1957";
   c.parameters = {

@@ -179,12 +179,13 @@ void claims(const Values& values, const Claims<Results>& all) {
       Bound{std::pow(strain * s.tau, 2),
             "second order: the square of strain rate times step, in radii; Frank's projection scheme, of first order, "
             "errs by a part of strain rate times step"});
-  claims.check("lattice", "The error of the splines is below the error of the steps.",
+  claims.check("lattice",
+               "The error with splines is at most twice the error with linear fields alone, which the steps make.",
                "rms distance over that with linear fields alone", &Results::beside_linear,
                Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   claims.check(
-      "surface", "The markers stay on the surface.", "largest distance of a marker from its exact place [radius]",
-      [](const Results& r) { return r.splines.surface; },
+      "surface", "The markers stay on the surface within a hundredth of the spacing of the rings.",
+      "largest distance of a marker from its exact place [radius]", [](const Results& r) { return r.splines.surface; },
       Bound{0.01 * s.spacing(),
             "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; splines "
             "that are not continued at cut cells err by a third of the spacing"});
@@ -243,7 +244,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case ellipse_gauss() {
   Case c;
-  c.title = "A liquid drop is stretched, by free particles under Gauss's principle";
+  c.title = "A liquid drop is stretched: Gauss-principle particles";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

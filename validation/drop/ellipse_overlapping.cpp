@@ -287,7 +287,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case ellipse_overlapping() {
   Case c;
-  c.title = "A liquid drop is stretched, by overlapping particles";
+  c.title = "A liquid drop is stretched: overlapping particles";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

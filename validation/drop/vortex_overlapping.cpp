@@ -347,7 +347,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case vortex_overlapping() {
   Case c;
-  c.title = "An eddy becomes noise, of overlapping particles";
+  c.title = "A vortex becomes noise: overlapping particles";
   c.source = source;
   c.tiers = {Tier::quick};
   c.parameters = {

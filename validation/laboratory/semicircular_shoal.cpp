@@ -111,7 +111,7 @@ Experiment experiment(const Values& values) {
 
 Case semicircular_shoal() {
   Case c;
-  c.title = "Regular waves on a semicircular shoal, of an amplitude known to a tenth";
+  c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),

@@ -78,7 +78,7 @@ std::vector<Number> numbers_of(const Values& values) {
            .criterion =
                Bound{.limit = 0.01,
                      .reason = "of an approach as 1/t four times this is left, 4 %, less than the theory neglects"},
-           .text = "The growth of the stem has settled.",
+           .text = "The growth of the stem has settled within 1 %, which leaves 4 % of an approach as 1/t.",
            .source = source}}};
   return {{wanted_of({"a_w_over_a_i", "1", "amplitude at the wall over the incident one"}, wall, neglected * wall, 2,
                      "The Mach-stem amplitude a_w/a_i agrees with theory to the order of its neglected terms."),
@@ -155,7 +155,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 Case mach_reflection_theory() {
   Case c;
-  c.title = "Mach reflection of a small solitary wave: the theory, which is known to its amplitude, a tenth";
+  c.title = "Mach reflection of a small solitary wave: theory, accurate to the amplitude, 10 %";
   c.source =
       "J. W. Miles, J. Fluid Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, On the Mach reflection of a solitary wave: "
       "revisited, J. Fluid Mech. 672 (2011) 326";

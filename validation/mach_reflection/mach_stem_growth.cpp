@@ -37,7 +37,7 @@ struct Development {
   };
 
   std::vector<double> time, wall_x, height, length;
-  std::vector<Picture> pictures;
+  std::vector<Picture> pictures, film;
 
   /// Of the last half, where the stem has parted from the wall's beginning.
   [[nodiscard]] std::span<const double> late(const std::vector<double>& values) const {
@@ -122,11 +122,14 @@ Development compute(const Run& run) {
     development.wall_x.push_back(pattern.wall.x);
     development.height.push_back(five_node_height(surface, pattern.wall, 0));
     development.length.push_back(pattern.stem_length.value);
+    const auto picture = [&]() -> Development::Picture {
+      return {t, part_of(surface, {pattern.wall.x - 22 * unit, pattern.wall.x + 32 * unit, 45 * unit}, pattern.wall.x)};
+    };
+    if (development.time.size() % 3 == 0) development.film.push_back(picture());
     // Each picture at more than twice the time of the one before, the last at the end.
     if ((t >= 2.4 * shown + 10 && t <= 0.5 * end) || t > end - 1e-9) {
       shown = t;
-      development.pictures.push_back(
-          {t, part_of(surface, {pattern.wall.x - 22 * unit, pattern.wall.x + 32 * unit, 45 * unit}, pattern.wall.x)});
+      development.pictures.push_back(picture());
     }
     run.progress(t / end);
   }
@@ -140,17 +143,23 @@ void draw_pictures(evidence::Exhibit& exhibit, const Values& values, const Devel
                      fmt::format("a_i = {:g}, {:g} deg, {}. The wall is in front; x from the crest on the wall.",
                                  wave.amplitude(), values.real("angle"), resolution_of(values)),
                      {"frank-fig-6"});
-  auto& plan = exhibit.figure("plan", "The same from above",
+  auto& plan = exhibit.figure("plan", "Growth of the stem from above",
                               "Elevation; x from the crest on the wall, all times on the same scales.");
   const double highest = theoretical_height(wave);
+  plan.drawing = "film";
+  const auto axes_of = [&](const Development::Picture& picture) -> evidence::Axes {
+    return {.x = "x [depth]",
+            .y = "y [depth]",
+            .z = "elevation [depth]",
+            .title = fmt::format("t = {:g}", picture.time),
+            .z_min = -0.05 * highest,
+            .z_max = highest};
+  };
+  for (const Development::Picture& picture : development.film) {
+    plan.panel(axes_of(picture)).plan("elevation", picture.surface.lattice());
+  }
   for (const Development::Picture& picture : development.pictures) {
-    evidence::Axes axes{.x = "x [depth]",
-                        .y = "y [depth]",
-                        .z = "elevation [depth]",
-                        .title = fmt::format("t = {:g}", picture.time),
-                        .z_min = -0.05 * highest,
-                        .z_max = highest};
-    plan.panel(axes).plan("elevation", picture.surface.lattice());
+    evidence::Axes axes = axes_of(picture);
     axes.view = {.azimuth = -60, .elevation = 32, .exaggeration = std::nullopt};
     perspective.panel(axes).surface("water", picture.surface.lattice());
   }

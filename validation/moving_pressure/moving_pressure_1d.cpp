@@ -45,7 +45,7 @@ void claims(const Values& values, const Claims<PressureWaves>& claims) {
       "leader", source, run);
   if (regime) claim_pressure_regime(claims, *regime, run);
   claims.at(run.text())
-      .check("endless", "Nothing reaches the wall ahead: the channel is as good as endless.",
+      .check("endless", "The elevation at the wall ahead stays below 0.0005 H, a sixtieth of a soliton's threshold.",
              "largest elevation at the wall ahead, at any time [H]", &PressureWaves::largest_at_wall,
              Bound{.limit = 0.0005, .reason = "a sixtieth of what counts as a soliton"});
 }

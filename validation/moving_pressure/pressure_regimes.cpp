@@ -255,7 +255,8 @@ void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegim
           .expected = regime.solitons});
   if (!regime.periodic) return;
   claims.check(
-      claim("regular", "The surface at the source oscillates regularly.",
+      claim("regular",
+            "The distances between peaks of the surface at the source deviate from their mean by at most 3 %.",
             "largest deviation of a distance of peaks from their mean, relative"),
       [](const PressureWaves& waves) { return relative_spread(settled_distances(waves)); },
       Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"});

@@ -183,22 +183,26 @@ void judge_reflection(evidence::Record& record, const Options& options, const Fi
   const validation::ObliqueWave wave = oblique_wave(options);
   const double decay = wave_number(options);
   const double coarse = decay * decay * options.spacing * options.spacing;
-  record.check({"ahead", "The window keeps ahead of the wave: at its front water is at rest.",
-                "height of the surface at the east side", "depth", "validation/instruments/plan/oblique_wave.hpp"},
-               {.value = findings.ahead, .resolution = resolution},
-               evidence::Bound{.limit = 1e-5 * std::exp(4 * decay * std::cos(wave.angle()) * options.spacing),
-                               .reason = "the incident wave two columns behind the place where it is 1e-5 high: the "
-                                         "east side may lag by one"});
-  record.check({.id = "incident",
-                .text = "Far from the wall the incident wave is undisturbed.",
-                .quantity = "median of its height near the upper end of the window",
-                .unit = "depth",
-                .source = "Serre's solitary wave, which the model carries in the limit of fine cells"},
-               {.value = findings.incident, .resolution = resolution},
-               evidence::Bound{.limit = coarse,
-                               .reason = "(k h)^2 for a wave a sech^2(k s) on a lattice of spacing h",
-                               .expected = options.amplitude,
-                               .relative = true});
+  record.check(
+      {"ahead",
+       "The elevation at the window's east side stays below the incident wave two columns behind its height of 1e-5.",
+       "height of the surface at the east side", "depth", "validation/instruments/plan/oblique_wave.hpp"},
+      {.value = findings.ahead, .resolution = resolution},
+      evidence::Bound{.limit = 1e-5 * std::exp(4 * decay * std::cos(wave.angle()) * options.spacing),
+                      .reason = "the incident wave two columns behind the place where it is 1e-5 high: the "
+                                "east side may lag by one"});
+  record.check(
+      {.id = "incident",
+       .text =
+           "The height of the incident wave far from the wall agrees with its initial height to second order, (k h)^2.",
+       .quantity = "median of its height near the upper end of the window",
+       .unit = "depth",
+       .source = "Serre's solitary wave, which the model carries in the limit of fine cells"},
+      {.value = findings.incident, .resolution = resolution},
+      evidence::Bound{.limit = coarse,
+                      .reason = "(k h)^2 for a wave a sech^2(k s) on a lattice of spacing h",
+                      .expected = options.amplitude,
+                      .relative = true});
   record.check({.id = "wall",
                 .text = "At the wall the wave is higher than the incident one, by at most four times.",
                 .quantity = "height at the wall over that of the incident wave",
@@ -240,7 +244,7 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
       fmt::format("{} x {}{} cells, {} steps", options.columns, options.rows,
                   options.layers > 0 ? fmt::format(" x {}", options.layers) : "", findings.steps);
   record.check({.id = "copies",
-                .text = "The copies that several processes hold of a node are bitwise equal.",
+                .text = "The difference between the copies that several processes hold of a node is zero.",
                 .quantity = "largest difference between copies",
                 .source = "decomposition of the lattice"},
                {.value = findings.rim_difference, .resolution = resolution},
@@ -254,13 +258,14 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
     return;
   }
   if (options.scheme == "conservative") {
-    record.check({.id = "energy",
-                  .text = "The conservative scheme keeps the energy.",
-                  .quantity = "largest change of energy over its first value",
-                  .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-                 {.value = findings.energy_change / findings.energy, .resolution = resolution},
-                 evidence::Bound{.limit = 1e-11 * static_cast<double>(findings.steps),
-                                 .reason = "sweeps end at the latest when velocities change by 1e-11 of the largest"});
+    record.check(
+        {.id = "energy",
+         .text = "The energy in the conservative scheme changes by at most 1e-11 per step, at which its sweeps end.",
+         .quantity = "largest change of energy over its first value",
+         .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
+        {.value = findings.energy_change / findings.energy, .resolution = resolution},
+        evidence::Bound{.limit = 1e-11 * static_cast<double>(findings.steps),
+                        .reason = "sweeps end at the latest when velocities change by 1e-11 of the largest"});
     return;
   }
   // Squares of the models' frequencies are below 3 for columns (alpha = 1/3, unit depth and gravity), below 2 over the

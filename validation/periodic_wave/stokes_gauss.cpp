@@ -262,7 +262,7 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
 
 Case stokes_gauss() {
   Case c;
-  c.title = "Steep periodic waves, by free particles under Gauss's principle";
+  c.title = "Steep periodic waves: Gauss-principle particles";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

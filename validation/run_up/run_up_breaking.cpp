@@ -240,7 +240,9 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
                               "rates before it are finite",
                   .reason = "a failure must not pass as a result"});
   claims.check(
-      "later-below", "Below the limit the water never returns to the height of the first run-up.",
+      "later-below",
+      "Below the limit the shoreline later stays below 1.0 times its first run-up, since the returning wave has lost "
+      "energy.",
       "largest later height of the shoreline over the run-up",
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
       Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
@@ -253,7 +255,8 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
                "runs may even go through: above the limit nothing after the first run-up is to be used. With finer "
                "markers more of them stop before"})
       .check(
-          "later-above", "Above the limiting amplitude, the shoreline never rises above its first run-up maximum.",
+          "later-above",
+          "The number of runs above the limiting amplitude whose shoreline later exceeds its first run-up is zero.",
           "runs whose shoreline later stands above the run-up",
           [](const Results& r) {
             return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
@@ -324,7 +327,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case run_up_breaking() {
   Case c;
-  c.title = "Where the run-down breaks: the end of the model's validity";
+  c.title = "Breaking in run-down: limit of the dispersive model";
   c.source =
       "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; A. M. Frank, Discrete models of "
       "incompressible fluid, doctoral thesis (1994), chapter 3";

@@ -313,7 +313,7 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
 
 Case run_up_mesh_rezoned() {
   Case c;
-  c.title = "High solitary waves climb walls and slopes on a mesh that is rezoned";
+  c.title = "High solitary waves climb walls and slopes: rezoned Lagrangian mesh";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2; C. W. Hirt, A. A. "
       "Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";

@@ -157,7 +157,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
         dip_of(model.id),
         Bound{.limit = 0.5, .reason = "a force with one maximum is off by all of the dip: half of it", .expected = 1});
   };
-  two_maxima(high, {"particles", "free particles"});
+  two_maxima(high, {"particles", "Gauss particles"});
   two_maxima(high, {"mesh", "the Lagrangian mesh"});
   const auto noisy = high.fails(
       {.width = std::numeric_limits<double>::infinity(),
@@ -259,7 +259,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 Case wall_force_models() {
   Case c;
-  c.title = "Which model should one take? Force of a solitary wave on a wall";
+  c.title = "Model comparison: force of a solitary wave on a wall";
   c.source =
       "M. J. Cooker, P. D. Weidman, D. S. Bale, Reflection of a high-amplitude solitary wave at a vertical wall, J. "
       "Fluid Mech. 342 (1997) 141";

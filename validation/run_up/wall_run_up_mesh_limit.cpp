@@ -353,7 +353,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 Case wall_run_up_mesh_limit() {
   Case c;
   c.former_names = {"wall_run_up_2d_limit"};
-  c.title = "Where the mesh folds: high solitary waves at a vertical wall";
+  c.title = "Limit of the Lagrangian mesh: high solitary waves at a vertical wall";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
   c.tiers = {Tier::full};
   c.parameters = {

@@ -151,7 +151,9 @@ class QuantityScore {
 
   void claim(evidence::Record& record) const {
     if (table_.kind != WantedTable::Kind::scalars) {
-      record.check({table_.name + "-coverage", fmt::format("The reference points of the {} are covered.", table_.name),
+      record.check({table_.name + "-coverage",
+                    fmt::format("The submitted points cover {:.3g} % of the reference points of the {} or more.",
+                                100 * table_.least_coverage, table_.name),
                     "share of the reference points within the submitted ones", "1", "what the case asks for"},
                    {.value = coverage_, .resolution = resolution()},
                    evidence::Bound{.limit = 1 - table_.least_coverage,
@@ -341,7 +343,9 @@ evidence::Table blank_table(const WantedTable& wanted) {
 void claim_absent(const WantedTable& table, evidence::Record& record) {
   std::vector<std::string> columns;
   for (const WantedQuantity& quantity : table.quantities) columns.push_back(quantity.column.name);
-  record.check({table.name + "-coverage", fmt::format("The table {} is part of the submission.", table.name),
+  record.check({table.name + "-coverage",
+                fmt::format("The submission contains the table {}, {:.3g} % of its reference points or more.",
+                            table.name, 100 * table.least_coverage),
                 "share of the reference points within the submitted ones", "1", "what the case asks for"},
                {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},
                evidence::Bound{.limit = 1 - table.least_coverage,
@@ -359,7 +363,8 @@ void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& g
   }
   const std::string& name = table.group->name;
   record.check(
-      {table.name + "-given", fmt::format("Every {} of the table {} is submitted.", name, table.name),
+      {table.name + "-given",
+       fmt::format("All {} values of {} in the table {} are submitted.", table.groups->size(), name, table.name),
        "share of the groups that were submitted", "1", "what the case asks for"},
       {.value = static_cast<double>(given.size()) / static_cast<double>(table.groups->size()),
        .resolution = fmt::format("{} of {} given, without {} = {}", given.size(), table.groups->size(), name,

@@ -220,7 +220,9 @@ Results compute(const Run& run) {
 
 void claim_source_table(const Claims<Family>& claims, const io::Table& published) {
   claims.check(
-      "source-table", "Speeds agree with the source's table at the same height.", "largest difference [sqrt(g depth)]",
+      "source-table",
+      "Speeds agree with the source's table at equal height within 0.005 sqrt(g h), its printed digits and its mesh.",
+      "largest difference [sqrt(g depth)]",
       [published](const Family& coarse) {
         Worst difference;
         for (std::size_t k = 0; k < published.rows(); ++k) {

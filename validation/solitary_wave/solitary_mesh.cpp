@@ -187,7 +187,8 @@ double profile_of_side(const Results& r, std::size_t side) {
 void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claims.at("from h1 = 0.5, 4 rows")
       .check(
-          "rows-govern", "The height of the cells governs the error: halving it takes off more than halving the width.",
+          "rows-govern",
+          "The profile error with cells of half the height is below 1 times the error with cells of half the width.",
           "profile error with half the height over that with half the width",
           [](const Results& r) { return profile_of_side(r, 2) / profile_of_side(r, 1); },
           Bound{.limit = 1, .reason = "more than means a ratio below 1"});

@@ -40,7 +40,7 @@ namespace {
 using exact::SolitaryWave;
 
 const std::string source = "exact wave; Frank, Discrete models of incompressible fluid (1994)";
-const Named particles{"particles", "free particles"};
+const Named particles{"particles", "Gauss particles"};
 const Named mesh{"mesh", "the Lagrangian mesh"};
 const Named variable_mass{"variable-mass", "particles of variable mass"};
 
@@ -105,7 +105,9 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const double k = wave.decay_rate();
   const double turn = k * 0.15 / static_cast<double>(values.integer("particles"));
   claims_of(all, "particles")
-      .check("particles-surface", "The error of the free particles is below the lag of their time steps.",
+      .check("particles-surface",
+             "The surface error of Gauss-principle particles is below the lag of their steps, (k c tau)^2/12 of the "
+             "way, times the steepest slope.",
              "rms error of the surface over the height", error_of_finest,
              Bound{.limit = turn * turn / 12 * values.real("way") * std::tan(wave.maximum_slope()) / wave.amplitude(),
                    .reason = "the discrete gradient lags by (k c tau)^2/12 of its way, k the rate of decay of the "
@@ -121,7 +123,9 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   for (const Named& model : {Named{"dirichlet", "Dirichlet cells"}, variable_mass}) {
     const double kh = k / static_cast<double>(values.integer("cells"));
     claims_of(all, model.id)
-        .check(model.id + "-surface", fmt::format("The wave keeps shape and place: {}.", model.name),
+        .check(model.id + "-surface",
+               fmt::format("The rms error of the surface is below (k h)^2, k the decay rate of the wave's tails: {}.",
+                           model.name),
                "rms error of the surface over the height", error_of_finest,
                Bound{.limit = kh * kh,
                      .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave is that of the cells "
@@ -130,7 +134,9 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
       .from("Serre (1953); exact wave")
-      .check("dispersive-surface", "The error of the dispersive model converges to the error of its equations.",
+      .check("dispersive-surface",
+             "The surface error of the dispersive model agrees with the difference of its exact wave from Euler's "
+             "within 10 %.",
              "rms error of the surface over the height", error_of_finest,
              Bound{.limit = 0.1 * apart,
                    .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
@@ -175,7 +181,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case solitary_wave_models() {
   Case c;
-  c.title = "Which model should one take? A solitary wave by six of them";
+  c.title = "Model comparison: a solitary wave";
   c.source =
       "D. Dutykh, D. Clamond, Wave Motion 51 (2014) 86; A. M. Frank, Discrete models of incompressible fluid, doctoral "
       "thesis (1994)";

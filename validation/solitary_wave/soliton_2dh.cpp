@@ -216,7 +216,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 Case soliton_2dh() {
   Case c;
-  c.title = "A solitary wave on a coarse grid keeps amplitude, energy and speed in both three-dimensional models";
+  c.title = "A solitary wave on a coarse grid: 2DH model and hexahedral mesh";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {

@@ -1,5 +1,5 @@
 /*
-A solitary wave passes over a step of the bottom onto a shelf and falls apart into several: Frank's example for
+A solitary wave passes over a step in the bed onto a shelf and falls apart into several: Frank's example for
 particles of variable mass (1994, section 5.3). Depth before the step, gravity and density are 1.
 
 **Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes are kept at their $x$
@@ -262,7 +262,9 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
         std::tuple{2, 1.0, "the whole of it for the second, which climbs out of the third"}}) {
     const auto number = static_cast<std::size_t>(n);
     parted.check(
-        fmt::format("peak-{}", n), fmt::format("Wave {} on the shelf has the height of inverse scattering.", n),
+        fmt::format("peak-{}", n),
+        fmt::format("The height of wave {} on the shelf agrees with inverse scattering within {:.2g} %.", n,
+                    100 * share * small),
         "height over the depth before the step", [number](const Passage& p) { return peak(p, number); },
         Bound{.limit = share * small,
               .reason = fmt::format("corrections of the theory are of relative order a_1/h = {:.2f}: {}", small, why),
@@ -318,8 +320,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double k = std::sqrt(3 * amplitude * theory.amplitude(1) / std::pow(depth, 3));
   const double omega = k * std::sqrt(depth + amplitude * theory.amplitude(1));
   own.check(
-      "energy", "Energy with what was booked is kept.", "largest change, over the kinetic energy of the beginning",
-      [](const Passage& p) { return p.run.energy_defect; },
+      "energy",
+      "The energy with the booked losses changes by at most (omega tau)^2/8, the swing of the one-step scheme.",
+      "largest change, over the kinetic energy of the beginning", [](const Passage& p) { return p.run.energy_defect; },
       Bound{.limit = std::pow(omega * tau, 2) / 8,
             .reason = "(omega tau)^2/8, by which the energy of the one-step scheme oscillates; omega = k c of the "
                       "first wave on the shelf"});
@@ -428,7 +431,7 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
 
 Case step_variable_mass() {
   Case c;
-  c.title = "A solitary wave passes over a step of the bottom";
+  c.title = "A solitary wave passes over a step in the bed";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 5.3; O. S. Madsen, C. C. "
       "Mei, J. Fluid Mech. 39 (1969) 781";

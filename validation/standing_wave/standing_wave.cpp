@@ -114,7 +114,8 @@ std::vector<WantedTable> wanted(const Values& values) {
                        .reference = [wave](Place p) { return wave->elevation(0, p.abscissa); },
                        .requirements = {{.measure = Measure::relative_l2,
                                          .criterion = Bound{.limit = Amount::at_most(limit, useful), .reason = reason},
-                                         .text = "The elevation at the wall agrees with the wave of finite amplitude.",
+                                         .text = "The elevation at the wall agrees with finite-amplitude theory within "
+                                                 "half its distance from the linear wave.",
                                          .source = source}}}},
        .points = [times](double) { return times; },
        .exact = {fmt::format("{} --grid x=0,t=0:{:.17g}:{}", command, end, times.size())}},
@@ -131,7 +132,8 @@ std::vector<WantedTable> wanted(const Values& values) {
                                            reason,
                                        .expected = wave->frequency(),
                                        .relative = true},
-                             .text = "The frequency agrees with the wave of finite amplitude.",
+                             .text = "The frequency agrees with finite-amplitude theory within the drift that the "
+                                     "limit of the elevation allows.",
                              .source = source}}}},
        .exact = {command + " --integrals"}}};
 }

@@ -232,7 +232,8 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
   const double mesh_error = omega / exact::AiryDispersion(1, 1).frequency(wavenumber) - 1;
   claims.from("Flanagan and Belytschko (1981); the mesh's dispersion law")
       .check("frequency-with-hourglass" + suffix,
-             "The potential changes the wave's frequency by less than the mesh's own error.",
+             "The hourglass potential changes the wave's frequency by less than the error of small waves on this mesh "
+             "against Airy.",
              "relative change of the frequency, first forty time units", &Wave::change,
              Bound{.limit = std::abs(mesh_error),
                    .reason = "relative error of small waves on this mesh against Airy's law"});
@@ -251,7 +252,7 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
                             "columns cannot fold"});
   const double periods = values.real("time") * tank_of(values).law().frequency(wavenumber) / (2 * std::numbers::pi);
   claims.from(hirt).check(
-      "taken-by-rezoning" + suffix, "Rezoning takes little of the wave's energy.",
+      "taken-by-rezoning" + suffix, "Rezoning takes at most 0.1 % of the wave's energy in a period.",
       "energy taken over the first one, in a period",
       [periods](const Wave& wave) {
         const Flow& flow = *wave.rezoned.flow;
@@ -325,7 +326,7 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
 
 Case standing_wave_mesh_life() {
   Case c;
-  c.title = "How long a Lagrangian mesh lives under a standing wave";
+  c.title = "Time until a Lagrangian mesh tangles under a standing wave";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {

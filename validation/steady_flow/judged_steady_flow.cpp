@@ -29,30 +29,31 @@ struct Required {
 
 std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
   std::vector<Required> all{
-      {{"depth", "The depth agrees with the steady flow.", "mean |h - exact| over that of level water", "1",
-        flow.source},
+      {{"depth", "The mean error of the depth is below the tolerance, by default 5 % of the error of level water.",
+        "mean |h - exact| over that of level water", "1", flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
        {.limit = flow.tolerance,
         .reason =
             "the case's parameter `tolerance`, of what bed and friction do to level water; by default a twentieth"}},
       {{.id = "discharge",
-        .text = "The unit discharge q = hu is uniform along the channel and equals the inflow.",
+        .text = "The unit discharge q = hu agrees with the inflow along the channel within 1 %.",
         .quantity = "mean |h u - q| over q",
         .source = flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).discharge / flow.discharge; },
        {.limit = 0.01, .reason = "one per cent is what a measuring weir knows of a discharge"}}};
   if (flow.jump) {
-    all.push_back({{.id = "jump",
-                    .text = "The hydraulic jump stands where the exact one does.",
-                    .quantity = "place less the exact one",
-                    .unit = "m",
-                    .source = flow.source},
-                   [front = flow.jump->front](const ProfilePoints& points) {
-                     return front_position(points.cells(), front) - front.position;
-                   },
-                   {.limit = Amount::at_most(cell + flow.jump->sway, flow.jump->front.reach),
-                    .reason = "the middle of a jump that is smeared over eight cells is known to one of them; and a "
-                              "discharge one per cent off, which passes, displaces it"}});
+    all.push_back(
+        {{.id = "jump",
+          .text = "The hydraulic jump stands at its exact position within one cell and its shift by 1 % of discharge.",
+          .quantity = "place less the exact one",
+          .unit = "m",
+          .source = flow.source},
+         [front = flow.jump->front](const ProfilePoints& points) {
+           return front_position(points.cells(), front) - front.position;
+         },
+         {.limit = Amount::at_most(cell + flow.jump->sway, flow.jump->front.reach),
+          .reason = "the middle of a jump that is smeared over eight cells is known to one of them; and a "
+                    "discharge one per cent off, which passes, displaces it"}});
   }
   return all;
 }

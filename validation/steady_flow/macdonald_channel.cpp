@@ -119,7 +119,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(values.integer("particles") >= 70,
                "from fewer than 70 particles on the rise of the depth, not the inlet, decides the error")
       .check(
-          "discharge", "The discharge converges to a uniform value, the faster the farther from the inlet.",
+          "discharge",
+          "The discharge converges to a uniform value at an order from 1, at the inlet, to 2, in the rest of the "
+          "channel.",
           "observed order of L1(q)", [](const Results& r) { return r.order(&Settled::discharge_error); },
           Order{1.5, 0.5, "between the first order of the section at the inlet and the second of the rest"});
   claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of([](const Results& r) -> const Profile& {

@@ -214,11 +214,11 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
         2, 0.5,
         "second order; the bump's corners, and particles that enter at their own rhythm, change it by a few tenths"};
     claims.check(
-        claim("order", "the depth converges to the steady state at the order of the method.",
+        claim("order", "the depth converges to the exact steady state at second order.",
               "observed order of cell L1(h)"),
         [](const Settling& r) { return r.order(&Errors::depth); }, second);
     claims.check(
-        claim("discharge", "the discharge converges to a uniform value.", "observed order of L1(q)"),
+        claim("discharge", "the discharge converges to a uniform value at second order.", "observed order of L1(q)"),
         [](const Settling& r) { return r.order(&Errors::discharge); }, second);
     return;
   }
@@ -232,7 +232,7 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
       claim("discharge", "the discharge converges at first order.", "observed order of L1(q)"),
       [](const Settling& r) { return r.order(&Errors::jump_discharge); }, first);
   claims.check(
-      claim("discharge-below", "below the jump the discharge equals the inflow.", "mean |q/q_in - 1|"),
+      claim("discharge-below", "below the jump the discharge equals the inflow within 1 %.", "mean |q/q_in - 1|"),
       [](const Settling& r) { return r.errors.back().below_jump_discharge.value(); },
       Bound{.limit = 0.01,
             .reason = "what passes the jump makes waves; one per cent is what a measuring weir knows of a discharge"});

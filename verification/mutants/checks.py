@@ -7,6 +7,8 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
+import threading
 import xml.etree.ElementTree as xml
 
 PROJECT = {  # what else decides a file, by its path: programs of ci.* and of the report, the cheapest first
@@ -97,35 +99,48 @@ def of_tests(path):
     return findings
 
 
-def findings(check, program, folder, tree, seconds):
+def ended(command, environment, folder, seconds):
+    """(status, what it said, seconds of the processor) of a command; after so many of these it is stopped."""
+    with tempfile.TemporaryFile("w+", errors="replace") as said:
+        process = subprocess.Popen(["prlimit", f"--cpu={round(seconds)}", *command], env=environment, cwd=folder, stdout=said,
+                                   stderr=subprocess.STDOUT)
+        waits_for_ever = threading.Timer(30 * seconds, process.kill)
+        waits_for_ever.start()
+        _, status, used = os.wait4(process.pid, 0)
+        waits_for_ever.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        return process.returncode, said.read(), used.ru_utime + used.ru_stime
+
+
+def findings(check, program, folder, tree, seconds, extra={}, spent=lambda seconds: None):
     """Runs a check; what was measured and which tests failed. Throws NoAnswer.
 
     @param folder   where records go; those of other checks may be there
     @param tree     the sources with the change, as far as programs in Python read them
     @param seconds  of the processor, after which it is stopped
+    @param extra    environment
+    @param spent    is told the seconds of the processor that it took
     """
     folder.mkdir(parents=True, exist_ok=True)
     before = set(folder.glob("*.json"))
     environment = {**os.environ, "SEICHE_EVIDENCE": str(folder), "OMP_NUM_THREADS": "1", "SEICHE": str(program),
                    "SEICHE_SOURCE": str(tree), "PYTHON": sys.executable, "PYTHONPATH": str(program.parent.parent)}
-    try:
-        ended = subprocess.run(["prlimit", f"--cpu={round(seconds)}", *check.command(program, folder, tree)], env=environment, cwd=folder, capture_output=True,
-                               text=True, errors="replace", timeout=30 * seconds)
-    except subprocess.TimeoutExpired:
-        raise NoAnswer("takes too long") from None
-    said = (ended.stdout + ended.stderr)[-2000:]
-    if ended.returncode < 0:
-        raise NoAnswer(f"crashes, signal {-ended.returncode}:\n{said}")
+    status, whole, used = ended(check.command(program, folder, tree), environment | extra, folder, seconds)
+    spent(used)
+    said = whole[-2000:]
+    if status < 0:
+        raise NoAnswer(f"crashes, signal {-status}:\n{said}")
     if check.is_python:
-        failed = re.search(r"^(?:FAIL|ERROR|FAILED):? (.*)", ended.stdout + ended.stderr, re.M)
-        return {f"test: {failed[1] if failed else check.stem}": Finding("fail", True)} if ended.returncode else {}
+        failed = re.search(r"^(?:FAIL|ERROR|FAILED):? (.*)", whole, re.M)
+        return {f"test: {failed[1] if failed else check.stem}": Finding("fail", True)} if status else {}
     found = {}
     for record in sorted(set(folder.glob("*.json")) - before):
         found |= of_record(record)
     tests = folder / f"{check.stem}.xml"
     if tests.is_file():
         found |= of_tests(tests)
-    if not found and (check.is_case or ended.returncode or not any(True for _ in xml.parse(tests).getroot().iter("testcase"))):
+    if not found and (check.is_case or status or not any(True for _ in xml.parse(tests).getroot().iter("testcase"))):
         # Tests that are no claims and all pass leave nothing behind; so do tests that did not run.
-        raise NoAnswer(f"says nothing, status {ended.returncode}:\n{said}")
+        raise NoAnswer(f"says nothing, status {status}:\n{said}")
     return found

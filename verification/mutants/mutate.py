@@ -11,7 +11,7 @@ its changes. Of the checks that decide the file (fingerprints) the cheapest run 
     survived           nothing notices; says how many of the checks ran before --budget was spent
     equivalent         as survived; marked by hand, with a reason, in the record
 
-A change that does not compile is drawn anew. Results go to the record one by one; the same seed goes on where it ended.
+A change that does not compile is drawn anew. From forty on, changes are compiled together (together.py). Results go to the record one by one; the same seed goes on where it ended.
 With --seeded, the faults of seeded/*.toml are tried, each against the one claim that must notice. Status 1 if a seeded
 fault survives, or a change of --changed; 2 for wrong input.
 """
@@ -27,11 +27,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from itertools import repeat
 
 import operators
 from checks import PROJECT, Check, NoAnswer, findings
 from programs import ROOT, Build, Changed, NotBuilt
 from seeded import BadFault, all_faults
+from together import Together
 
 ROOMS = {
     "exact": ["solver/seiche/exact/"],
@@ -51,6 +54,7 @@ ROOMS = {
 LEFT_OUT = re.compile(r"/(tests|distributed|benchmarks?)/")
 COLUMNS = ("seed", "number", "room", "file", "line", "change", "outcome", "by", "seconds", "commit", "reason")
 COMPILING = 5  # seconds of a source
+TOGETHER = 40  # changes from which on one build of all that are C++ costs less than one of each
 UNKNOWN = {True: 20, False: 2}  # seconds of a case and of a test that have not run yet
 
 
@@ -87,10 +91,19 @@ class Pool:
             self.kept[file] = operators.changes(file, ROOT, self.arguments)
         return self.kept[file]
 
+    def file(self, room, chance):
+        files = self.rooms[room]
+        return chance.choices(list(files), [len(lines) for lines in files.values()])[0]
+
+    def read(self, files, jobs):
+        """Reads files ahead, some at a time."""
+        with ProcessPoolExecutor(jobs) as workers:
+            self.kept |= zip(files, workers.map(operators.changes, files, repeat(ROOT), repeat(self.arguments)))
+
     def draw(self, room, word):
         """A change, the same for the same word; none where the file drawn has no line to change."""
         chance, files = random.Random(word), self.rooms[room]
-        file = chance.choices(list(files), [len(lines) for lines in files.values()])[0]
+        file = self.file(room, chance)
         possible = [change for change in self.changes(file) if change.line in set(files[file])]
         if not possible:
             return None
@@ -151,10 +164,8 @@ class Judge:
 
     def noticed(self, check, program, evidence, tree):
         """The first name that is unexpected with the change alone; empty where nothing is."""
-        begin = processor_time()
         try:
             said = findings(check, program, evidence, tree, self.limit(check))
-            self.seconds[check] = processor_time() - begin
             names = {name for name, finding in said.items() if finding.unexpected}
         except NoAnswer as trouble:
             names = {f"{check.stem}: {str(trouble).splitlines()[0]}"}
@@ -211,6 +222,51 @@ class Judge:
             shutil.rmtree(place, ignore_errors=True)
 
 
+class Trials:
+    """Changes that were compiled together, each on the checks that come to it."""
+
+    def __init__(self, judge, together, scratch, jobs):
+        self.judge, self.together, self.scratch, self.jobs = judge, together, scratch, jobs
+        files = {change.file for change in together.inside.values()}
+        checks = [check for check, deciding in judge.deciding.items() if deciding & files]
+        checks += [Check(name) for name in dict.fromkeys(name for place, names in PROJECT.items() for name in names
+                                                         if any(file.startswith(place) for file in files))]
+        with ThreadPoolExecutor(jobs) as pool:
+            looked = list(pool.map(lambda check: self.run(check, -1), checks))
+        self.seconds = {check: seconds for check, (_, seconds, _) in zip(checks, looked)}
+        self.sound = {check: names for check, (names, _, _) in zip(checks, looked) if names is not None}
+        self.coming_to = {number: [check for check, (_, _, come_to) in zip(checks, looked)
+                                   if come_to[number] and check in self.sound] for number in together.inside}
+
+    def run(self, check, number):
+        """(unexpected names, or none where it breaks; seconds of the processor; the changes come to) of a check."""
+        seconds = []
+        with tempfile.TemporaryDirectory(dir=self.scratch) as folder:
+            come_to = pathlib.Path(folder) / "come_to"
+            extra = self.together.environment(number, come_to)
+            limit = 30 + 10 * self.seconds[check] if number >= 0 else 900
+            try:
+                said = findings(check, self.together.programs.program(check.target), pathlib.Path(folder) / "evidence",
+                                self.together.tree, limit, extra, seconds.append)
+                names = {name for name, finding in said.items() if finding.unexpected}
+            except NoAnswer as trouble:
+                names = {f"{check.stem}: {str(trouble).splitlines()[0]}"} if number >= 0 else None
+            return names, sum(seconds), come_to.read_bytes()
+
+    def try_out(self, number):
+        """(outcome, by, seconds) of a change."""
+        checks = sorted(self.coming_to[number], key=lambda check: (self.seconds[check], check.file))
+        ran = used = 0
+        for check in checks:
+            if ran and used + self.seconds[check] > self.judge.budget:
+                break
+            names, seconds, _ = self.run(check, number)
+            ran, used = ran + 1, used + seconds
+            if news := sorted(names - self.sound[check], key=lambda name: (name.startswith("test: "), name)):
+                return "killed", news[0], used
+        return "survived", f"{ran} of {len(checks)} checks that come to it", used
+
+
 class Record:
     """reports/record/mutation.csv: a row per change, appended whole."""
 
@@ -260,21 +316,38 @@ def at_random(options, judge, record):
     print(f"seed {seed}: {options.count} changes of {len(rooms)} rooms", flush=True)
     done = {row["number"] for row in record.rows if row["seed"] == seed}
 
-    def one(number):
-        room = list(ROOMS)[number % len(ROOMS)] if len(rooms) == len(ROOMS) else rooms[number % len(rooms)]
-        for attempt in range(40):
-            begin, change = processor_time(), pool.draw(room, f"{seed} {number} {attempt}")
+    def room_of_number(number):
+        return list(ROOMS)[number % len(ROOMS)] if len(rooms) == len(ROOMS) else rooms[number % len(rooms)]
+
+    def drawn(number):
+        """The changes of a number, in their order."""
+        changes = (pool.draw(room_of_number(number), f"{seed} {number} {attempt}") for attempt in range(40))
+        return filter(None, changes)
+
+    to_do = [number for number in range(options.count) if str(number) not in done]
+    many = len(to_do) >= TOGETHER
+    if many:
+        pool.read(sorted({pool.file(room_of_number(number), random.Random(f"{seed} {number} 0"))
+                          for number in range(options.count)}), options.jobs)
+    compiled = {number: change for number in range(options.count) if (change := next(drawn(number), None)) and
+                change.file.endswith((".cpp", ".hpp"))} if many else {}
+    if compiled:
+        together = Together(compiled, ROOT / "build/mutants" / seed)
+        trials = Trials(judge, together, judge.scratch, options.jobs)
+        trying = [number for number in to_do if number in together.inside]
+        with ThreadPoolExecutor(options.jobs) as workers:
+            for number, (outcome, by, seconds) in zip(trying, workers.map(trials.try_out, trying)):
+                record.add(seed, number, room_of_number(number), compiled[number], outcome, by, seconds)
+        to_do = [number for number in to_do if number not in together.inside]
+
+    for number in to_do:
+        for change in drawn(number):
+            begin = processor_time()
             try:
-                if change:
-                    record.add(seed, number, room, change, *judge.try_out(change),
-                               processor_time() - begin)
-                    return
+                record.add(seed, number, room_of_number(number), change, *judge.try_out(change), processor_time() - begin)
+                break
             except NotBuilt:
                 continue
-
-    for number in range(options.count):
-        if str(number) not in done:
-            one(number)
     return [row for row in record.rows if row["seed"] == seed]
 
 
@@ -303,6 +376,7 @@ def main():
     parser.add_argument("--rooms", nargs="*", choices=list(ROOMS), metavar="ROOM")
     parser.add_argument("--changed", metavar="COMMIT", help="only lines that differ from this commit's")
     parser.add_argument("--seeded", nargs="*", metavar="FAULT", help="the seeded faults named, or rooms of them, or all")
+    parser.add_argument("--jobs", type=int, default=2, help="checks at a time, of changes that are compiled together")
     parser.add_argument("--budget", type=float, default=90,
                         help="processor seconds of a change; a check that would take more is left out")
     options = parser.parse_args()

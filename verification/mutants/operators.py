@@ -33,6 +33,7 @@ class Change:
     text: str
     operator: str
     line: int = 0
+    units: tuple[tuple[int, int], ...] = ()  # the expressions, or the statement, that the change makes others of
 
     def applied(self, whole):
         return whole[:self.begin] + self.text.encode() + whole[self.end:]
@@ -41,6 +42,18 @@ class Change:
         """One line: what stood there, and what stands there now."""
         was, now = (" ".join(text.split()) for text in (whole[self.begin:self.end].decode(), self.text))
         return f"{self.operator}: {was[:80]} → {now[:80] or 'nothing'}"
+
+    def chosen(self, whole, condition):
+        """(begin, end, text) to put in place of others, so that a condition in C++ chooses between what was and what is."""
+        was = [whole[begin:end].decode() for begin, end in self.units]
+        if self.operator == "arguments":
+            return [(*unit, f"({condition} ? ({other}) : ({one}))") for unit, one, other in zip(self.units, was, was[::-1])]
+        (begin, end), = self.units
+        if self.operator == "statement left out":
+            return [(begin, end, f"if (!{condition}) {was[0]}")]
+        now = (whole[begin:self.begin] + self.text.encode() + whole[self.end:end]).decode()
+        yes_or_no = "bool" if self.operator in ("condition", "guard taken away") else ""
+        return [(begin, end, f"({condition} ? {yes_or_no}({now}) : {yes_or_no}({was[0]}))")]
 
 
 def other_names(name):
@@ -64,34 +77,35 @@ class Finder:
     def __init__(self, file, whole):
         self.file, self.whole, self.found = file, whole, {}
 
-    def add(self, operator, begin, end, text):
-        change = Change(self.file, begin, end, text, operator, self.whole.count(b"\n", 0, begin) + 1)
+    def add(self, operator, begin, end, text, *units):
+        units = units or ((begin, end),)
+        change = Change(self.file, begin, end, text, operator, self.whole.count(b"\n", 0, begin) + 1, units)
         if begin < end and self.text(begin, end) != text:
             self.found.setdefault((begin, end, text), change)
 
     def text(self, begin, end):
         return self.whole[begin:end].decode(errors="replace")
 
-    def sign(self, begin, end):
-        """The operator's sign between two operands."""
+    def sign(self, begin, end, unit=None):
+        """The operator's sign between two operands, of an expression."""
         between = self.text(begin, end)
         sign = between.strip()
         for operator, others in SIGNS.items():
             for other in others.get(sign, ()):
                 first = begin + between.index(sign)
-                self.add(operator, first, first + len(sign), other)
+                self.add(operator, first, first + len(sign), other, *filter(None, [unit]))
 
     def arguments(self, extents):
         """Neighbours exchanged."""
         for (a, b), (c, d) in zip(extents, extents[1:]):
             if a < b <= c < d and self.text(a, b) != self.text(c, d):
-                self.add("arguments", a, d, self.text(c, d) + self.text(b, c) + self.text(a, b))
+                self.add("arguments", a, d, self.text(c, d) + self.text(b, c) + self.text(a, b), (a, b), (c, d))
 
-    def names(self, name, end, called):
+    def names(self, name, end, called, unit=None):
         if self.text(end - len(name), end) == name:
             for operator, other in other_names(name):
                 if not (called and operator == "stale value"):
-                    self.add(operator, end - len(name), end, other)
+                    self.add(operator, end - len(name), end, other, *filter(None, [unit]))
 
     def index(self, begin, end):
         text = self.text(begin, end)
@@ -120,7 +134,8 @@ class Cpp(Finder):
     def extent(cursor):
         return cursor.extent.start.offset, cursor.extent.end.offset
 
-    def visit(self, cursor):
+    def visit(self, cursor, call=None):
+        """@param call  the extent of the call of which this is the function"""
         kind, kinds = cursor.kind, self.kind
         children = list(cursor.get_children())
         begin, end = self.extent(cursor)
@@ -135,20 +150,20 @@ class Cpp(Finder):
                     if name == "operator[]":
                         self.index(*self.extent(children[2]))
                     else:
-                        self.sign(*self.extent(children[1]))
+                        self.sign(*self.extent(children[1]), (begin, end))
             elif not SYMMETRIC.fullmatch(name):
                 self.exchange(list(cursor.get_arguments()))
         elif kind == kinds.INIT_LIST_EXPR:
             self.exchange(children)
         elif kind in (kinds.BINARY_OPERATOR, kinds.COMPOUND_ASSIGNMENT_OPERATOR) and len(children) == 2:
-            self.sign(self.extent(children[0])[1], self.extent(children[1])[0])
+            self.sign(self.extent(children[0])[1], self.extent(children[1])[0], (begin, end))
         elif kind == kinds.UNARY_OPERATOR and self.text(begin, begin + 1) in "-!":
-            self.add("sign" if self.text(begin, begin + 1) == "-" else "condition", begin, begin + 1, " ")
+            self.add("sign" if self.text(begin, begin + 1) == "-" else "condition", begin, begin + 1, " ", (begin, end))
         elif kind in (kinds.INTEGER_LITERAL, kinds.FLOATING_LITERAL):
             for other in other_constants(self.text(begin, end)):
                 self.add("constant", begin, end, other)
         elif kind in (kinds.DECL_REF_EXPR, kinds.MEMBER_REF_EXPR):
-            self.names(cursor.spelling, end, self.text(end, end + 1) == "(")
+            self.names(cursor.spelling, end, self.text(end, end + 1) == "(", call or (begin, end))
         elif kind == kinds.ARRAY_SUBSCRIPT_EXPR and len(children) == 2:
             self.index(*self.extent(children[1]))
         elif kind == kinds.COMPOUND_STMT:
@@ -158,8 +173,9 @@ class Cpp(Finder):
                     self.add("statement left out", *self.extent(child), "")
         elif kind in (kinds.IF_STMT, kinds.CONDITIONAL_OPERATOR):
             self.decision(children, kind == kinds.IF_STMT)
-        for child in children:
-            self.visit(child)
+        for i, child in enumerate(children):
+            called = (begin, end) if kind == kinds.CALL_EXPR and i == 0 else call if kind == kinds.UNEXPOSED_EXPR else None
+            self.visit(child, called)
 
     def exchange(self, arguments):
         def plain(one):

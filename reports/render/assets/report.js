@@ -1,3 +1,23 @@
+// Tables that are wider than the page can be moved from the keyboard.
+for (const box of document.querySelectorAll(".scroll")) if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+
+// Figures answer on request: their file, whose script gives values, series and films, takes the place of its picture.
+for (const plate of document.querySelectorAll("a.plate[data-live]")) {
+  const button = document.createElement("button"), picture = plate.firstElementChild;
+  button.className = "live";
+  button.textContent = plate.dataset.live;
+  button.addEventListener("click", () => {
+    const live = document.createElement("object");
+    live.type = "image/svg+xml";
+    live.data = plate.href + "#play";
+    live.ariaLabel = picture.alt;
+    live.style.cssText = `display: block; width: ${picture.clientWidth}px; height: ${picture.clientHeight}px`;
+    plate.replaceWith(live);
+    button.remove();
+  });
+  plate.parentElement.querySelector("figcaption").append(" ", button);
+}
+
 // Search, filters and sorting of the first screen; all of them stand in the address. The page says everything without it.
 (() => {
   const tools = document.querySelector(".tools");

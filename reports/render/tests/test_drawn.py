@@ -111,13 +111,6 @@ class Drawn(unittest.TestCase):
             (axis,) = drawn(panel(series("a", y=Y + 4), **{name: 1})).axes
             self.assertEqual((axis.get_xscale(), axis.get_yscale()), scales)
 
-    def test_directions_are_degrees_and_distances_radii(self):
-        degrees = numpy.array([0.0, 30.0, 60.0, 90.0])
-        (axis,) = drawn(panel(series("a", x=degrees, y=Y + 4), polar=1)).axes
-        numpy.testing.assert_allclose(points(axis.lines[0]), [numpy.radians(degrees), Y + 4])
-        self.assertEqual((axis.get_thetamin(), axis.get_thetamax()), (0, 90))
-        self.assertIn("abscissa", [text.get_text() for text in axis.texts])
-
     def test_a_legend_names_each_series_with_its_own_look(self):
         members = [series("a"), series("b", "peer"), series("c", "exact"), series("d", "data", "points"),
                    series("e", "guide"), series("f", "computed", "points")]

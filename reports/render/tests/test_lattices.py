@@ -1,4 +1,4 @@
-"""Surfaces, plans and polar panels on made-up lattices.
+"""Surfaces and plans on made-up lattices.
 
     /usr/bin/python3 reports/render/tests/test_lattices.py
 """
@@ -82,22 +82,13 @@ class Drawn(unittest.TestCase):
         crest = {"label": "crest", "role": "exact", "style": "line", "x": numpy.arange(2.0), "y": numpy.arange(2.0)}
         self.assertEqual(self.draw(panel(hill(style="plan"), crest))[0], "")
 
-    def test_polar_panels_of_a_quarter_a_half_and_the_whole_circle(self):
-        for reach in (90, 180, 360):
-            x = numpy.linspace(0, reach, 13)
-            curve = {"label": "speed", "role": "computed", "style": "line", "x": x, "y": 1 + 0 * x}
-            measured = {**curve, "role": "data", "style": "points", "y_error": 0.01 + 0 * x}
-            for small in (False, True):
-                self.assertEqual(self.draw(panel(curve, measured, polar=1, y_min=0.9), small=small)[0], "", reach)
-
     def test_what_cannot_be_drawn_is_said(self):
         line = {"label": "l", "role": "exact", "style": "line", "x": numpy.arange(3.0), "y": numpy.arange(3.0)}
         flat = numpy.arange(12.0)
         for wrong, words in ((panel(hill(), line), "nothing but surfaces"), (panel(hill(z=flat)), "two-dimensional"),
                              (panel(hill(x=flat, y=flat, z=flat)), "two-dimensional"),
                              (panel(hill(), x_min=50.0, x_max=60.0), "within the panel's limits"),
-                             (panel(hill(z=numpy.full((31, 41), numpy.nan))), "no finite height"),
-                             (panel({**line, "style": "steps"}, polar=1), "polar")):
+                             (panel(hill(z=numpy.full((31, 41), numpy.nan))), "no finite height")):
             self.assertIn(words, self.draw(wrong)[0])
 
 

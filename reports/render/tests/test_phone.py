@@ -1,16 +1,18 @@
 """Pages on a phone: none is wider than the screen, text has 12 pixels and contrast 4.5:1. Skipped without Chromium.
+With AXE=axe.min.js of axe-core (npm pack axe-core), what that finds on any page, of this size or of a desktop's.
 
     /usr/bin/python3 reports/render/tests/test_phone.py
 """
 import html
 import json
+import os
 import pathlib
 import re
 import subprocess
 import tempfile
 import unittest
 
-from made import claim, contest_row, contest_table, figure, record, reported, write_arrays, write_evidence
+from made import claim, contest_row, contest_table, figure, record, reported, whole, write_arrays, write_evidence
 
 from render import pdf
 
@@ -40,6 +42,26 @@ addEventListener("load", () => {{
   document.body.innerHTML = "<pre id=found></pre>";
   document.getElementById("found").textContent = JSON.stringify(found);
 }});</script></body>"""
+AUDIT = """<!DOCTYPE html><body><script>
+(async () => {
+  const found = {};
+  for (const page of PAGES) for (const width of [390, 1440]) {
+    const frame = document.createElement("iframe"), loaded = one => new Promise(done => one.addEventListener("load", done));
+    Object.assign(frame, {src: page, style: `width:${width}px;height:900px`});
+    document.body.append(frame);
+    await loaded(frame);
+    const script = frame.contentDocument.createElement("script");
+    script.src = "AXE";
+    frame.contentDocument.head.append(script);
+    await loaded(script);
+    const {violations} = await frame.contentWindow.axe.run(frame.contentDocument);
+    for (const one of violations) found[`${page} ${width} ${one.id}`] = one.nodes.map(node => node.html.slice(0, 120));
+    frame.remove();
+  }
+  document.body.innerHTML = "<pre id=found></pre>";
+  document.getElementById("found").textContent = JSON.stringify(found);
+})();</script></body>"""
+AXE = pathlib.Path(os.environ.get("AXE", "no axe.min.js"))
 BROWSER = pdf.find_browser()
 
 
@@ -87,6 +109,12 @@ class Phone(unittest.TestCase):
             self.assertEqual({page: one["width"] for page, one in found.items() if one["width"] > WIDTH}, {})
             self.assertEqual({page: one["faint"] for page, one in found.items() if one["faint"]}, {})
             self.assertEqual({page: one["broken"] for page, one in found.items() if one["broken"]}, {})
+
+    @unittest.skipUnless(AXE.is_file(), "AXE does not name axe-core")
+    def test_axe_finds_nothing(self):
+        report = whole().out
+        pages = [page.as_uri() for page in sorted(report.rglob("*.html"))]
+        self.assertEqual(found_by(AUDIT.replace("PAGES", json.dumps(pages)).replace("AXE", AXE.resolve().as_uri())), {})
 
 
 if __name__ == "__main__":

@@ -173,8 +173,8 @@ double energy_of_finest(const Entry& entry) {
 
 void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, const std::string& source) {
   claims.from(source).check(
-      model.id + "-lasts", fmt::format("The run reaches the end time ({}).", model.name), "time until it breaks down",
-      [](const Entry& entry) { return entry.finest().lasted; },
+      model.id + "-lasts", fmt::format("The time of the run equals the end time to 1e-9 ({}).", model.name),
+      "time until it breaks down", [](const Entry& entry) { return entry.finest().lasted; },
       Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = last});
 }
 

@@ -192,7 +192,7 @@ std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveSta
     return [&wave, start](long n) { return start(wave, n); };
   };
   const std::vector<double> four{0.375, 0.5, 0.75, 1};
-  return {{"particles", "free particles", "cell", Role::computed, ladder_to(sizes.particles, {0.5, 0.75, 1}), over,
+  return {{"particles", "Gauss particles", "cell", Role::computed, ladder_to(sizes.particles, {0.5, 0.75, 1}), over,
            starting(start_particles)},
           {"mesh", "Lagrangian mesh", "row", Role::peer, ladder_to(sizes.mesh, four), over, starting(start_mesh)},
           {"dirichlet", "Dirichlet cells", "row", Role::peer, ladder_to(sizes.cells, {0.5, 1}), over,
