@@ -127,7 +127,7 @@ struct Channel {
 
   double alpha = 1.0 / 3;  ///< factor of the vertical kinetic energy
   /// Factor of a cell's slope in its potential energy, (mean of y)^2 + slope_energy (difference of y)^2/4; 1/3 is the
-  /// polygon's own. The beta of exact/frank_dispersion.hpp is (1 - slope_energy)/2.
+  /// polygon's own. The beta of FrankDispersion is (1 - slope_energy)/2.
   double slope_energy = 1.0 / 3;
 
   /// Improved dispersion: energy (g gamma/2) sum V^s H0^(2-s) (dy)^2/dx^(1+s), to be used with alpha = 1/3 + gamma.

@@ -127,7 +127,7 @@ class BottomVolume {
 /// diagonals. To be used with alpha = 1/3 + gamma: linear waves over a level bottom then obey
 ///
 ///     omega^2 = g H K^2 (G + gamma H^2 Q)/(1 + alpha H^2 K^2),   s_i, c_i = sin, cos(k_i h_i/2)
-///     Q = (2 s_1 c_2/h_1)^2 + (2 s_2 c_1/h_2)^2,   K, G of exact/plan_dispersion.hpp
+///     Q = (2 s_1 c_2/h_1)^2 + (2 s_2 c_1/h_2)^2,   K, G of exact/lattice_dispersion.hpp
 ///
 /// and gamma = 1/15 is Airy's law to the fourth order of k H (Madsen and Sorensen 1992). For waves along an axis it is
 /// the energy of dispersive_shallow_water_1d with s = 2.

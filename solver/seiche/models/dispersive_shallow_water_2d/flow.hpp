@@ -34,7 +34,7 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   explicit Flow(Lattice lattice, const InitialVelocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
                 Forcing forcing = {}, Window window = {}, bool smooth_start = true);
 
-  /// Fronts that broke in another flow, of a lattice of this shape, break on (breaking.hpp).
+  /// Fronts that broke in another flow, of a lattice of this shape, break on.
   void continue_breaking(const Flow& before) { model_->continue_breaking(before.model()); }
 };
 

@@ -25,7 +25,7 @@
 /// Conserves to round-off: mass and momentum (no walls, level bottom) with every scheme, angular momentum about the
 /// vertical with OneStep (all without drag, drag.hpp), energy and volumes with ConservativeStep, also over uneven
 /// bottoms: volumes and potential are polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed
-/// form: exact/plan_dispersion.hpp.
+/// form: exact/lattice_dispersion.hpp.
 ///
 /// Waves may be shorter with improved dispersion (element.hpp); trains of them need what keeps the lattice
 /// from folding, and layers that absorb (drag.hpp).

@@ -10,7 +10,7 @@
 /// Its shape is the trilinear hexahedron of its corners: faces are bilinear patches, which neighbours share and which
 /// are the mean of the two ways to cut a face into triangles. z counts from the still-water level, so that a lake at
 /// rest has multipliers 0 and stays at rest bit by bit. The bottom is level, or a smooth surface on which the nodes of
-/// level 0 slide (bottom.hpp).
+/// level 0 slide (nodes.hpp).
 #pragma once
 
 #include <array>
