@@ -1,4 +1,4 @@
-"""What people read follows the rules of the language: claims, help, messages, README, templates.
+"""What people read follows the rules of the language: claims, articles, help, messages, README, templates.
 
 A claim stands alone: it begins with its quantity, has six words or more, and no other claim of its case has its words.
 A limit has a number or names what it is compared with.
@@ -28,7 +28,7 @@ REFERENCE = re.compile(
     r"\d|(?<!^)\b[A-Z][a-z]+|\b(exact|theor\w+|measure\w*|experiment\w*|laborator\w+|order|formula|law|identity|half|halves"
     r"|twice|third|tenth|twentieth|one|two|no|single|zero|spacing)\b")
 MOST = {"leans": 0, "short": 0, "twice": 0, "loose": 0, "bare": 0, "home-made: claims": 0, "home-made: help": 0,
-        "home-made: README": 0, "home-made: messages": 0, "home-made: templates": 0}
+        "home-made: README": 0, "home-made: messages": 0, "home-made: templates": 0, "home-made: articles": 0}
 LITERAL = re.compile(r'//[^\n]*|"((?:\\.|[^"\\\n])*)"')
 
 
@@ -87,6 +87,8 @@ class Language(unittest.TestCase):
                          for file in sorted((ROOT / "validation" / room).glob("*.cpp")) for said in spoken(file)],
             "templates": [line for file in sorted((ROOT / "reports/render/templates").glob("*.j2"))
                           for line in re.sub(r"{[{%#].*?[}%#]}|<[^>]*>", " ", file.read_text(), flags=re.S).splitlines()],
+            "articles": [" ".join(re.sub(r"`[^`]*`", "", file.read_text().split("*/")[0]).split())
+                         for file in sorted((ROOT / "validation").glob("*/*.cpp")) if file.read_text().startswith("/*")],
         }
         for name, lines in texts.items():
             with self.subTest(name):

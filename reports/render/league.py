@@ -5,17 +5,27 @@ records of several names, as in interFoam-16 and interFoam-32: where the numbers
 what stands before them is the solver (interFoam-2206 and interFoam-2312 are two), and the order is the slope of
 log(error) over log(cell), by least squares. It says how far the error falls with the cells that were used, not what it
 would do in the limit.
+
+`python3 -m render.league FOLDER... SOLVER=VERSION...` prints the results of folders of records as the table
+reports/record/solvers.csv, from which the report shows, and `seiche score` ranks by, what is not in the evidence.
 """
 import collections
+import csv
 import dataclasses
 import math
+import pathlib
 import re
+import sys
+import types
 
-from render import costs
+from render import costs, files, records
 
 # Measurements that say how far a result is off, the first that all share; a suffix names the gauge or the time.
-ERRORS = {r"rms_shifted": "rms of the front, shifted", r"(\w+?)_relative_l1(_\w+)?": "relative L1 error of {}",
-          r"(\w+?)_relative_l2(_\w+)?": "relative L2 error of {}", r"(\w+?)_relative_error": "relative error of {}"}
+ERRORS = {r"rms_shifted": "rms of the front, shifted", r"(\w+?)_relative_l1(_.+)?": "relative L1 error of {}",
+          r"(\w+?)_relative_l2(_.+)?": "relative L2 error of {}", r"(\w+?)_relative_error(_.+)?": "relative error of {}"}
+STORED = files.RECORD / "solvers.csv"
+COLUMNS = ("case", "settings", "quantity", "solver", "version", "cell", "error", "order", "seconds", "met", "claims", "machine",
+           "date")
 
 SAME_LENGTH = 0.05      # relative difference of number times cell: a cell is stated with two digits
 
@@ -52,21 +62,27 @@ def solvers_of(records):
             for record, parts in zip(records, split)]
 
 
-def error_names(records):
-    """What the error is, the measurements that say it, one per gauge or time, and the quantity: the first of all."""
+def error_names(scored):
+    """What the error is, the pattern of the measurements that say it, and the quantity: the first that all have."""
     for pattern, words in ERRORS.items():
-        found = [[name for name in record.measurements if re.fullmatch(pattern, name)] for record in records]
+        found = [[name for name in record.measurements if re.fullmatch(pattern, name)] for record in scored]
         if all(found):
             first = re.fullmatch(pattern, found[0][0])
             stem = first[1] if first.re.groups else None
-            names = [name for name in found[0] if stem is None or re.fullmatch(pattern, name)[1] == stem]
-            return words.format(stem), names, stem
-    return "", [], None
+            several = len(of_quantity(scored[0], pattern, stem)) > 1
+            return ("largest " if several else "") + words.format(stem), pattern, stem
+    return "", "", None
 
 
-def error_of(record, names):
+def of_quantity(record, pattern, stem):
+    """Its errors, one per gauge or time."""
+    found = {name: re.fullmatch(pattern, name) for name in record.measurements}
+    return [record.measurements[name] for name, match in found.items() if match and (stem is None or match[1] == stem)]
+
+
+def error_of(record, pattern, stem):
     """The largest of them; None where one is missing."""
-    values = [record.measurements.get(name) for name in names]
+    values = of_quantity(record, pattern, stem)
     return max(map(abs, values)) if values and all(value is not None for value in values) else None
 
 
@@ -80,8 +96,8 @@ def order_of(runs):
 
 def table(case):
     scored = [record for record in case.records if not record.own]
-    words, names, quantity = error_names(scored)
-    runs = [Run(record, solver, record.measurements.get("cell_size"), error_of(record, names),
+    words, pattern, quantity = error_names(scored)
+    runs = [Run(record, solver, record.measurements.get("cell_size"), error_of(record, pattern, quantity),
                 record.measurements.get(f"ladder_order_{quantity}"))
             for record, solver in zip(case.records, solvers_of(case.records))]
     by_solver = collections.OrderedDict()
@@ -93,9 +109,77 @@ def table(case):
         if all(run.order is None for run in members):
             members[-1].order = order_of(members)
         ordered += members
-    return Table(case, "largest " + words if len(names) > 1 else words, ordered, costs.survey(case.records))
+    return Table(case, words, ordered, costs.survey(case.records))
 
 
-def survey(cases):
-    """Tables of the cases that have a record of somebody else."""
-    return [table(case) for case in cases if any(not record.own for record in case.records)]
+def survey(cases, kept=None):
+    """Tables of the cases that have a result of somebody else: a record, or one of those kept, as stored() has them."""
+    shown = []
+    for case in cases:
+        known = {record.solver for record in case.records}
+        more = [one for one in (kept or {}).get(case.name, ()) if one.solver not in known]
+        if more or any(not record.own for record in case.records):
+            shown.append(table(dataclasses.replace(case, records=case.records + more)))
+    return shown
+
+
+def stored(path=STORED):
+    """{case: [what a record would say]} of the stored results."""
+    cases = collections.defaultdict(dict)
+    for row in files.table(path):
+        by = f"{row['solver']} {row['version']}" + (f" ({row['settings']})" if row["settings"] else "")
+        one = cases[row["case"]].setdefault(by, types.SimpleNamespace(
+            own=False, solver=row["solver"], by=by, stem="", tables=[], claims=f"{row['met']} of {row['claims']} met",
+            wall_time=_number(row["seconds"]), measurements={"cell_size": _number(row["cell"])}))
+        one.measurements |= {f"{row['quantity']}_relative_l1": _number(row["error"]),
+                             f"ladder_order_{row['quantity']}": _number(row["order"])}
+    return {name: list(found.values()) for name, found in cases.items()}
+
+
+def _number(text):
+    return float(text) if text else None
+
+
+def rows_of(record, versions):
+    """A row for every quantity with a relative error: of a curve in L1, the largest over gauges and instants; of an
+    experiment the difference that its readings share."""
+    errors = collections.defaultdict(list)
+    for name, value in record.measurements.items():
+        if found := re.fullmatch(r"(\w+?)_relative_(?:l1|error)(?:_.+)?", name):
+            errors[found[1]].append(math.inf if value is None else abs(value))
+    shared = [claim.measured for claim in record.claims if claim.id == "agreement"]
+    if shared:
+        errors = {"readings": shared}
+    solver = record.solver
+    settings = ""
+    if record.own:      # of its own discretisation are the parameters, not of the problem
+        solver = " ".join(["seiche", *(str(p["value"]) for name, p in record.parameters.items() if name == "scheme")])
+    else:
+        settings = ";".join(f"{name}={p['value']:g}" if isinstance(p["value"], float) else f"{name}={p['value']}"
+                            for name, p in sorted(record.parameters.items()) if p["value"] != p["default"])
+    told = record.provenance
+    cell = record.measurements.get("cell_size", record.parameters.get("cell", {}).get("value"))
+    for quantity, values in sorted(errors.items()):
+        yield dict(zip(COLUMNS, (
+            record.case, settings, quantity, solver, versions.get(record.solver, told["version"]),
+            _digits(cell), _digits(max(values)),
+            _digits(record.measurements.get(f"ladder_order_{quantity}")), _digits(record.wall_time),
+            sum(claim.verdict == "pass" for claim in record.claims), len(record.claims), told["processor"],
+            told["date"][:10])))
+
+
+def _digits(number):
+    return "" if number is None else f"{number:.4g}"
+
+
+def main(words):
+    versions = dict(word.split("=") for word in words if "=" in word)
+    loaded = [record for word in words if "=" not in word for record in records.load(pathlib.Path(word), lambda kind, key, ask: ask())[0]]
+    writer = csv.DictWriter(sys.stdout, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    rows = (row for record in loaded for row in rows_of(record, versions))
+    writer.writerows(sorted(rows, key=lambda row: [row[name] for name in ("case", "settings", "quantity", "solver")]))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -96,7 +96,8 @@ def _named(name, axis, draw, *what):
     before = set(axis.get_children())
     draw(axis, *what)
     for artist in set(axis.get_children()) - before:
-        own = name if isinstance(artist, matplotlib.lines.Line2D) else f"{name} area-0".strip()
+        read = isinstance(artist, matplotlib.lines.Line2D) and artist.get_marker() != "_"      # no bar of an error
+        own = name if read else f"{name} area-0".strip()
         artist.set_gid(own)
         if artist.get_rasterized():
             artist.draw = _grouped(artist.draw, own)

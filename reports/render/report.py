@@ -35,8 +35,9 @@ def build(evidence, stage, out, options):
     problems = _problems(loaded, surveys, drawn, unknown, evidence)
     fonts = _fonts(stage)
     others = league.survey(cases)
+    beside = league.survey(cases, league.stored())
     shared = {"title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn,
-              "with_data": options.with_data, "menu": _menu(bool(others))}
+              "with_data": options.with_data, "menu": _menu(bool(beside))}
     write = _Writer(pages.environment(typesetter, store.folder), stage, shared)
     sheets = _sheets(cases, write, broken)
     made = [case for case in cases if _made(case, cases, drawn, titles, write, broken)]
@@ -53,10 +54,10 @@ def build(evidence, stage, out, options):
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE},
              "formulas": printed.survey(sources, cases),
              "matrix": matrix.survey(cases, drawn, others), "scorable": matrix.scorable(options.scorable, cases),
-             "others": len(others), "league": others}
+             "others": len(others), "league": beside}
     write("index.html.j2", "index.html", "", **whole)
     for name, words in PAGES.items():
-        if name != "league" or others:
+        if name != "league" or beside:
             write("page.html.j2", f"{name}.html", "", body=name, heading=words, **whole)
     for problem in whole["matrix"]["problems"]:
         write("page.html.j2", f"problems/{problem.id}.html", "../", body="problem", heading=problem.title, problem=problem, **whole)

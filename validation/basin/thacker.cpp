@@ -336,7 +336,8 @@ Case thacker() {
       integer("particles", {100, 400, 1600}, {8, 1e5}, "particles in the water; cells over the whole bowl for muscl"),
       real("periods", 3.0, "1", {0.01, 1000}, "length of the run in periods"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
-      choice("scheme", std::string("H2"), {"G1", "M2", "H2", "muscl"}, "level of the particle method, or the peer"),
+      choice("scheme", std::string("H2"), {"G1", "M2", "H2", "muscl"},
+             "level of the particle method, or the comparison scheme"),
       tolerance_parameter(),
   };
   c.study = Study(claims, compute, show, "conservation law of mass");

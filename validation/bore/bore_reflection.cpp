@@ -9,14 +9,14 @@ Bogomolov, Zakharov and Zerkal take $h_1 = 1$ m and $u_1 = 1.3$ m/s, ten particl
 starts is not stated; it is 5 m here. They report a computed wall depth of **1.36 m beside 1.45 m from the jump
 conditions**.
 
-**What is compared.** The wall depth and the method's own profile after the reflection; the other levels and the peers;
-and the paper's two printed numbers, the computed one with the rearrangement as written.
+**What is compared.** The wall depth and the method's own profile after the reflection; the other levels and the
+comparison schemes; and the paper's two printed numbers, the computed one with the rearrangement as written.
 
-**Your solver.** The profile at `time` is judged as in `riemann`; water comes in at the other end as it is behind the
+**Your solver.** The profile at `time` is scored as in `riemann`; water comes in at the other end as it is behind the
 incident bore.
 
-**What to look at.** With the incident *and* the reflected jump handed over, ten particles give 1.45167616 m to the last
-digit. By the rearrangement as the paper writes it (see `moving_bore`) the depth at the wall wanders, and 1.36 m is one
+**What to look at.** With the incident *and* the reflected jump handed over, ten particles give 1.45167616 m to all
+digits. By the rearrangement as the paper writes it (see `moving_bore`) the depth at the wall wanders, and 1.36 m is one
 of its values.
 */
 #include <algorithm>

@@ -7,7 +7,7 @@ Both ends are pistons; for your solver, ends of the channel from 0 to 100 m wher
 30 and 70 m.
 
 **What is compared.** The profile 2 s after the meeting, for several numbers of particles and the three levels of the
-method. Profiles of others are judged as in `riemann`.
+method. Profiles of others are scored as in `riemann`.
 
 **What to look at.** The collision is the one event in which two jumps share a particle. A method that falls back to
 smeared jumps there leaves a scar at the place of the meeting that decays only as $1/N$; here the particle keeps both

@@ -13,22 +13,22 @@ The left end is a piston that moves with $u_1$.
 in an overlap the particle of smaller density, at a gap the faster one; from the new depths follow pressures, from these
 new velocities. If the rebuilt particle would become denser than the other, its position changes as well (their figure
 4): it gets the other's density, and its far side moves, until all pairs touch. The pressure at a shared side, "the
-pressure scheme of [4]", is open in the text: here that of the particle that was rebuilt. Densities within 1e-9 of each
-other are equal and sides within 1e-11 of the row touch: told apart by the last bit, a sweep over the pairs does not
-end.
+pressure scheme of [4]", is open in the text: here the state of the particle that was rebuilt. Densities within 1e-9 of
+each other are equal and sides within 1e-11 of the row touch: told apart by the last bit, a sweep over the pairs does
+not end.
 
 **What is compared.** The method's own profile with the exact one; the energy of the two-state reconstruction, which
 must fall at exactly the rate that the jump conditions give, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other levels of the
-method and the peers.
+method and the comparison schemes.
 
 **Your solver.** The channel is 120 m long, the bore at x = 40 m at the start; water comes in at the left as it is
-behind the bore. Depth and velocity at `steps` times `time_step`, 8 s, are judged as in `riemann`: with the place of the
+behind the bore. Depth and velocity at `steps` times `time_step`, 8 s, are scored as in `riemann`: with the place of the
 bore its speed.
 
 **What to look at.** One particle holds the jump and hands it on to the next, by both rules. By the rearrangement as
 written the depth behind it is not even: a velocity of one side with a pressure of one particle is no solution of the
-jump conditions. By the hand-over nothing else is disturbed, to the last digit. Every peer smears the jump over several
-cells.
+jump conditions. By the hand-over nothing else is disturbed, to all digits. Every comparison scheme smears the jump over
+several cells.
 */
 #include <stdexcept>
 

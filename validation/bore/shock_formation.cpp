@@ -4,7 +4,7 @@ Its compression wave steepens until the characteristics cross, and a bore forms 
 scheme where or when.
 
 **What is compared.** The position of the bore at $t = 10$ s with the finest run; its width; the depth at the piston,
-which starts at that of a simple wave and must settle to that behind a bore.
+which starts at the depth of a simple wave and must settle to that behind a bore.
 
 **What to look at.** Level `H2` takes the jump into one particle as soon as it stands out against its surroundings.
 */
@@ -114,7 +114,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              "depth at the piston [m]", &Results::at_piston,
              Bound{.limit = s.simple - s.bore,
                    .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
-                             "brings it to that of a bore and never exceeds the first difference",
+                             "brings it to the depth behind a bore and never exceeds the first difference",
                    .expected = s.bore});
 }
 

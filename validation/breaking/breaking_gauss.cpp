@@ -9,7 +9,7 @@ the value of 0.1 is a fit to the times of his frames. Cubic splines on square ce
 step; five particles to a cell's side; the penalty on gradients of vorticity.
 
 **What is compared.** The time at which the surface first overturns with the frames, on which it is smooth at 5.4 and
-overturned at 7.2; the work of the pressure with that of linear theory, in which a wave of amplitude $a$ grows by
+overturned at 7.2; the work of the pressure with linear theory, in which a wave of amplitude $a$ grows by
 $\dot a = (p_0/2)\,c \sin t$; the crest's height with that on cells a third wider; the balance of energy. With the
 height and the pressure of the figure the surface of every frame, the time at which the front is first vertical and the
 work are compared with potential flow under the same pressure, which Cauchy's integral gives to many digits

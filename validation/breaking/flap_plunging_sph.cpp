@@ -10,7 +10,7 @@ ten times the largest speed, grows by steps of $0.3\,h/c$ with so little viscosi
 density. The upper pictures are by the viscosity that the parameters say, those below with the stress.
 
 **What is compared.** Frames at 0.30, 0.38 and 0.46 periods after the first one. The publication says of them: with the
-stress the front is steeper, the cavity larger, and the profile nearer to that of boundary elements
+stress the front is steeper, the cavity larger, and the profile nearer to boundary elements
 (`overturning_sph`); without it the cavity is smaller and the jet touches down at 0.46 T. Each is claimed, with the
 change from the next coarser lattice as the uncertainty of a difference. Beside the frames the surface of the exact
 potential flow from the wave of figure 4, at the same parts of its own period.
@@ -23,7 +23,7 @@ at 1.14 periods, in a flume of two wavelengths as in one of three. Counted from 
 quarter of a period earlier, that is 1.39, beside 1.38 in the publication; whether it counts from there, it does not
 say. A direct comparison with potential flow, from one and the same start, is `overturning_sph`.
 
-**What to look at.** A spilling tongue is there at 0.30 already. The largest speed, that of spray, has no limit for fine
+**What to look at.** A spilling tongue is there at 0.30 already. The largest speed, in spray, has no limit for fine
 spacings.
 */
 #include <algorithm>

@@ -1,5 +1,5 @@
 /*
-The steep wave of `overturning_sph` turns over and plunges, by free particles under Gauss's principle of least
+The steep wave of `overturning_sph` overturns and plunges, by free particles under Gauss's principle of least
 constraint, beside SPH and the exact potential flow from the same start.
 
 **Set-up.** One wavelength of a periodic layer, of depth 0.13 wavelengths; the surface begins as a cosine as high as
@@ -7,11 +7,11 @@ the water is deep, with the velocities of linear theory, which are an exact pote
 $1/k$, $g$ and the density. Cubic splines on square cells, shifted at random at every step, six particles to a cell's
 side, the penalty on gradients of vorticity. SPH runs from the same velocities and exact pressures, as in its own case.
 
-**What is compared.** The surface with that of the boundary-integral computation (`seiche exact overturning_wave`) at
+**What is compared.** The surface with the boundary-integral computation (`seiche exact overturning_wave`) at
 five times up to a developed jet: the line of markers until the exact front is vertical, then the outline of the
 particles, for markers in a jet thinner than a cell have no mass about them. When the front is first vertical; the
-energy, which changes by what the penalty takes. A table shows the distances beside those of SPH, and the processor
-time of both, which is not judged.
+energy, which changes by what the penalty takes. A table shows the distances beside SPH, and the processor
+time of both, which is not scored.
 
 **What to look at.** Up to the vertical front the particles are nearer to the exact surface by two orders of magnitude
 than SPH in the same time, and by more than one with a developed jet; no lattice of `overturning_sph` comes as near, up

@@ -1,16 +1,16 @@
 /*
-A steep wave turns over and plunges, by weakly compressible SPH, beside the exact potential flow from the same start:
+A steep wave overturns and plunges, by weakly compressible SPH, beside the exact potential flow from the same start:
 what a plunging breaker by particles is worth, as a number.
 
 **Set-up.** One wavelength $L$ of a periodic layer of depth $d = 0.13 L$ over a level bottom. The surface begins as a
-cosine of height $H = 0.13 L$, far too high to travel on. The velocities of the beginning are those of linear theory,
+cosine of height $H = 0.13 L$, far too high to travel on. The initial velocities follow linear theory,
 which are an exact potential flow under any surface, and so are the pressures, from a harmonic series that makes them
 zero at the surface: nothing is left to settle. Lengths are in metres, $L = 1$ m; the scheme knows no other length than
 the spacing.
 
-**What is compared.** The surface, where the share of water is one half, with that of the boundary-integral computation
+**What is compared.** The surface, where the share of water is one half, with the boundary-integral computation
 (`overturning_wave`) at several times up to a developed jet: root mean square and largest distance of the two curves, on
-four lattices. When the front first hangs over by a hundredth of the wavelength. Energy, mean level, touch-down.
+four lattices. When the front first hangs over by a hundredth of the wavelength. Energy, mean level, jet impact.
 
 A table compares schemes of the same kind: without viscosity, with the stress of unresolved eddies, with other walls,
 with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline).
@@ -18,7 +18,7 @@ with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubi
 **What to look at.** Until the front is steep the surface is right to a few tenths of a spacing, with a developed jet to
 about half a spacing; the distance falls in proportion to the spacing, down to what the finite sound speed leaves, and
 the tip of the jet is what arrives last. What particles lose is mostly potential energy, for the layer settles on its
-bottom by a part of a spacing; the kinetic energy is within a few per cent of that of potential flow.
+bottom by a part of a spacing; the kinetic energy is within a few per cent of potential flow.
 */
 #include <algorithm>
 #include <array>
@@ -236,7 +236,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                 .expected = Amount::told_by_run(last_phase * period)});
   claims.check("kinetic-energy",
                "The kinetic energy of the water with a developed jet agrees with potential flow within 5 %.",
-               "over that of potential flow", on_finest([](const Results& r) {
+               "over potential flow's", on_finest([](const Results& r) {
                  return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
                }),
                Bound{.limit = 0.05,
@@ -262,12 +262,11 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void tabulate_variants(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "variants", "Schemes of the same kind",
-                fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and the "
-                            "kinetic energy with a developed jet over that of potential flow.",
-                            wavelength / r.runs[halved].spacing),
-                {""});
+  evidence::Table& table = add_table(exhibit, "variants", "Schemes of the same kind",
+                                     fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and "
+                                                 "the kinetic energy with a developed jet over potential flow's.",
+                                                 wavelength / r.runs[halved].spacing),
+                                     {""});
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "dx");
   table.columns.emplace_back("kinetic energy", "");
   for (std::size_t k = 0; k < variants.size(); ++k) {

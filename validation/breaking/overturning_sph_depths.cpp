@@ -7,14 +7,14 @@ to the air that the jet of the steepest one shuts off.
 flow. Lengths are in metres, $L = 1$ m. The spacing is the same for all, so the lower and shallower waves have fewer
 particles in their height.
 
-**What is compared.** The surfaces with those of the boundary-integral computation (`overturning_wave`), when its front
+**What is compared.** The surfaces with the boundary-integral computation (`overturning_wave`), when its front
 is vertical and when its jet is developed: for each wave at a time of its own. From the tier `full` on also the cavity
 at the instant in which the jet closes it, with artificial viscosity, laminar, and with the stress: that artificial
 viscosity makes it smaller is declared. Coarser particles close one that is three of them wide.
 
 **What to look at.** The times in the table: a lower wave overturns later, a wave over deeper water too, for its trough
 slows the front less. When the front of the particles hangs over by a hundredth of the wavelength, little more than one
-spacing, is shown and not judged: their jet is formed by few of them, and late.
+spacing, is shown and not scored: their jet is formed by few of them, and late.
 */
 #include <algorithm>
 #include <array>

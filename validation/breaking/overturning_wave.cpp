@@ -1,6 +1,6 @@
 /*
-A cosine of large amplitude, with the potential of the linear wave at its surface, steepens, turns over and plunges. Up
-to touch-down the flow is irrotational and its surface known to many digits from a spectral boundary-integral
+A cosine of large amplitude, with the potential of the linear wave at its surface, steepens, overturns and plunges. Up
+to jet impact the flow is irrotational and its surface known to many digits from a spectral boundary-integral
 computation (`seiche exact overturning_wave`): a plunging breaker without experimental scatter.
 
 **What is compared.** The case computes the wave, checks conservation of volume, energy and impulse and the exact
@@ -11,7 +11,7 @@ and the time at which the front is first vertical.
 A surface is within the tolerance where no point of it is farther off than that part of the cosine's height, in $x$ or
 $y$.
 
-**What to look at.** The nose of the jet. A solver that is too viscous, in fact or by its numerics, turns over late and
+**What to look at.** The nose of the jet. A solver that is too viscous, in fact or by its numerics, overturns late and
 throws a thick jet near the crest.
 */
 #include <array>

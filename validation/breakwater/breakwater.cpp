@@ -4,8 +4,8 @@ A breakwater whose front and rear walls are pushed at different times bears less
 thesis gives no geometry; this one is made up.
 
 **Set-up.** Depth, gravity and density are 1. The rear wall is at $x = 0$. A berm of width 2 lies before it in a depth
-of 0.4; its front face is a smooth step, $y_b = -1 + 0.3\,[1 + \tanh((x + 2)/0.21)]$. The basin ends at a wall at
-$x = -14$. Nodes at the bottom slide along it. Forces are those of the dynamic pressure, towards the land: on the front
+of 0.4; its front face is a smooth step, $y_b = -1 + 0.3\,[1 + \tanh((x + 2)/0.21)]$. The basin ends at a wall at $x =
+-14$. Nodes at the bottom slide along it. Forces are integrals of the dynamic pressure, towards the land: on the front
 face, the sum of $\lambda\,\Delta y$ over the edges of the bottom; on the rear wall, over its own.
 
 **What is compared.** The standing waves of the basin when they are small, from the eigenvalues of the linearised model.

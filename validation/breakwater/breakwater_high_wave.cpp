@@ -5,14 +5,14 @@ A breakwater whose front and rear walls are pushed at different times bears less
 **Set-up.** The basin of `breakwater`: depth 1, a berm in a depth of 0.4 before the rear wall, a wall 14 depths away. A
 standing wave of about six depths, for which the berm is half a wave wide, starts from rest with the height 0.05 at the
 far wall: an eighth of the depth over the berm. Gravity and density are 1. Without the hourglass potential the mesh
-folds at the edge of the berm within two periods, for heights of $0.02$ already.
+tangles at the edge of the berm within two periods, for heights of $0.02$ already.
 
 **What is compared.** First the water's horizontal momentum with the forces of the walls and of the bottom, in every
 step. They are found from the pressures in the cells, the hydrostatic part and the hourglass potential included, and
 from what turns the water's way along the bottom, not from what the water did; the scheme must balance them to rounding.
 Then these reactions with the forces that are read off the edges of front and rear, as for small waves: they differ by
 how well the cells resolve the front face. The energy must stay as the scheme promises. Last the statement itself: the
-largest total force of the wave over that of the same wave, as high and as long, before a plain wall.
+largest total force of the wave over the force of the same wave on a plain wall.
 
 How much of the total is left? For small waves at most a tenth. A wave that crosses the berm gets steeper, and by Airy's
 theory of shallow water its second harmonic grows by $\tfrac34 k B \alpha^2/d$ on the way $B$ in the depth $d$, $\alpha$

@@ -2,22 +2,22 @@
 Periodic waves come in on a breakwater whose front and rear walls are pushed at different times (Frank 1994, section
 2.3). A piston far away makes them; they are reflected, and before the breakwater a standing wave is left.
 
-**Set-up.** Depth, gravity and density are 1. The breakwater is that of the case `breakwater`: a berm of width 2 in a
+**Set-up.** Depth, gravity and density are 1. The breakwater is taken from the case `breakwater`: a berm of width 2 in a
 depth of 0.4 before the rear wall. The piston is 50 depths from the wall. Its motion grows during 28 units of time, four
 periods of a wave of six depths, and sends waves half as high as the standing wave is to be. The run ends before what
 the paddle reflects again is back at the breakwater: little of it comes faster than at $0.6\,c_g + 0.4$, between the
-wave's group velocity and that of the fastest of all, 1. The last whole periods of it, two or more, are analysed, with
+wave's group velocity and the fastest group velocity, 1. The last whole periods of it, two or more, are analysed, with
 weights that rise and fall like $1 - \cos$.
 
-**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with those
-of small standing waves from the eigenvalues of the same mesh. Frequencies are those of a basin 14 depths long, whose
+**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with small
+standing waves from the eigenvalues of the same mesh. Frequencies are eigenfrequencies of a basin 14 depths long, whose
 far wall is an antinode, so a mirror, of the standing wave in the tank too; the piston has the frequency that the
 one-step scheme gives that wave. Then neither cells nor steps make a difference. What remains is the start that has not
 yet left: linear theory of the piston, which knows no cells, tells how much, for the way to the antinode, for the way
-back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which folds it at
-the edge of the berm when waves are high. So the waves are low; one of a tenth of the depth from trough to crest, on a
-mesh with an hourglass potential, is in `breakwater_high_wave`. The height itself, two incident waves', is compared with
-the theory of the piston.
+back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which tangles it
+at the edge of the berm when waves are high. So the waves are low; one of a tenth of the depth from trough to crest, on
+a mesh with an hourglass potential, is in `breakwater_high_wave`. The height itself, two incident waves', is compared
+with the theory of the piston.
 
 **What to look at.** The berm is half a wave wide for waves of about six depths. Front and rear are then pushed in
 antiphase, and the sum of both, for which the structure must be built, is less than a tenth of the force on a plain
@@ -193,8 +193,8 @@ Measurement farthest(const Results& r, Value value, Limit limit) {
 
 const std::string reason =
     "twice what linear theory says has not settled, in force and elevation, on the way in, back, and once more around; "
-    "and the mesh: its nodes drift with the square of the height, and one of 0.02 folds it at the edge of the berm "
-    "within two periods, so that (height/0.02)^2 of such a fold is made in every two";
+    "and the mesh: its nodes drift with the square of the height, and one of 0.02 tangles it at the edge of the berm "
+    "within two periods, so that (height/0.02)^2 of that drift is made in every two";
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
@@ -217,7 +217,7 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
       "phases",
       "The phases of the forces on front and rear agree with small standing waves within start and mesh drift, 0.06 "
       "rad at most.",
-      "largest phase from that of small standing waves [rad]",
+      "largest difference of the phase from small standing waves [rad]",
       [s](const Results& r) {
         return farthest(
             r, [](const Periodic& one) { return worst(one.phases()); },

@@ -1,5 +1,7 @@
 #include "validation/case/data_folder.hpp"
 
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -19,6 +21,18 @@ std::filesystem::path data_folder(const std::filesystem::path& program, const st
 
 std::filesystem::path data_folder(const std::string& name) {
   return data_folder(running_program(), name);
+}
+
+std::vector<std::vector<std::string>> recorded_rows(const std::string& name) {
+  std::vector<std::vector<std::string>> rows;
+  std::ifstream file(data_folder("record") / name);
+  std::string line;
+  for (std::getline(file, line); std::getline(file, line);) {
+    std::istringstream fields(line);
+    auto& row = rows.emplace_back();
+    for (std::string word; std::getline(fields, word, ',');) row.push_back(word);
+  }
+  return rows;
 }
 
 std::filesystem::path running_program() {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace seiche::validation {
 
@@ -14,6 +15,9 @@ std::filesystem::path data_folder(const std::filesystem::path& program, const st
 
 /// The same for the program that runs.
 std::filesystem::path data_folder(const std::string& name);
+
+/// A table of the baseline (reports/record): its rows as words, without the header. Empty where it is not there.
+std::vector<std::vector<std::string>> recorded_rows(const std::string& name);
 
 /// The file of the program that runs.
 std::filesystem::path running_program();

@@ -459,6 +459,9 @@ int score(const ScoreOptions& options) {
     if (ladder) validation::show_ladder(*ladder, record);
     if (repeats) validation::show_repeats(*repeats, record);
     look = validation::first_look(wanted, judged.submitted, record, findings, ladder);
+    if (const std::string rank = validation::rank(record); !rank.empty()) {
+      look.insert(look.begin() + 1, {"rank", rank});
+    }
     validation::show_first_look(look, record);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", fmt::join(options.data, ", "), wrong.what()));
@@ -474,16 +477,13 @@ int score(const ScoreOptions& options) {
   const std::string written = (std::filesystem::path(options.out) / (record.stem() + ".json")).string();
   std::vector<std::string> since;
   const bool worse = !options.baseline.empty() && compare_with_baseline(options, record.stem(), baseline, since);
-  const std::vector<std::string> beside = validation::ranks(options.out, record.stem());
   if (options.json) {
     auto json = as_json(all, record, findings, look, written);
-    if (!beside.empty()) json["ranks"] = beside;
     if (!since.empty()) json["baseline"] = since;
     fmt::print("{}\n", json.dump(1));
   } else {
     for (const Read& read : all) print_reading(read);
     print(record, findings, look);
-    for (const std::string& line : beside) fmt::print("  {:<12} {}\n", "rank", line);
     fmt::print("record: {}\n", written);
     for (const std::string& line : since) fmt::print("{}\n", line);
   }

@@ -13,7 +13,7 @@ square column, the height at the wall with the same shift. Three lattices tell h
 shallow water, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome, and stays ahead.
 
 **What to look at.** As it stands the front is ahead of the measured one from the first point on: nothing holds the
-water, and nothing rubs. The tall column's front, shifted, goes through the points. That of the square column gains
+water, and nothing rubs. The tall column's front, shifted, goes through the points. The front of the square column gains
 on them, on every lattice: it is thin sooner, and there is no friction on bed and side walls to hold it back. The claim
 `rms` is therefore declared to fail with `aspect=1`.
 
@@ -168,7 +168,7 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
           [half = column.tau() * column.tau() / 2](const Collapse& run) { return run.beyond / half; },
           Bound{.limit = 1,
                 .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
-                          "none there is greater than that of gravity"});
+                          "none there is greater than gravity"});
   claims.from("Ritter (1892)")
       .check(
           "ritter", "The front stays behind the shallow-water front.", "at every step it does",
@@ -225,7 +225,7 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
       [](const Results& r) {
         return std::ranges::all_of(r.fit.raw_off, [](double lead) { return lead > 0; }) ? 1.0 : 0.0;
       },
-      Qualitative{.detector = "X/a, as it stands, is above that of each point up to X = 4.2 a",
+      Qualitative{.detector = "X/a, as it stands, is above each point up to X = 4.2 a",
                   .reason = "a diaphragm and friction can only delay the water"});
   constexpr double no_band = std::numeric_limits<double>::infinity();
   claims.fails({.width = no_band, .reason = "cause unknown: 0.32 with 8 and with 16 cells to the width"}, data.tall)

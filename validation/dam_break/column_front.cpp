@@ -48,6 +48,8 @@ const std::vector<Origin>& origins() {
        false,
        {},
        4},
+      {"interfoam", "interfoam_1912_collapsing_column", "T", "X_over_a", "interFoam 1912, volume of fluid",
+       "OpenFOAM 1912, interFoam", 2, true, false},
   };
   return all;
 }

@@ -4,8 +4,8 @@ Dam breaks over a dry bed and over water of $h_0/h_1 = 0.1$ and $0.5$, refined: 
 the constant.
 
 **What is compared.** The mean error of cell depths, and the processor time it takes, for the particle method with equal
-masses (recommended) and equal widths, its first-order level, and the peers. A given $N$ means the same initial width
-for all; over a dry bed the particles cover only the water.
+masses (recommended) and equal widths, its first-order level, and the comparison schemes. A given $N$ means the same
+initial width for all; over a dry bed the particles cover only the water.
 
 **What to look at.** The second picture: how long one has to wait for a given error.
 */
@@ -106,7 +106,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
         .check("against-peer-" + id,
                fmt::format("{}: the error with equal masses is at most 1 times the error of MUSCL-HLL with equal N.",
                            name),
-               "error over that of MUSCL-HLL", quotient("h2_masses", "muscl"),
+               "error over the error of MUSCL-HLL", quotient("h2_masses", "muscl"),
                Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
   }
 }

@@ -4,10 +4,10 @@ models: free particles under Gauss's principle, the Lagrangian mesh, Dirichlet c
 overlapping particles, and weakly compressible SPH. The front that Martin and Moyce (1952) measured tells how far off
 each is.
 
-**Set-up.** Width $a$, gravity and density are 1; $T = t\sqrt{2g/a}$. Free particles are those of `collapse_gauss`, SPH
-has the settings of `dam_break_sph_front` with a sound speed of ten times that of a free fall through the column's
-height. Mesh and cells are rectangles with a wall and a bed, free elsewhere; overlapping particles have their mirror
-images behind both. Each is refined in space and time together.
+**Set-up.** Width $a$, gravity and density are 1; $T = t\sqrt{2g/a}$. Gauss-principle particles are set as in
+`collapse_gauss`, SPH has the settings of `dam_break_sph_front` with a sound speed of ten times the velocity of a free
+fall through the column's height. Mesh and cells are rectangles with a wall and a bed, free elsewhere; overlapping
+particles have their mirror images behind both. Each is refined in space and time together.
 
 **What is compared.** The front with the measured points, with the one shift of the time origin that fits them best, for
 a diaphragm of waxed paper had to melt first: the root mean square over the width, of the points up to T = 3.4. Then
@@ -15,10 +15,10 @@ each goes on to T = 5, unless it breaks down or its front is off by half of the 
 
 **What to look at.** Two models get there: free particles go through the points within what these are known by, on eight
 cells to the width; SPH comes near as its viscosity falls with the spacing, and loses a fifth of the energy. The others
-are no models for this: the mesh folds at the upper corner of the column, which becomes a straight piece of surface; of
-the Dirichlet cells a triangle at the toe, where the water runs fastest, turns over; overlapping particles are pressed
+are no models for this: the mesh tangles at the upper corner of the column, which becomes a straight piece of surface;
+of the Dirichlet cells a triangle at the toe, where the water runs fastest, inverts; overlapping particles are pressed
 through the bed, for single pressures are chequered; particles of variable mass want one height of the surface over
-every place, and refuse a column. They give out the sooner the finer they are.
+every place, and cannot represent a column. They give out the sooner the finer they are.
 
 **When it is no test.** After the tongue has become thinner than a cell or a spacing. The discrete dispersive shallow
 water has no vertical front.
@@ -259,7 +259,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                    .reason = "a hundredth for eddies of a cell at the front, which is a cell high: a cell of as many "
                              "as are in the width, of a column that falls as a whole"});
   claim_breaks(claims_of(claims, "mesh"), {"mesh", "the Lagrangian mesh"},
-               "the right angle between top and face opens until it is straight, and there a corner of a cell folds",
+               "the right angle between top and face opens until it is straight, and there a corner of a cell inverts",
                source);
   claim_breaks(claims_of(claims, "dirichlet"), {"dirichlet", "Dirichlet cells"},
                "the outline meets the bed at the toe, and cells cannot change the outline", source);

@@ -11,8 +11,8 @@ it is $t\sqrt{g/a}$, as their front was published.
 published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
 or pulling something. Points count until the far wall is near.
 
-Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long
-the release took nobody knows, but how fast the front runs can be judged: a shift and a rate are fitted together, over
+Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long the
+release took nobody knows, but how fast the front runs can be evaluated: a shift and a rate are fitted together, over
 all points that are known, or as far as the submitter's tank goes (`judged_to`). Four points up to the wall of the
 default tank say too little of the rate to decide.
 
@@ -125,7 +125,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                     .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
   if (compared) compare(exhibit, computed, data, dam, panel);
-  auto& energy = exhibit.figure("energy", "Energy", "Over that of the beginning, from the bottom of the tank.");
+  auto& energy = exhibit.figure("energy", "Energy", "Over the initial energy, from the bottom of the tank.");
   energy.panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "E/E_0"})
       .line("SPH", computed.T, computed.energy);
 }
@@ -139,7 +139,7 @@ struct Judged {
 
 Judged judged_by(const Values& values) {
   if (values.text("data") == "none") {
-    throw std::invalid_argument("data = none: there is nothing to judge a front by; choose a published one");
+    throw std::invalid_argument("data = none: there is nothing to score a front by; choose a published one");
   }
   const ColumnFront data = column_front(values.text("data"), values);
   const double whole = data.tank > 0 ? data.tank - 0.1 : largest(data.X);
@@ -187,7 +187,7 @@ Case dam_break_sph() {
        real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
        integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
        choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared"),
-       real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is judged; 0: all that is known")},
+       real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all that is known")},
       sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");
   c.submission = {.tables = wanted, .judge = judge};

@@ -9,7 +9,7 @@ moves at more than a tenth of it. $T = t\sqrt{2g/L}$.
 **What is compared.** The front with their computation and with two digitisations of their experiment, each as it
 stands and with one shift of the time origin. The digitisations differ by up to a third of $L$: how late the
 experiment is and how well a shift explains it depend on who read the figure. No source says how long the wall took to
-be pulled away: the shifts of the experiment are shown and not judged.
+be pulled away: the shifts of the experiment are shown and not scored.
 
 **What to look at.** The two computations, which release the water at once, agree without a shift to speak of. The
 experiment is later than both.

@@ -11,7 +11,7 @@ in two rows; the tier `paper` gives its walls a third row.
 
 **What is compared.** Frames at the six times of the publication, coloured by speed. Its photographs cannot be
 identified from the text, so they are shown, and the events in them are found by detectors: when the front strikes the
-wall, how high the water runs up, whether a jet falls back. As a number: the front with that of the square column of
+wall, how high the water runs up, whether a jet falls back. As a number: the front with the square column of
 Martin and Moyce (1952), which was smaller, in the time $t\sqrt{g/a}$, as it stands and with one shift of the time
 origin.
 

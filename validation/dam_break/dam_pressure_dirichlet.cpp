@@ -10,8 +10,8 @@ the constant areas are the dynamic pressure $p + \rho g y$; one solution of $A \
 stabilisation $\epsilon$ the matrix is $A + \epsilon \frac{\mathrm{tr} A}{N} L^T L$ instead, $L$ a node's value less
 the mean of its neighbours'.
 
-**What is compared.** The pressure at the foot of the wall, and the root mean square of the error over all cells but
-those of the free faces, whose pressure is that of half a cell inside.
+**What is compared.** The pressure at the foot of the wall, and the root mean square of the error over all cells except
+at the free faces, whose pressure is taken half a cell inside.
 
 **What to look at.** The mesh is regular, and so the matrix is nearly singular: without stabilisation the pressure is
 chequered, and the error of first order. Little stabilisation cures that; much of it, 1, smooths the pressure itself.

@@ -11,8 +11,8 @@ positions fit their domain with $h_1 = 1$ m, and $g = 9.81$ m/s² is used here.
 
 **What is compared.** The position of the dry front, the means over each particle (*cell*), the profile the method
 itself takes within its particles (*reconstruction*; the front particle holds the tip of a parabola, not a rectangle),
-and the rectangles as drawn. Peers run on cells as wide as the particles were at the start, over a channel long enough
-for the front.
+and the rectangles as drawn. Comparison schemes run on cells as wide as the particles were at the start, over a channel
+long enough for the front.
 
 **What to look at.** The front: by the rearrangement as the paper wrote it the last particle is a rectangle, one tenth
 of the water, and ends metres short of it. MacCormack's scheme has no answer over a dry bed.

@@ -2,7 +2,7 @@
 The long channel with only **22 particles**, $\tau = 0.1$ s, at $t = 25$ s (figure 26 of Bogomolov, Zakharov and
 Zerkal, who do not state $h_1$: 1 m here).
 
-**What is compared.** Mean depths, the bore's position and width; peers on 22 cells with the same step.
+**What is compared.** Mean depths, the bore's position and width; comparison schemes on 22 cells with the same step.
 
 **What to look at.** The Courant number is below 0.1, harmless for particles. Lax-Friedrichs is destroyed: its viscosity
 is

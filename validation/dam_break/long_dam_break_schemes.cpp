@@ -4,7 +4,7 @@ upwind,
 $\Delta x = 1$ m, at $t = 25$ s (figure 24 of Bogomolov, Zakharov and Zerkal), and beside them what is used today: a
 limited second-order scheme with the HLL flux.
 
-**What is compared.** Mean depths and the position and width of the bore, with those of as many particles ($\tau = 0.05$
+**What is compared.** Mean depths and the position and width of the bore, beside as many particles ($\tau = 0.05$
 s), by the rearrangement as written and by the hand-over. The paper states no time step for the difference schemes: each
 runs at its own usual Courant number, 0.9 for the three explicit schemes that are stable up to 1, 0.4 for the limited
 one (`time_step` sets one for all).
@@ -82,7 +82,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
               fmt::format("{}-nearer-than-{}", particles, scheme),
               fmt::format("Mean depths of particles ({}) are nearer to the exact profile than cells by {}.", particles,
                           scheme),
-              "cell L1(h) over that of the difference scheme",
+              "cell L1(h) over the error of the difference scheme",
               [=, scheme = scheme](const Results& r) { return r.error(particles) / r.error(scheme); },
               Bound{.limit = 1, .reason = "the paper says so of its figures 24 and 25; equal errors would give 1"});
     }

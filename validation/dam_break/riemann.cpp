@@ -208,7 +208,7 @@ Case riemann() {
       real("time_step", 0.0, "s", {0, 1e6}, "time step; 0 takes it from the Courant number 0.4"),
       real("time", 6.0, "s", {1e-9, 1e9}, "end of the run"),
       real("theta", 2.0, "1", {1, 2}, "limiter: 1 minmod, 2 monotonised central"),
-      choice("scheme", std::string("H2"), all_schemes, "level of the particle method, or a peer"),
+      choice("scheme", std::string("H2"), all_schemes, "level of the particle method, or a comparison scheme"),
   };
   c.study = Study(claims, compute, show, "Ritter (1892)");
   c.submission = submission_of(states_of);

@@ -87,8 +87,8 @@ constexpr double enough = 12.5;
 
 Parameter sound_rule(const std::string& given) {
   return choice("sound_from", std::string("largest_speed"), {"largest_speed", given},
-                fmt::format("largest_speed: 12.5 times that of a first run with the sound speed of {0}; {0}: given by "
-                            "the parameter sound",
+                fmt::format("largest_speed: 12.5 times the largest speed of a first run with the sound speed of {0}; "
+                            "{0}: given by the parameter sound",
                             given));
 }
 

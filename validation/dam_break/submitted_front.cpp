@@ -98,7 +98,7 @@ FrontFit front_fit(Curve computed, const ColumnFront& data, double farthest, std
   const Counting count = counting(computed, data, farthest);
   if (count.used.size() < 3) {
     throw std::invalid_argument(text_of(count, data, farthest, computed) +
-                                ": three are needed; judged_to says how far a front is judged");
+                                ": three are needed; judged_to says how far a front is scored");
   }
   FrontFit fit{.points = count.used.size()};
   Normal n;
@@ -214,7 +214,7 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
       data.measured ? Bound{.limit = 0.2,
                             .reason = "0 to 0.3, known to 0.05 by the points: the diaphragm takes 0.1 to 0.3 to melt "
                                       "by the source, and nothing where it was computed with the release. It is not "
-                                      "free: the rate is judged beside it",
+                                      "free: the rate is scored beside it",
                             .expected = 0.15}
                     : Bound{.limit = 0.1, .reason = "both columns are free at once"});
   const auto n = static_cast<double>(fit.points);

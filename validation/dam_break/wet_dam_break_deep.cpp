@@ -4,7 +4,8 @@ the dam is subcritical and the plateau reaches across it. Bogomolov, Zakharov an
 with
 $\tau = 0.05$ s (their figure 23).
 
-**What is compared.** Mean depths, the bore's position and width, with the peers on cells of the same width.
+**What is compared.** Mean depths, the bore's position and width, with the comparison schemes on cells of the same
+width.
 
 **What to look at.** The bore in one particle, and the plateau: flat, with no oscillation on either side.
 */

@@ -7,7 +7,8 @@ Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with $\tau = 0.05$ s
 "0.3" for 0). The number of particles, the channel and $h_1$ are not stated; $\Delta x = 1$ m on $[0, 50]$ m and 1 m are
 taken here.
 
-**What is compared.** Mean depths, the bore's position and width, with the peers on cells of the same width.
+**What is compared.** Mean depths, the bore's position and width, with the comparison schemes on cells of the same
+width.
 
 **What to look at.** The bore stays in one particle. What error remains sits at the corners of the fan, where the
 particles have expanded to two and a half times their first width, and in the position of the bore, which the start

@@ -159,7 +159,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
       exhibit.figure("dispersion", "Phase speed of the discrete model",
                      "Lines: the laws, the discrete ones for the one-step scheme with tau = s/2, up to the shortest "
                      "wave that the markers resolve; the tuned pair is for s = 0.25. Circles: measured. The error of "
-                     "long waves is that of the time step, $k^2\\tau^2/24$; of the others that of the model.",
+                     "long waves comes from the time step, $k^2\\tau^2/24$; of the others from the model.",
                      {"frank-formula-13"});
   auto& speed =
       figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0, .y_max = 1.05});

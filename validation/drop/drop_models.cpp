@@ -7,8 +7,8 @@ compressible SPH. Dirichlet's ellipse tells how far off each is.
 nothing of the motion, but the drop has a momentum to be kept, and leaves the lattice that free particles begin on. Each
 model has its usual arrangement: rings of free particles with markers on the rim, a square mesh made round, rings of
 Dirichlet cells, staggered rows, a square lattice for SPH. Cells have a hundredth of stabilisation; nodes inside of
-variable mass go to the middle of their cells, those of the outline are particles. Steps are a fifth of the spacing,
-those of SPH its own. Each is refined in space and time together.
+variable mass go to the middle of their cells, nodes of the outline are particles. Steps are a fifth of the spacing,
+SPH takes its own. Each is refined in space and time together.
 
 **What is compared.** Places of the rim (markers, nodes of the outline, particles that began within a spacing of it)
 with the exact ones at t = 1, when the drop is five times as long as wide; the processor time until then; what energy
@@ -344,7 +344,7 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   for (const Named& model : {names[0], names[1], names[4]}) {
     claim_energy(claims_of(all, model.id), model, 40 * steps_of(values, model.id), 1 + drift,
                  "in every step the reactions of a particle's or a node's neighbours, forty at most, are rounded; "
-                 "scale: the kinetic energy with that of the drift, over that of the stretching",
+                 "scale: the kinetic energy with the drift, over the energy of the stretching",
                  "Frank (1994), chapters 1 and 6");
   }
   for (const Named& model : names) {

@@ -6,7 +6,7 @@ solution, with which Frank tries free particles under Gauss's principle of least
 Rings of particles on the unit disc, markers on its rim; cubic splines on square cells of 0.2, many of them cut by the
 surface. Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No condition is set on the surface.
 
-**What is compared.** The places of particles and markers with the exact ones; with those of a space that holds the five
+**What is compared.** The places of particles and markers with the exact ones; with a space that holds the five
 linear fields alone, in which the particles err by the steps only; the pressure at the middle, fitted to the reactions
 of a step.
 
@@ -63,8 +63,8 @@ SetUp set_up(const Values& values) {
   gradient << values.real("xx"), values.real("xy"), values.real("yx"), -values.real("xx");
   if (!(gradient.determinant() < 0)) {
     throw std::invalid_argument(
-        fmt::format("xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below that of the "
-                    "surroundings and the surface unstable",
+        fmt::format("xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below the surroundings and "
+                    "the surface unstable",
                     -gradient.determinant()));
   }
   const auto rings = std::lround(std::sqrt(static_cast<double>(values.integer("particles")) / 3));

@@ -17,7 +17,7 @@ on it alone change its error twofold at ten spacings to the radius. Balls in the
 (`shape = ball`, `smoothing` 1.6) converge at first order too, and miss the stretch by 3 % on the finest lattice.
 
 **When it is no test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's. Rotation faster
-than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below that of the surroundings and an unstable
+than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below the surroundings and an unstable
 surface; the links between particles bear tension and follow it, for a time that is the shorter the finer the lattice:
 until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per cent with 0.05.
 */

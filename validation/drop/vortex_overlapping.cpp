@@ -6,11 +6,11 @@ the source reports a "stochastic regime" from initial data that are not random a
 **Set-up.** Staggered rows of particles in the unit disc, $\omega$ = `rate`, steps of `tau`. Beside this flow, `seeds`
 copies whose particles were moved at random by $10^{-8}$ in all.
 
-**What is compared.** Statistics, never trajectories: the part of the kinetic energy that is not that of the exact
-flow $\mathbf{F}$ at the particles' places, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis
-of the velocities left when the exact flow is taken out, which is 3 for Gaussian ones; the rate at which copies leave
-the first flow, from twice the first distance to 0.1, in places and velocities. Means over the copies with intervals of
-95 per cent; energy and angular momentum.
+**What is compared.** Statistics, never trajectories: the part of the kinetic energy that is not in the exact flow
+$\mathbf{F}$ at the particles' places, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis of
+the velocities left when the exact flow is taken out, which is 3 for Gaussian ones; the rate at which copies leave the
+first flow, from twice the first distance to 0.1, in places and velocities. Means over the copies with intervals of 95
+per cent; energy and angular momentum.
 
 **What to look at.** After a third of a turn of the middle a quarter of the energy is noise, after two thirds of one
 nearly all. Copies leave the first flow at 13.9 e-foldings in a time unit. What comes out is an equilibrium: Gaussian
@@ -240,7 +240,7 @@ void claim_statistics(const SetUp& s, const Claims<Results>& all) {
       [](const Results& r) { return Estimate(r.kurtosis).measured(); },
       Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
             .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform ones "
-                      "have 1.8, those of an oscillation 1.5",
+                      "have 1.8, an oscillation 1.5",
             .expected = 3});
 }
 

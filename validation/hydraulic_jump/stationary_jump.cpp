@@ -7,10 +7,10 @@ figures 16 to 18).
 The particles move through the jump; both ends are pistons moving with the stream.
 
 **What is compared.** The position and the profile of the jump after 100 steps, with the other levels of the method and
-the peers.
+the comparison schemes.
 
 **What to look at.** MacCormack's and Roe's schemes keep a jump that lies on a cell edge exactly, because nothing moves
-for them. For the particles the water moves 43 m and the jump stays: to the last digit by the hand-over; by the
+for them. For the particles the water moves 43 m and the jump stays: to all digits by the hand-over; by the
 rearrangement as the paper wrote it in one particle, but a metre downstream.
 */
 #include <cmath>

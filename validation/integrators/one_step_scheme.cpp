@@ -265,7 +265,7 @@ void claims(const Values& values, const Claims<Curves>& claims) {
         return evidence::observed_order(own.tau, own.error, 10 * curves.uncertainty);
       },
       Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
-            "smooth motion; errors below ten times that of the reference are left out"});
+            "smooth motion; errors below ten times the error of the reference are left out"});
 }
 
 void draw_curves(evidence::Exhibit& exhibit, const Curves& curves) {
@@ -302,7 +302,7 @@ Case one_step_scheme() {
       real("gravity", 1.0, "l/t^2", {0, 1e3}, "gravity on the pendulum"),
       choice("scheme", std::string("one_step"),
              {"one_step", "triple_jump", "suzuki", "conservative", "conservative_suzuki"},
-             "the scheme that is judged; all are drawn"),
+             "the scheme that is evaluated; all are drawn"),
       real("time", 5.0, "t", {1e-3, 1e3}, "when the error is taken"),
       real("tau", 0.0125, "t", {1e-6, 10}, "middle one of the steps for accuracy: 8 tau to tau/4"),
   };

@@ -3,11 +3,11 @@ Regular waves climb a slope of 1:34 and break (Hansen and Svendsen): 3.33 s, plu
 
 **What is compared.** Wave height and mean level along the slope: the largest height, where it is, and the root mean
 square difference before breaking. The case scores others, and the one-dimensional dispersive model with breaking is
-judged by the same claims, from cnoidal waves as high as measured at the toe, over glass. It is compared over the three
-periods after 30 s, when the front of the train has gone up the slope.
+scored by the same claims, from cnoidal waves of the measured height at the toe, over glass. It is compared over the
+three periods after 30 s, when the front of the train has gone up the slope.
 
-**What to look at.** Drive the waves such that the height at the toe is as measured, 0.0406 and 0.0695 m, with a wave
-of permanent form: from linear wavemakers free second harmonics beat along the flat.
+**What to look at.** Drive the waves such that the height at the toe is the measured one, 0.0406 and 0.0695 m, with a
+wave of permanent form: from linear wavemakers free second harmonics beat along the flat.
 */
 #include <algorithm>
 
@@ -103,7 +103,7 @@ Experiment experiment(const Values& /*values*/) {
   levels.name = "levels";
   levels.quantity = {"level", "m", "mean level"};
   levels.input = 0.04;  // a set-down goes with the square of the height
-  levels.input_reason = "twice that of the height, to whose square it is proportional";
+  levels.input_reason = "twice the uncertainty of the height, to whose square it is proportional";
   for (const double wave : {1, 2}) {
     const double breaking = wave == 1 ? 9.15 : 8.22;
     heights.readings.push_back(highest(wave, {}));

@@ -4,13 +4,13 @@ Beach (NTHMP benchmark problem 5). Wave A, 0.038 depths high, does not break; B 
 the slope.
 
 **What is compared.** Surface elevation at seven gauges, as far as the wave that comes back from the wall: highest
-value, when it reaches half of the incident height, and the root mean square difference; the largest run-up on the wall.
+value, when it reaches half of the incident height, and the root mean square difference; the maximum run-up on the wall.
 The levels before arrival are removed. One shift of time is fitted at gauge 4, where the wave comes in and whose height
-sets the input: it is shown and not judged. The flume is of glass, with its friction in all computations. The case
-scores others; for wave A the one-dimensional dispersive model is judged by the same claims, from a solitary wave as
+sets the input: it is shown and not scored. The flume is of glass, with its friction in all computations. The case
+scores others; for wave A the one-dimensional dispersive model is scored by the same claims, from a solitary wave as
 high as gauge 4 measured it; for wave C, with breaking, in `composite_beach_breaking`.
 
-**What to look at.** The stated heights are 2 to 3 % above those of the records. Gauge 4 stands at another place for
+**What to look at.** The stated heights are 2 to 3 % above the recorded ones. Gauge 4 stands at another place for
 each wave. The run-up of B is a jet at the wall, and C breaks: no model without breaking need reach them.
 */
 #include "validation/laboratory/composite_beach_experiment.hpp"

@@ -2,9 +2,9 @@
 Wave C of the composite beach (`composite_beach`), a solitary wave 0.68 depths high that breaks on the slope and runs
 up the wall behind it as a bore.
 
-**Set-up.** The one-dimensional dispersive model from a solitary wave as high as gauge 4 measured it. Fronts begin to
-break at a slope of 30 degrees and end at a Froude number of 1.3, with the viscosity that leaves no waves behind a bore;
-friction is that of glass. Nothing is fitted to the experiment.
+**Set-up.** The one-dimensional dispersive model from a solitary wave of the height that gauge 4 measured. Fronts begin
+to break at a slope of 30 degrees and end at a Froude number of 1.3, with the viscosity that leaves no waves behind a
+bore; friction is taken for glass. Nothing is fitted to the experiment.
 
 **What is compared.** What `composite_beach` compares: elevation at seven gauges and the run-up on the wall.
 

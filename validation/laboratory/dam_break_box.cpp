@@ -4,9 +4,8 @@ Water of a broken dam meets a box in an open tank (Kleefsman and others; SPHERIC
 **What is compared.** Height of the water at four places: when it comes, its mean over the time to the return wave.
 Pressure on the face of the box: when it comes, and its impulse to one second. The case scores others.
 
-**What to look at.** The distributed file exchanges two of the heights against the drawing: here places are told by
-when they get wet. No peak of pressure is asked for. Broken water is full of air, and a wire probe reads what is
-wetted.
+**What to look at.** The distributed file exchanges two of the heights against the drawing: here positions differ by
+when they get wet. No peak of pressure is asked for. Broken water is full of air, and a wire probe reads what is wetted.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 

@@ -5,7 +5,7 @@ pressure 0.015 m above the floor was recorded in about a hundred repeats.
 **What is compared.** Impulse of the impact, the plateau after it, and the root mean square difference from the
 median from T = 2.6 on: before, the pressure rises, and the band of the repeats is one of time. Times are counted from
 where the pressure first reaches 0.3, as the source has it, since a gate that takes 0.1 s to go delays the impact. The
-band of the repeats is the uncertainty. The case scores others, and weakly compressible SPH is judged by the same
+band of the repeats is the uncertainty. The case scores others, and weakly compressible SPH is scored by the same
 claims in the longer tiers.
 
 **Our model.** Water with its viscosity, 8.9e-7 m²/s, density diffusion, walls that take their pressure from the water,

@@ -5,8 +5,8 @@ bar they steepen; behind it the higher harmonics that were bound there run free,
 **What is compared.** Surface elevation at six gauges: height, amplitudes of the harmonics, and the root mean square
 difference over three periods. The origin of time is not known: one shift is fitted at the first gauge and used for
 all. The two gauges before the bar confirm the nominal amplitude of 0.020 m, as long as nothing has come back: heights
-and harmonics there are shown and not judged. The case scores others, and the one-dimensional dispersive model with
-improved dispersion is judged by the same claims. Without friction: a rough bed, Manning's $n$ = 0.012, takes 1 % of the
+and harmonics there are shown and not scored. The case scores others, and the one-dimensional dispersive model with
+improved dispersion is scored by the same claims. Without friction: a rough bed, Manning's $n$ = 0.012, takes 1 % of the
 energy over the bar.
 
 **What to look at.** The two gauges behind the bar: the third harmonic is there a wave of $kh$ = 3.6, which tells

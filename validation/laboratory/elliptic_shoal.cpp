@@ -2,9 +2,9 @@
 Regular waves of 1 s are focused by an elliptic shoal on a slope (Berkhoff, Booij and Radder).
 
 **What is compared.** Amplitude over the incident one along eight sections: the largest, where it is, and the root
-mean square difference. The case scores others, and in the full tier the plan model with improved dispersion is judged
+mean square difference. The case scores others, and in the full tier the 2DH model with improved dispersion is scored
 by the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed;
-of 32 periods the last four are compared. The source has the last five to ten of 40: the lattice folds beside a side
+of 32 periods the last four are compared. The source has the last five to ten of 40: the lattice tangles beside a side
 wall after 33.8 periods.
 
 **What to look at.** The focus lies on the shallower side, y < 0: a result of another handedness is mirrored. Linear

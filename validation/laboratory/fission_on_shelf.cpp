@@ -2,7 +2,7 @@
 A wave of 20 s runs up a shelf of 1:200 and splits into solitons (Matsuyama and others), in a flume of 205 m.
 
 **What is compared.** Surface elevation at six gauges: highest value of the first waves, when, and the root mean
-square difference. The clock is that of the wavemaker, of which the carrier gives the law. The case scores others.
+square difference. The clock is the wavemaker's, of which the carrier gives the law. The case scores others.
 
 **What to look at.** The first soliton breaks near x = -31 m. Walls and bottom damp the solitons by some per cent over
 160 m: models without friction run high.

@@ -5,7 +5,7 @@ overturns.
 **What is compared.** The place of the front, where the surface first exceeds 0.055 m. One shift of time is fitted to
 the first four of the eight frames and reported: a gate that takes 0.1 s to clear the water delays the front. The other
 four are compared. The case scores others, and
-shallow water with a second-order finite-volume scheme is judged by the same claims; by particles of shallow water in
+shallow water with a second-order finite-volume scheme is scored by the same claims; by particles of shallow water in
 `gated_dam_break_particles`, by weakly compressible SPH in `gated_dam_break_sph`.
 
 **What to look at.** The front's speed. The level ahead is read off by up to 7 mm: heights are not asked for.

@@ -3,8 +3,8 @@ Two solitary waves, 0.22 and 0.24 depths high, meet head on in 0.05 m of water (
 
 **What is compared.** Surface profiles before, during and after the collision: their root mean square difference, the
 highest elevation, and the places of both crests before and after, until they leave the window. The case scores others,
-and the one-dimensional dispersive model is judged by the same claims. It starts at t = 18.5 s from two solitary waves
-of Serre's equations, as high as measured there.
+and the one-dimensional dispersive model is scored by the same claims. It starts at t = 18.5 s from two solitary waves
+of Serre's equations, of the heights measured there.
 
 **What to look at.** The highest elevation, 0.026 m, is 6 % above third-order theory (Su and Mirie 1980), and every
 computation stays below it; a meniscus at the crest is suggested. These frames are therefore taken to be known to 1.5

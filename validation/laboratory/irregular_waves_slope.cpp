@@ -2,8 +2,8 @@
 Irregular waves climb a slope of 1:20 and break (Mase and Kirby, run 2; spectral peak at 1 Hz).
 
 **What is compared.** Standard deviation, skewness and asymmetry of the elevation at all eleven gauges on the slope, of
-the whole record of 750 s; their standard errors are those of ten blocks. The case scores others, and in the full tier
-the one-dimensional dispersive model with breaking and improved dispersion is judged by the same claims. Drive the model
+the whole record of 750 s; their standard errors follow from ten blocks. The case scores others, and in the full tier
+the one-dimensional dispersive model with breaking and improved dispersion is scored by the same claims. Drive the model
 with the record over 0.47 m of water, which the template names.
 
 **Set-up of our own.** A force along the bottom 4 m before the slope makes the record at its toe, in linear waves from

@@ -7,8 +7,8 @@ difference, which is compared at the four gauges before the island too; run-up a
 are removed, and one shift of time is fitted at gauge 3, before the island. Compared is what comes until 36 s (A) and
 35 s (B, C), when the source says the absorbers are felt; at gauge 22, behind the island, where the crests of A and B
 come later than that, until a second after them. The case scores others; the 2DH model, on the rezoned lattice of
-`conical_island`, is judged by the same claims in the tier `full`, from solitary waves whose heights, 0.0445, 0.0872 and
-0.179 depths, are the mean of gauges 1 to 4. Heights there are shown and not judged. A gauge that falls dry reads the
+`conical_island`, is scored by the same claims in the tier `full`, from solitary waves whose heights, 0.0445, 0.0872 and
+0.179 depths, are the mean of gauges 1 to 4. Heights there are shown and not scored. A gauge that falls dry reads the
 bottom.
 
 **What to look at.** Two distributions of the same run-up differ by up to 1.9. The run-up may lie anywhere between

@@ -4,8 +4,8 @@ Regular waves over a submerged bar in 0.4 m of water (Delft; the geometry of Bej
 
 **What is compared.** Surface elevation at ten gauges over about four seconds: height, first harmonics, and the root
 mean square difference over a whole number of periods. One shift of time is fitted before the bar and used for all
-gauges. The two gauges before the bar set the amplitude: heights and harmonics there are shown and not judged. The case
-scores others, and the one-dimensional dispersive model with improved dispersion is judged by the same claims; with case
+gauges. The two gauges before the bar set the amplitude: heights and harmonics there are shown and not scored. The case
+scores others, and the one-dimensional dispersive model with improved dispersion is scored by the same claims; with case
 C in `luth_bar_short`.
 
 **What to look at.** Case A behind the bar, where the higher harmonics run free. In case C already the wave before the

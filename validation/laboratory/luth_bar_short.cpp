@@ -1,7 +1,7 @@
 /*
 Short waves over a submerged bar, case C of `luth_bar`: 1.01 s in 0.4 m of water, $kh$ = 1.7, 0.041 m high.
 
-**Set-up.** The one-dimensional dispersive model with improved dispersion, from waves as high as measured before the
+**Set-up.** The one-dimensional dispersive model with improved dispersion, from waves of the height measured before the
 bar. Gauges read the water's surface $\zeta$, which is more than the markers' own elevation where waves are short: the
 second harmonic that runs free behind the bar has $kh$ = 6.4 there.
 

@@ -3,13 +3,13 @@ Solitary waves on a plane beach 1 : 19.85 (Synolakis; NTHMP benchmark problem 4)
 break, and one of 0.3, which does.
 
 **What is compared.** The surface at four or five instants: root mean square difference, and how high the crest is at
-the first two, more than a depth off the shore; the largest run-up. Lengths in depths $d$, times in $\sqrt{d/g}$ since
+the first two, more than a depth off the shore; the maximum run-up. Lengths in depths $d$, times in $\sqrt{d/g}$ since
 the crest was $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe of the beach at $x = 19.85$; $x$ from the
 shoreline at rest, positive offshore. Where it is dry the surface is the beach, $-x/19.85$. The case scores others; our
-model is judged in `synolakis_beach`.
+model is evaluated in `synolakis_beach`.
 
 **What to look at.** Flow without friction and surface tension climbs 15 % higher than the smaller wave did in the
-laboratory: a run-up as measured needs either. The exact solution for the smaller wave is asked for in
+laboratory: the measured run-up needs either. The exact solution for the smaller wave is asked for in
 `synolakis_beach`.
 */
 #include "validation/laboratory/laboratory_case.hpp"

@@ -2,8 +2,8 @@
 Regular waves are focused by a semicircular shoal in a tank (Whalin): periods of 1, 2 and 3 s.
 
 **What is compared.** Amplitudes of the harmonics of the elevation along the centre line: the largest, where it is,
-and the root mean square difference from 5 to 23 m. The case scores others, and the plan model with improved dispersion
-is judged by the same claims: half of the tank, a paddle at x = 0, and a layer beyond 25 m in which waves are absorbed.
+and the root mean square difference from 5 to 23 m. The case scores others, and the 2DH model with improved dispersion
+is scored by the same claims: half of the tank, a paddle at x = 0, and a layer beyond 25 m in which waves are absorbed.
 
 **What to look at.** The amplitude of the incident wave is itself uncertain by a tenth: the first harmonic before the
 shoal is 14 % above, 6 % below and 10 % above the nominal one. The second harmonic of 3 s still grows at the last point

@@ -5,7 +5,7 @@ higher, until it breaks at a Froude number of about 1.21.
 **What is compared.** The height of the first crest over the still depth, against the Froude number, with measurements
 of Favre (0.1 and 0.2 m of water) and Treske (0.16 m) up to a Froude number of 1.2. The case scores others. The
 one-dimensional dispersive model computes bores from a smooth step to 320 depths, as models are compared with these
-data in the literature, and is judged by the same claims. A crest is known to 0.01 by reading and to 0.003 in the Froude
+data in the literature, and is scored by the same claims. A crest is known to 0.01 by reading and to 0.003 in the Froude
 number; 1.11 and 1.15 are inside the range of all three series.
 
 **What to look at.** The measured crests scatter by 10 to 30 % between depths: friction, capillarity and the distance

@@ -159,7 +159,7 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
   constexpr double cusp = 0.15;
   claims
       .only_if(std::abs(finite.kappa() - 1) >= cusp,
-               "the theory has a cusp at kappa = 1, within 0.15 of which it is not judged")
+               "the theory has a cusp at kappa = 1, within 0.15 of which it is not compared")
       .only_if(long_enough(what), "the limit of a run that does not wait for its stem is not known")
       .check(
           "theory-" + id_of(angle),
@@ -168,7 +168,7 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
                       angle),
           "a_w/a_i for infinite time", [](const Configuration& one) { return one.finest().limit_ratio(); },
           Bound{.limit = finite.theory_uncertainty(),
-                .reason = "what it leaves out is of the order of the incident amplitude; not judged within 0.15 of "
+                .reason = "what it leaves out is of the order of the incident amplitude; not compared within 0.15 of "
                           "kappa = 1, where it has a cusp",
                 .expected = finite.wall_ratio(),
                 .relative = true});

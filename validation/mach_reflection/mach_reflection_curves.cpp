@@ -3,7 +3,7 @@ Amplitudes and angles of solitary waves reflected by a wall, for four amplitudes
 7 and 8 of Frank (1994). Depth 1, $g = 1$. What the pattern looks like: cases `mach_reflection` and
 `mach_stem_growth`.
 
-**Set-up.** As in `mach_reflection`, plan model. Spacings 0.5, 0.6, 0.9 and 1.25 for $a_i$ = 0.3, 0.186, 0.097 and 0.05,
+**Set-up.** As in `mach_reflection`, 2DH model. Spacings 0.5, 0.6, 0.9 and 1.25 for $a_i$ = 0.3, 0.186, 0.097 and 0.05,
 for low waves are long. A stem needs the time $3/(S^3\kappa|1-\kappa|)$, $S = \sqrt{3a_i}$, to reach its height (Kodama
 and Yeh 2016). A run covers four of them, after 250 width units $\sqrt{0.3/a_i}$ in which the pattern forms.
 
@@ -13,7 +13,7 @@ Kodama 2011). With what Frank, Tanaka (1993) and others state.
 
 **What to look at.** The amplitude at the wall peaks just below $\kappa = 1$ for finite angles, at 3.3 to 3.6 times the
 incident one for $a_i$ = 0.3 and 0.097, not at 4. There it grows for thousands of time units: such runs are marked, and
-their limits are those of a fitted exponential, with an uncertainty that reaches as far as the rate of growth of the
+their limits follow from a fitted exponential, with an uncertainty that reaches as far as the rate of growth of the
 theory allows; for $a_i$ = 0.186 and 0.05 it does not exclude 4. The transition from irregular to regular reflection
 follows
 $\tan\psi_i/\cos\psi_i = \sqrt{3a_i}$, far below Miles's $\psi_i = \sqrt{3a_i}$: the dash-dotted curve of Frank's figure

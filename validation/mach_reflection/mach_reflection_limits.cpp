@@ -219,7 +219,7 @@ void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t c
           fmt::format("models-{}-{:g}", id_of(wave.amplitude), wave.angle),
           fmt::format("a = {:g}, {:g} deg: the two models have nearly the same amplitude at the wall.", wave.amplitude,
                       wave.angle),
-          "a_w/a_i of the hexahedra over that of the columns, less 1",
+          "a_w/a_i of the hexahedra over a_w/a_i of the columns, less 1",
           [=](const Results& r) {
             const Measurement layered = r.at(hexahedra).limit(&Reflection::limit_ratio);
             const Measurement plain = r.at(columns).limit(&Reflection::limit_ratio);

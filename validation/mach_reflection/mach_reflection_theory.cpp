@@ -6,7 +6,7 @@ the stem's end moves off the wall at $\tan\psi_* = (1-\kappa)\tan\psi_r/3$. Leng
 
 **What is compared.** The case shows the theory for both parameters. It scores others: amplitudes over the measured
 incident one, angles, and by how much the wall's amplitude still grew in the last fifth of the run. Our models are
-judged in `mach_reflection`.
+evaluated in `mach_reflection`.
 
 **What to look at.** The theory neglects what is of the order of $a_i$: that is the limit, and where it would no longer
 tell a stem from regular reflection nothing is decided. Small waves settle slowly, after hundreds of depths.

@@ -4,10 +4,10 @@ depth, meets the wall $y = 0$ at 30 degrees. It is regular at first: incident an
 they part from it, and between them and the wall stands the stem, which grows in length for ever and in height up to a
 limit. Lengths are in depths, times in $\sqrt{\text{depth}/g}$.
 
-**Set-up.** As in `mach_reflection`, plan model.
+**Set-up.** As in `mach_reflection`, 2DH model.
 
 **What is compared.** The growth with a straight line: far from the wall's beginning the pattern is self-similar, its
-length grows in proportion to the path. The speed of the crest on the wall with that of Serre's solitary wave of the
+length grows in proportion to the path. The speed of the crest on the wall with Serre's solitary wave of the
 stem's height, $\sqrt{1 + a_w}$: the stem is such a wave. And with the incident crest, whose trace on any line parallel
 to the wall runs at $c_i/\cos\psi_i$, slower than the stem: that is why the stem grows.
 

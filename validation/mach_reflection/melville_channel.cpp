@@ -8,9 +8,9 @@ the beginning of its growth. Lengths are in depths, times in $\sqrt{\text{depth}
 $x = 20$. The lattice follows the wall: equal columns, on each of them equal rows from wall to wall. The column at the
 bend does not move: water stagnates there. Steps are half the spacing `h`.
 
-**What is compared.** The height of the crest on the turned wall, against the distance from the bend, over that of the
-crest on the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for
-infinite time: theory for finite angles.
+**What is compared.** The height of the crest on the turned wall, against the distance from the bend, over the crest on
+the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for infinite time:
+theory for finite angles.
 
 **What to look at.** At 20 degrees theory promises a stem of 2.9 times the incident wave. After 40 depths, longer than
 the tank, it has come a third of the way there from one. At 35 degrees reflection is regular in the end, with 2.26 at
@@ -183,7 +183,7 @@ void claim_models(const Claims<Results>& claims, double amplitude, double angle,
   claims.check(
       "models-" + id_of(angle),
       fmt::format("{:g} deg: by hexahedra the stem has grown as much, {:g} depths from the bend.", angle, tank),
-      "a_w/a_i - 1 there over that of the columns, less 1",
+      "a_w/a_i - 1 there over the same of the columns, less 1",
       [=](const Results& r) -> Measurement {
         const Measurement plain = ratio_at(r.at(columns), tank);
         const Measurement layered = ratio_at(r.at(hexahedra), tank);
@@ -288,7 +288,7 @@ Case melville_channel() {
       real("angle", 20.0, "deg", {10, 40}, "by which the wall turns"),
       real("second_angle", 35.0, "deg", {10, 40}, "the same in a second channel"),
       real("h", {0.6, 0.4, 0.4}, "depth", {0.1, 0.7},
-           "spacing of the lattice at rest; also 1.4 and 2 times that; finer ones than 0.4 may fold at the bend"),
+           "spacing of the lattice at rest; also 1.4 and 2 times that; finer ones than 0.4 may tangle at the bend"),
   };
   c.published = {{.tiles = {"frank-melville"}}};
   c.study = Study(claims, compute, show, source);

@@ -32,7 +32,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--rows", options.rows, "of cells, of hump and soliton")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_option("--layers", options.layers, "of hexahedra; 0: the plan model")
+  app.add_option("--layers", options.layers, "of hexahedra; 0: the 2DH model")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   app.add_option("--spacing", options.spacing, "of the lattice [depths]")->capture_default_str();
@@ -124,7 +124,7 @@ validation::ReflectionWindow reflection_window(const Options& options) {
 
 validation::ConicalIsland::Settings island(const Options& options) {
   require_sensible(options);
-  if (options.layers > 0) throw std::invalid_argument("an island in layers of hexahedra; allowed: the plan model");
+  if (options.layers > 0) throw std::invalid_argument("an island in layers of hexahedra; allowed: the 2DH model");
   validation::ConicalIsland::Settings settings{.height = options.amplitude};
   settings.spacing = options.spacing * settings.depth;
   settings.drag.breaking_slope = 0;  // fronts run through the blocks of several processes
@@ -159,7 +159,7 @@ evidence::Record begun(const Options& options) {
   keep("columns", static_cast<long>(options.columns), static_cast<long>(standard.columns), "1", "cells along x");
   keep("rows", static_cast<long>(options.rows), static_cast<long>(standard.rows), "1", "cells along y");
   keep("layers", static_cast<long>(options.layers), static_cast<long>(standard.layers), "1",
-       "of hexahedra; 0: the plan model");
+       "of hexahedra; 0: the 2DH model");
   if (options.flow == "reflection")
     keep("angle", options.angle, standard.angle, "deg", "between crest and wall's normal");
   keep("spacing", options.spacing, standard.spacing, "depth", "of the lattice");
@@ -205,7 +205,7 @@ void judge_reflection(evidence::Record& record, const Options& options, const Fi
                       .relative = true});
   record.check({.id = "wall",
                 .text = "At the wall the wave is higher than the incident one, by at most four times.",
-                .quantity = "height at the wall over that of the incident wave",
+                .quantity = "height at the wall over the height of the incident wave",
                 .source = "J. W. Miles, Resonantly interacting solitary waves, J. Fluid Mech. 79 (1977) 171"},
                {.value = findings.wall / findings.incident, .resolution = resolution},
                evidence::Bound{.limit = 1.5 + coarse,

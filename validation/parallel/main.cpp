@@ -243,7 +243,7 @@ int failed(const distributed::Runtime& runtime, int status, const std::exception
 int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): before MPI runs, nobody else waits
   const distributed::Runtime runtime(argc, argv);
   Options options;
-  CLI::App app("Flows of the plan model and of hexahedra on many processes; what follows -- is for PETSc",
+  CLI::App app("Flows of the 2DH model and of hexahedra on many processes; what follows -- is for PETSc",
                "seiche-parallel");
   app.footer(
       "Exit status: 0 all claims as expected; 1 at least one unexpected result; 2 invalid input or usage;\n"

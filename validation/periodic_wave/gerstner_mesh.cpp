@@ -10,16 +10,16 @@ sides and of the bottom follow their exact paths; the surface is free. A step is
 
 **What is compared.** Places of the free nodes, the pressure in the cells, which depends on $b$ alone, and the shape of
 the surface. The root mean square is taken over the components of all free nodes. What is largest, the shape and the
-pressure are judged in the middle half of the wave, away from the nodes that are led.
+pressure are evaluated in the middle half of the wave, away from the nodes that are led.
 
 **What to look at.** The shape and the pressure are of second order, the places of surface nodes of first. A surface
 node feels the gradient of the dynamic pressure half a cell too deep and slips along the surface. For small waves
 
 $$\mathrm{slip} = \tfrac{h}{2} A\,\bigl[\sin(a - t) - \sin a + t \cos a\bigr],$$
 
-which also drifts: the water's orbits close, those of the surface nodes do so only as $h \to 0$. The second figure shows
-the slip beside this estimate. At its ends the slip meets nodes that are led and do not slip. There the mesh zigzags
-within a few cells, a little more on finer meshes.
+which also drifts: the water's orbits close, orbits of the surface nodes do so only as $h \to 0$. The second figure
+shows the slip beside this estimate. At its ends the slip meets nodes that are led and do not slip. There the mesh
+zigzags within a few cells, a little more on finer meshes.
 */
 #include <algorithm>
 #include <cmath>

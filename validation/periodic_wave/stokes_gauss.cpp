@@ -6,7 +6,7 @@ free particles under Gauss's principle of least constraint, against Schwartz (19
 of the density: the last has nine tenths of the greatest height. A fourth one is nearly a train of solitary waves:
 length 30, depth 1, height 0.3, with five halves as many cells and steps. Particles in columns and rows that follow
 the exact surface carry the exact velocities; masses of the rows next to the surface and to the bottom are
-end-corrected. The space of fields is that of cubic splines on square cells; markers trace the surface. Gravity is the
+end-corrected. The space of fields consists of cubic splines on square cells; markers trace the surface. Gravity is the
 potential energy of the water under the line of markers, Frank's (7), so that energy and momentum are exact.
 
 **What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads or lags
@@ -201,7 +201,8 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
                    "a hundredth of what Frank's projection scheme loses with the same steps, (tau/2) sum m |a|^2 = "
                    "tau omega^2 times the kinetic energy per unit of time in a linear wave"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
-      .only_if(values.real("penalty") == 0 && on_surface, "a penalty takes energy, and that of particles is another")
+      .only_if(values.real("penalty") == 0 && on_surface,
+               "a penalty takes energy, and the energy of particles is another")
       .check(
           s.named("energy"), fmt::format("{}: the energy is conserved to round-off.", s.name()),
           "largest change over the kinetic energy", [](const WaveRun& r) { return worst(r.energy); },

@@ -11,9 +11,9 @@ the wave of its own equations with the same height and length (`seiche exact ser
 and time together.
 
 **What is compared.** Elevations of markers, nodes or the surface's curve with the exact wave: their root mean square
-over the height, and the phase. The error of particles and mesh falls with the second order; that of the dispersive
+over the height, and the phase. The error of particles and mesh falls with the second order; the error of the dispersive
 model against the wave of its own equations, too. Against the Euler equations it stays: the two exact waves are apart,
-mostly by their speed, and where it ends is known beforehand. Times are shown and never judged.
+mostly by their speed, and where it ends is known beforehand. Times are shown and never scored.
 
 **What to look at.** For a wave six depths long or longer, and where one per cent of the phase is enough, take the
 dispersive model: it takes milliseconds. For a smaller error than that take particles: none is as near for the time they

@@ -8,17 +8,16 @@ a twentieth, a tenth and a fifth of the depth. Free particles, the dispersive mo
 The Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for
 which the wave is none, starts from the wave of its own equations with the same height and length.
 
-**What is compared.** After every three quarters of a period, the fundamental of the surface: its amplitude over that of
-the exact wave, and its phase. After whole periods a wave that stands still, or runs the other way, looks right. What
-either changes by in a wavelength is the slope of a straight line through the instants, so that a wrong beginning is not
+**What is compared.** After every three quarters of a period, the fundamental of the surface: its amplitude over the
+exact wave, and its phase. After whole periods a wave that stands still, or runs the other way, looks right. What either
+changes by in a wavelength is the slope of a straight line through the instants, so that a wrong beginning is not
 counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
 
 **For any solver.** `seiche score wave_attenuation --template` asks for the surface at the same instants. Start from the
 exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
-periodic box;
-`--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
+periodic box; `--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
 `--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are settled,
-and counts wavelengths of way in place of periods. Histories of volume, energy and momentum are judged where they are
+and counts wavelengths of way in place of periods. Histories of volume, energy and momentum are scored where they are
 given. Lost may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten
 wavelengths that is the twentieth that benchmarks of tsunamis allow.
 
@@ -318,7 +317,7 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     cost.points(model.name, seconds, larger, model.role);
   }
   auto& course = exhibit.figure("course", "The highest wave on its way", "The finest of each: its fundamental.");
-  auto& height = course.panel({.x = "t/T", .y = "height over that of the exact wave"});
+  auto& height = course.panel({.x = "t/T", .y = "height over the exact wave's"});
   auto& lead = course.panel({.x = "t/T", .y = "lead [wavelengths]"});
   for (const Shown& model : shown_models()) {
     const Course& one = finest(results, model.id);

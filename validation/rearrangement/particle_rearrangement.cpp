@@ -6,9 +6,9 @@ gap the faster one. If the rebuilt one would become the denser of the two, its p
 
 Rebuilding one particle of a pair moves only the edge they share. So the rule is a choice of a velocity for every edge,
 and the scheme of this suite takes it, with the thrust, from the Riemann problem of the pair: order of processing plays
-no role, areas are kept to the last digit, and so is momentum.
+no role, areas are kept to all digits, and so is momentum.
 
-**What is compared.** The area of the rectangles with that of the parabola; the areas before and after a rearrangement.
+**What is compared.** The area of the rectangles with the parabola; the areas before and after a rearrangement.
 
 **What to look at.** The third picture of the rearrangement: the edge has gone further than either velocity would take
 it, because the deep particle also pushes.

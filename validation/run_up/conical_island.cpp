@@ -14,21 +14,20 @@ The lattice is rezoned: its nodes slide back along their rows to the lines of th
 the film that it leaves is drawn after it, and the shoreline is no steeper in plan than 2 against its columns. Walls are
 reflecting; they stand where their echo comes too late to matter.
 
-**What is compared.** The largest run-up $R/A$ by the angle from the front of the island with the measurements, and with
+**What is compared.** The maximum run-up $R/A$ by the angle from the front of the island with the measurements, and with
 the shallow-water model of Liu et al. (1995). $A$ is the nominal height, 0.05, 0.1 and 0.2 depths, as the publisher of
-the table turns $R/A$ into metres. All measured angles count; where the lattice folds before the water has
+the table turns $R/A$ into metres. All measured angles count; where the lattice tangles before the water has
 been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
 as high as in front, though the sides saw much less. All three waves pass the island with columns down to 0.25 m apart,
-A and B with 0.125 m too; there the lattice of C folds when its two fronts have met behind the island and run back.
-Wave C breaks at the sides:
-there the model climbs higher than the water of the experiment, whose wave is spent, with columns 0.35 m apart by half
-on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every angle.
-Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of C folds
-as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and that of B behind it, with 0.25 m
-at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to four times as
-high at the sides as the water of the experiment.
+A and B with 0.125 m too; there the lattice of C tangles when its two fronts have met behind the island and run back.
+Wave C breaks at the sides: there the model climbs higher than the water of the experiment, whose wave is spent, with
+columns 0.35 m apart by half on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every
+angle. Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of
+C tangles as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and the lattice of B behind
+it, with 0.25 m at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to
+four times as high at the sides as the water of the experiment.
 */
 #include <algorithm>
 #include <array>
@@ -220,8 +219,8 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
   claims
       .fails({.value = 1,
               .width = 0,
-              .reason = "directly behind the island, where the two fronts meet, the lattice folds within "
-                        "0.25 s after the water was highest"},
+              .reason = "directly behind the island, where the two fronts meet, the lattice tangles within 0.25 s "
+                        "after the water was highest"},
              wave.name == "C" && resolves_breaking(spacing))
       .check(
           "climbed-" + wave.name,
@@ -233,7 +232,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
             return static_cast<double>(
                 std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
           },
-          Bound{.limit = 0, .reason = "none"});
+          Bound{.limit = 0, .reason = "run-up is compared at every measured angle"});
 }
 
 void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
@@ -250,7 +249,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
           [](const std::vector<Passed>& spacings) {
             return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
           },
-          Qualitative{.detector = "no cell folds until 6 s after the crest would pass the middle, at either spacing",
+          Qualitative{.detector = "no cell inverts until 6 s after the crest would pass the middle, at either spacing",
                       .reason = "the water behind the island has run up and down by then"});
 }
 
@@ -314,7 +313,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
   auto& figure =
       exhibit.figure("runup", "Run-up around a conical island",
                      "Against the angle from the front. Measurements with their uncertainty; the model as far as the "
-                     "wave has passed, should the lattice fold; the shallow-water model of Liu et al. (1995).");
+                     "wave has passed, should the lattice tangle; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
     const Measured data = measured(table, waves[k].stated);

@@ -5,7 +5,7 @@ the slope $S$ and lengths in depths.
 
 **What is compared.** The case shows the law beside the values that Frank (1994) read off the measurements. It scores
 others: the run-up of waves of 0.05 to 0.3 depths on one beach, within the scatter of the experiments. Our models are
-judged against it in `slope_run_up_mesh` and `run_up_table`.
+compared with it in `slope_run_up_mesh` and `run_up_table`.
 
 **What to look at.** The law is a fit: 5 % is what such experiments scatter by, and a solver cannot be told from them
 more closely.
@@ -67,7 +67,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const HallWatts law = law_of(values);
   return {{.name = "runups",
            .group = Column{"A_over_d", "1", "height of the wave in depths"},
-           .quantities = {{.column = {"R_over_d", "1", "largest run-up in depths"},
+           .quantities = {{.column = {"R_over_d", "1", "maximum run-up in depths"},
                            .reference = [law](Place p) { return law.runup(p.group); },
                            .requirements = {{.measure = Measure::relative_error,
                                              .criterion = Uncertainty{.data = HallWatts::scatter(),

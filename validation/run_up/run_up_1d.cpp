@@ -12,7 +12,7 @@ shoreline, from a parabola through the three highest steps.
 **What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$, where that law holds: the
 wave does not break on its way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and the beach is long, $A \gg (0.288 \tan\beta)^2$.
 
-**What to look at.** The shoreline of the shallow-water equations beside that of the model, which comes a little later
+**What to look at.** The shoreline of the shallow-water equations beside the model, which comes a little later
 and, with finer markers, rises a little less: what dispersion does.
 */
 #include <algorithm>
@@ -85,7 +85,7 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
 
 void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfaces, double cot_slope) {
   auto& figure = exhibit.figure("profiles", "The wave climbs",
-                                "Surface and bottom when the crest is at the toe, and at the largest run-up.");
+                                "Surface and bottom when the crest is at the toe, and at the maximum run-up.");
   for (const Surface& one : surfaces) {
     const double lowest = -0.3;
     auto& panel = figure.panel(

@@ -7,10 +7,10 @@ cannot carry a bore, which loses some. This case shows where the model ends, and
 markers cross or the water under one is gone: then the program stops with time, step and place of the failure.
 
 **What is compared.** Nothing measured: waves above the limit are outside the model's validity, and their run-down is
-not to be used. Claimed is that waves below the limit run through, that no run ends otherwise than with a stated
+not to be used. Claimed is that waves below the limit complete, that no run ends otherwise than with a stated
 failure.
 
-**What to look at.** The map of slopes and heights, with the limit. Above it some waves run through with one spacing and
+**What to look at.** The map of slopes and heights, with the limit. Above it some waves complete with one spacing and
 stop with another; with some the tip, a marker of almost no mass, shoots up when the bore reaches it. The first run-up
 comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85, which breaks on its way up.
 */
@@ -172,8 +172,8 @@ struct Results {
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
   evidence::Table& table = add_table(
       exhibit, "fates", "Run-down of solitary waves, below and above the limit",
-      "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over that of the "
-      "start; how the run ended, time since the largest run-up. Above the limit only the run-up is to be used.",
+      "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over the initial energy; "
+      "how the run ended, time since the maximum run-up. Above the limit only the run-up is to be used.",
       {"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]", "later [depth]",
        "energy [1]", "end"});
   using Cell = std::variant<double, std::string>;
@@ -290,8 +290,8 @@ Results compute(const Run& run) {
 void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
   auto& panel = exhibit
                     .figure("map", "Where the model ends",
-                            "Runs through run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and "
-                            "of run-up, 0.8183 cot^(-10/9).")
+                            "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
+                            "run-up, 0.8183 cot^(-10/9).")
                     .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
   std::vector<double> limit, up_limit;
   for (const double cot_slope : mapped_slopes) {
@@ -310,7 +310,7 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
     if (!cot_slope.empty()) panel.points(label, cot_slope, amplitude, role);
   };
   points("runs through", Role::computed, returns_lower);
-  points("runs through, tip shoots up", Role::peer,
+  points("completes, tip shoots up", Role::peer,
          [](const RunDown& fate) { return fate.through() && !returns_lower(fate); });
   points("stops", Role::data, [](const RunDown& fate) { return !fate.through(); });
 }

@@ -345,7 +345,7 @@ void claim_method(const GaussClimb& climb, const Claims<GaussClimbRun>& claims) 
           [half = climb.tau() * climb.tau() / 2](const GaussClimbRun& run) { return run.beyond / half; },
           Bound{.limit = 1,
                 .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
-                          "none there is greater than that of gravity"});
+                          "none there is greater than gravity"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {

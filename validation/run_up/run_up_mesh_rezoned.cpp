@@ -16,10 +16,10 @@ node is farther from its place than a fifth of its cell.
 `slope_runup`), on four meshes; whether the mesh holds to the end; the energy, with what rezoning takes booked. Loads on
 the wall are compared in `wall_run_up_mesh_figures`.
 
-**What to look at.** Nothing folds, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up, nor
-at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second order
-as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall half of
-it while the sheet falls.
+**What to look at.** No cell tangles, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up,
+nor at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second
+order as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall
+half of it while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>
@@ -129,7 +129,7 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
       "whole-" + climb.id(),
       fmt::format("{}: the mesh holds, {}.", climb.title(),
                   climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
-      "meshes on which it folds",
+      "meshes that tangle",
       [id = climb.id()](const Results& all) {
         Count folded;
         for (const Reached& one : find(all, id).on) {
@@ -279,7 +279,7 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
 
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   const auto rows = static_cast<std::size_t>(values.integer("rows"));
-  auto& figure = exhibit.figure("meshes", "The mesh at the largest run-up", resolution(values.integer("rows")) + ".");
+  auto& figure = exhibit.figure("meshes", "The mesh at the maximum run-up", resolution(values.integer("rows")) + ".");
   for (const std::string& id : {std::string("wall-60"), std::string("cot-2-50")}) {
     const Climbed& one = find(all, id);
     const Reached& finest = one.on.back();

@@ -7,7 +7,7 @@ the measurements of Hall and Watts.
 states neither $h$ nor $\tau$; for one amplitude per slope it adds the value with both halved. Two variants go beyond
 it. The shoreline marker weighs $V/4$ of its triangle in the thesis (elementary volumes); with $V/6$ a plane surface
 over a plane slope accelerates exactly as it should. And the kinetic energy over a slope, in the thesis
-$\tfrac12 m (p^2 + \tfrac13 r^2)$ along and across the bottom, can be that of Green and Naghdi: exact for a vertical
+$\tfrac12 m (p^2 + \tfrac13 r^2)$ along and across the bottom, can be taken from Green and Naghdi: exact for a vertical
 velocity that is linear between the bed and the surface.
 
 **What is compared.** Every value with the thesis, at $h = 1/4$. The change of the run-up as the spacing is halved, with

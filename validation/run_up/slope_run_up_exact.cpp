@@ -1,5 +1,5 @@
 /*
-A solitary wave of the full Euler equations climbs a plane slope behind a level bottom. The largest run-up follows from
+A solitary wave of the full Euler equations climbs a plane slope behind a level bottom. The maximum run-up follows from
 fully nonlinear potential flow by a spectral boundary-integral method, in a plane where bottom and slope are one
 straight line (`seiche exact slope_runup`).
 

@@ -18,10 +18,9 @@ it; that makes its motion along the surface inexact to first order, and on a slo
 motion. Against a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values lie within a
 few per cent of the formula, which is drawn through measurements, and nearer to the exact ones. Water arrives at the toe
 in finite time and goes on up the slope. With Frank's toe a node on the level bottom cannot: it passes the toe, the last
-cell at the bottom folds, its area stays right, and the run goes on
-(`beyond_folds`). With the toe that slides no cell folds, and energy is exact while nodes go around the corner. What
-either changes of the run-up is of first order like its error: 3 % of the highest wave on the mild slope with columns an
-eighth wide, a few tenths of a per cent of most.
+cell at the bottom tangles, its area stays right, and the run goes on (`beyond_folds`). With the toe that slides no cell
+tangles, and energy is exact while nodes go around the corner. What either changes of the run-up is of first order like
+its error: 3 % of the highest wave on the mild slope with columns an eighth wide, a few tenths of a per cent of most.
 */
 #include <algorithm>
 #include <array>
@@ -371,8 +370,8 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
       exhibit, "runup", "Run-up on slopes",
       "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the finest with a toe that "
-      "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell "
-      "folds first on the finest mesh that does, before the largest run-up.",
+      "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell inverts "
+      "first on the finest mesh that does, before the maximum run-up.",
       {"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]", "extrapolated [depth]",
        "sliding toe [depth]", "exact [depth]", "thesis [depth]", "Hall-Watts [depth]", "fold [sqrt(depth/g)]"},
       {"frank-slopes-2d"});
@@ -436,7 +435,7 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
   const double highest = std::isnan(one.run.runup) ? largest(one.level) : one.run.runup;
   const MeshWindow window{one.climb.toe - 4, one.climb.toe + (1 + 1.1 * highest) / one.climb.tan_slope};
   draw_mesh(
-      exhibit.figure("mesh", "The mesh at the largest run-up", title, {"frank-slopes-2d"}).panel(mesh_axes("", window)),
+      exhibit.figure("mesh", "The mesh at the maximum run-up", title, {"frank-slopes-2d"}).panel(mesh_axes("", window)),
       "mesh", one.run.flow.model().mesh(), one.x, one.y, window);
 }
 
@@ -472,7 +471,7 @@ Case slope_run_up_mesh() {
                real("tan_slope", 1.0, "1", {0.3, 5}, "tangent of the slope")},
               mesh_parameters(0.25, 8, 0.025),
               {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: the toe's node stays"),
-               toggle("beyond_folds", true, "go on when a cell folds, as Frank's model does")}});
+               toggle("beyond_folds", true, "go on when a cell inverts, as Frank's model does")}});
   c.published = {{.tiles = {"frank-slopes-2d"}, .stated = {"tan_slope", "scheme"}}};
   c.study = Study(claims, compute, show, source);
   return c;

@@ -100,7 +100,7 @@ std::vector<Parameter> slope_parameters() {
       choice("tip_mass", std::string("elementary"), {"elementary", "consistent"},
              "mass of the shoreline marker: V/4 of its triangle, as Frank has it, or V/6, which converges faster"),
       choice("kinetics", std::string("frank"), {"frank", "green_naghdi"},
-             "kinetic energy over a slope: Frank's, or that of Green and Naghdi"),
+             "kinetic energy over a slope: Frank's, or Green and Naghdi's"),
   };
 }
 

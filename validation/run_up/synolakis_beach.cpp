@@ -241,8 +241,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   profiles.check(
       "as-near",
       "The model is no farther from the measured surface than the exact solution of the shallow-water equations.",
-      "rms distance over that of the exact solution, t = 40 to 70", [](const Results& r) { return r.nearness.ratio(); },
-      Bound{.limit = 1, .reason = "no farther means at most 1"});
+      "rms distance over the distance of the exact solution, t = 40 to 70",
+      [](const Results& r) { return r.nearness.ratio(); }, Bound{.limit = 1, .reason = "no farther means at most 1"});
   claims.at("h = 0.5, 0.25, 0.125, tau = h/16")
       .check(
           "breaking-wave",

@@ -4,7 +4,7 @@ the shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}
 
 **Set-up.** As in `run_up_1d`.
 
-**What is compared.** For $A = 0.019$ the largest run-up as the spacing goes to zero, with the tip of Frank's thesis, of
+**What is compared.** For $A = 0.019$ the maximum run-up as the spacing goes to zero, with the tip of Frank's thesis, of
 mass $V/4$, and with $V/6$, with which a plane surface over a plane slope accelerates as it should. And the run-up of
 all 29 laboratory waves that do not break, $A \le 0.045$.
 
@@ -132,7 +132,7 @@ Results compute(const Run& run) {
 
 void show_refinement(const Results& r, evidence::Exhibit& exhibit) {
   auto& panel = exhibit
-                    .figure("refinement", "The largest run-up as the spacing goes to zero",
+                    .figure("refinement", "The maximum run-up as the spacing goes to zero",
                             "A = 0.019. The mass of the shoreline marker decides how fast it converges.")
                     .panel({.x = "h [depth]", .y = "R [depth]"});
   for (const auto& [sequence, id, label] : {std::tuple{&r.elementary, "elementary", "tip V/4, the thesis's"},

@@ -16,7 +16,7 @@ the wall until the water there has fallen to half its height, over the largest f
 
 **What to look at.** Above a height of some 0.4 depths the force has two maxima, with a dip between them while the water
 is highest: the water at the wall falls almost freely then (Cooker, Weidman and Bale 1997). Free particles and the mesh
-show both; the force of cells with stabilised pressures fluctuates by as much as the dip, that of SPH by a fifth of the
+show both; the force of cells with stabilised pressures fluctuates by as much as the dip, in SPH by a fifth of the
 largest. Dispersive shallow water has one maximum, three per cent too high; plain shallow water turns the wave into a
 bore.
 */
@@ -147,7 +147,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const Claims<Results> all = claims.at("the finest");
   const auto contest = all.of(&Results::contest);
   const auto high = all.only_if(values.real("amplitude") >= 0.45, "lower waves have one maximum, or a faint dip");
-  const std::string share = "dip over that of the exact force";
+  const std::string share = "dip over the dip of the exact force";
   const auto dip_of = [](const std::string& id) {
     return [id](const Results& r) { return dip(r.force.at(id)) / dip(r.exact); };
   };
@@ -169,17 +169,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
              dip_of("shallow-water"),
              Bound{.limit = 0.5, .reason = "its pressure knows no vertical acceleration: half of the exact dip"});
   claims_of(contest, "mesh")
-      .only_if(values.real("amplitude") == 0.5, "lower waves do not fold it, higher ones do earlier")
+      .only_if(values.real("amplitude") == 0.5, "lower waves do not tangle it, higher ones do earlier")
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "no force restores the shape of a Lagrangian cell: as the water falls along the wall, the mesh "
-                        "folds below its surface"})
+                        "tangles below its surface"})
       .check(
           "mesh-lasts", "The run reaches the end time (the Lagrangian mesh).", "share of the time that was asked for",
           [](const Entry& entry) { return entry.finest().lasted / entry.finest().asked; },
           Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = 1});
   contest.check(
       "particles-force", "The error of the free particles' force is below a tenth of dispersive shallow water's error.",
-      "rms error of the force over that of the dispersive model",
+      "rms error of the force over the error of the dispersive model",
       [](const Contest& c) { return error_of_finest(c.of("particles")) / error_of_finest(c.of("dispersive")); },
       Bound{.limit = 0.1,
             .reason = "equations without a vertical structure of the acceleration are off by as much however fine; "

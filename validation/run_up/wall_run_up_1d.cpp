@@ -7,7 +7,7 @@ shows what Serre's equations, to which Frank's one-dimensional model converges o
 last marker slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest
 steps, and goes to zero spacing by Richardson's extrapolation.
 
-**What is compared.** The run-up for several heights with that of the Euler equations, and with the series
+**What is compared.** The run-up for several heights with the Euler equations, and with the series
 $R = 2A + \tfrac12 A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the
 same series as far as long waves govern them; the case measures how far that is.
 
@@ -136,9 +136,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto compared = claims.of(&Results::comparison)
                             .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
                                             climb.spacing, climb.tau_over_spacing));
-  compared.check(
-      "second-order", "At all heights the model is nearer to the Euler equations than the second-order series.",
-      "largest distance over that of 2A + A^2/2", over_series, Bound{.limit = 1, .reason = "nearer means less than 1"});
+  compared.check("second-order",
+                 "At all heights the model is nearer to the Euler equations than the second-order series.",
+                 "largest distance over the distance of 2A + A^2/2", over_series,
+                 Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
 Results compute(const Run& run) {

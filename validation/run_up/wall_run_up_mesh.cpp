@@ -1,6 +1,6 @@
 /*
 A solitary wave runs against a vertical wall and climbs it, on Frank's two-dimensional Lagrangian mesh. The exact run-up
-of the Euler equations is known to many digits (`wall_run_up_exact`), so that the mesh can be judged by the truth.
+of the Euler equations is known to many digits (`wall_run_up_exact`), so that the mesh can be evaluated by the truth.
 
 **Set-up.** Depth, gravity and density are 1. The exact solitary wave starts 12 depths from the wall, with its own
 velocities, in a tank of 24 depths. The last column of nodes slides up and down the wall: its top is the contact point,
@@ -14,8 +14,8 @@ mesh gives.
 so does the force, and the pressure at the bottom with order 2. The pressure at $y = 0$ is interpolated between two
 cells whose place at the wall changes from mesh to mesh: it comes as close, but not by a power of the mesh.
 The force of a high wave has two humps: while the water at the wall is highest it accelerates downwards, and the
-pressure is less than its depth suggests. The mesh at the largest run-up: columns at the wall become tall and thin.
-Above $A = 0.45$ they may fold when the water falls again; the case then tells when and where
+pressure is less than its depth suggests. The mesh at the maximum run-up: columns at the wall become tall and thin.
+Above $A = 0.45$ they may tangle when the water falls again; the case then tells when and where
 (`wall_run_up_mesh_limit`), unless the mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 */
 #include <algorithm>
@@ -147,7 +147,7 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
             if (!r.up.fold) return {.value = 1};
             return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.fold->time, r.up.fold->place)};
           },
-          Qualitative{.detector = "no corner of a cell folds",
+          Qualitative{.detector = "no corner of a cell inverts",
                       .reason = "the Euler equations have a solution to the end"});
 }
 
@@ -211,7 +211,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .check(
           "exact", "The run-up agrees with the Euler equations.", "run-up [depth]",
           [](const Results& r) -> Measurement {
-            if (!r.all.complete()) throw std::runtime_error("a mesh folds before its largest run-up");
+            if (!r.all.complete()) throw std::runtime_error("a mesh tangles before its maximum run-up");
             Measurement runup{.value = r.all.runup.back(), .uncertainty = r.all.limit(&Sequence::runup).uncertainty};
             if (!r.tabled) runup.told.expected = r.exact;
             return runup;
@@ -265,8 +265,8 @@ void draw_wall(const Results& r, evidence::Exhibit& exhibit) {
 
   const MeshWindow window{.begin = -2.5, .end = 0};
   auto& meshes = exhibit.figure("mesh", "The mesh at the wall",
-                                r.up.fold ? "At the largest run-up, and before the step in which it folds."
-                                          : "At the largest run-up, and at the end.");
+                                r.up.fold ? "At the maximum run-up, and before the step in which it tangles."
+                                          : "At the maximum run-up, and at the end.");
   auto& highest = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.time_of_runup), window));
   draw_mesh(highest, "mesh", r.up.flow.model().mesh(), all.highest_x, all.highest_y, window);
   auto& last = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.flow.time()), window));

@@ -3,12 +3,12 @@ Run-up and wall pressure of solitary waves against their height, as in figures 2
 several meshes of his two-dimensional Lagrangian model.
 
 **Set-up.** As in `wall_run_up_mesh`. Each mesh has columns twice as wide as its rows are high, and steps of a tenth of
-the columns' width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose mesh folds before its largest run-up has
+the columns' width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose mesh tangles before its maximum run-up has
 no point. High waves climb also on meshes whose columns are put upright again when they lean (`run_up_mesh_rezoned`).
 
 **What is compared.** Run-up and loads with exact values of the Euler equations and with the series
 $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$. The thesis gives its own
-points, those of experiments and of other computations in the figures only.
+points, experiments and other computations in the figures only.
 
 **What to look at.** Two rows are within 3 % up to $A = 0.2$. Higher waves need more: at $A = 0.5$ the coarse mesh lacks
 15 %, the fine one 2 %; $A = 0.6$ needs the mesh that is rezoned. The pressure depends far less on the mesh, because the
@@ -223,11 +223,10 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "runup", "Largest run-up on a vertical wall",
-                "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
-                "2A + A^2/2 + 3A^3/4.",
-                {"A [depth]"});
+  evidence::Table& table = add_table(
+      exhibit, "runup", "Maximum run-up on a vertical wall",
+      "Nothing where the mesh tangles before; high waves also on a mesh that is rezoned. Series: 2A + A^2/2 + 3A^3/4.",
+      {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.emplace_back("exact", "depth");
   table.columns.emplace_back("series", "depth");
@@ -260,7 +259,7 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
     }
   };
   auto& runup = exhibit.figure(
-      "runup", "Largest run-up on a vertical wall",
+      "runup", "Maximum run-up on a vertical wall",
       "Solitary waves on meshes of Frank's model, high ones on a mesh that is rezoned, exact values of the Euler "
       "equations, and the series of Su and Mirie; beside it relative to the height of the wave.",
       {"frank-fig-2"});

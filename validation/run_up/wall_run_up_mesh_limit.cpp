@@ -1,23 +1,23 @@
 /*
 The water that a high solitary wave throws up a vertical wall is a thin sheet. Particles at its surface crowd together
-there, and cells of the Lagrangian mesh that follow them become so thin that they fold: a corner turns inside out while
-areas, energy and pressure are still in order. This case shows where the model ends and how far it can be pushed.
+there, and cells of the Lagrangian mesh that follow them become so thin that they tangle: a corner turns inside out
+while areas, energy and pressure are still in order. This case shows where the model ends and how far it can be pushed.
 
-**Set-up.** As in `wall_run_up_mesh`. Every variant of the method is given higher and higher waves until the mesh folds
-before the largest run-up. The variants: the conservative scheme; fewer rows; columns at the wall wider or narrower; a
-start from an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which resists the
-pattern of nodes that changes no area; a barrier that keeps corners of cells from closing; columns that are put upright
-again when they lean (`run_up_mesh_rezoned`).
+**Set-up.** As in `wall_run_up_mesh`. Every variant of the method is given higher and higher waves until the mesh
+tangles before the maximum run-up. The variants: the conservative scheme; fewer rows; columns at the wall wider or
+narrower; a start from an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which
+resists the pattern of nodes that changes no area; a barrier that keeps corners of cells from closing; columns that are
+put upright again when they lean (`run_up_mesh_rezoned`).
 
 **What is compared.** The run-up with the exact values of the Euler equations for $A = 0.5$ and $0.6$; the largest
-height that reaches its run-up; the largest whose reflection runs through.
+height that reaches its run-up; the largest whose reflection completes.
 
-**What to look at.** Frank's own model carries waves up to $A = 0.56$ to their run-up. At $A = 0.5$ it folds afterwards,
-when the sheet falls, whatever the scheme and the columns. At $A = 0.6$ it folds before: only the top row fails, whose
-surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ run through and leaves the
-run-up as it is. The hourglass potential brings $A = 0.6$ to its run-up, on 16 rows within half a per cent; with barrier
-and wide columns besides it runs through, but then the run-up is too low. No force tried here carries $A = 0.7$ on fine
-meshes. Rezoning carries every wave through, and its run-up is no worse than that of the meshes that hold.
+**What to look at.** Frank's own model carries waves up to $A = 0.56$ to their run-up. At $A = 0.5$ it tangles
+afterwards, when the sheet falls, whatever the scheme and the columns. At $A = 0.6$ it tangles before: only the top row
+fails, whose surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ complete and
+leaves the run-up as it is. The hourglass potential brings $A = 0.6$ to its run-up, on 16 rows within half a per cent;
+with barrier and wide columns besides it completes, but then the run-up is too low. No force tried here carries $A =
+0.7$ on fine meshes. Rezoning carries every wave through, and its run-up is no worse than on the meshes that hold.
 */
 #include <algorithm>
 #include <cmath>
@@ -183,9 +183,9 @@ double exact_runup(const io::Table& exact, double amplitude) {
 void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
       exhibit, "fates", "How far variants of the method go",
-      "Run-up less the exact one, in per cent of it, and whether the reflection runs through or "
-      "when and where the mesh folds; then the largest height tried up to which the run-up is "
-      "reached, and up to which the reflection runs through.",
+      "Run-up less the exact one, in per cent of it, and whether the reflection completes or when and where the mesh "
+      "tangles; then the largest height tried up to which the run-up is reached, and up to which the reflection "
+      "completes.",
       {"variant", "A = 0.5 [%]", "its end", "A = 0.6 [%]", "its end ", "run-up [depth]", "reflection [depth]"});
   const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
   for (const Told& told : all) {
@@ -215,7 +215,7 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
 void draw_runup(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
   auto& panel = exhibit
                     .figure("runup", "Run-up of the variants",
-                            "Up to the first height that does not reach its largest run-up; exact values of the Euler "
+                            "Up to the first height that does not reach its maximum run-up; exact values of the Euler "
                             "equations end at A = 0.6.")
                     .panel({.x = "A [depth]", .y = "R/A", .x_min = 0.38});
   std::vector<double> ratio;
@@ -245,7 +245,7 @@ void draw_meshes(const std::vector<Folded>& drawn, evidence::Exhibit& exhibit) {
     return above;
   };
   auto& figure = exhibit.figure("folds", "The mesh at the wall",
-                                "The upper half of the water: Frank's model before the step in which the mesh folds, "
+                                "The upper half of the water: Frank's model before the step in which the mesh tangles, "
                                 "and with the hourglass potential, kappa_0 = 0.6, at the same time.");
   for (const Folded& one : drawn) {
     draw_mesh(figure.panel(axes(fmt::format("A = {:g}, t = {:.2f}", one.amplitude, one.plain.time()))), "mesh",
@@ -271,9 +271,9 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at(MeshWallClimb::with_rows(exact::SolitaryWave(0.1), rows).resolution());
   const Qualitative reaches{
       .detector =
-          "the contact point falls again before any corner folds and before 1 % of the energy is lost or gained",
+          "the contact point falls again before any corner inverts and before 1 % of the energy is lost or gained",
       .reason = "the Euler equations have a solution that does"};
-  const Qualitative goes{.detector = "no corner folds until the crest is half way back",
+  const Qualitative goes{.detector = "no corner inverts until the crest is half way back",
                          .reason = "the Euler equations have a solution that does"};
   const auto does = [&](const std::string& id, const std::string& text, const std::string& from) {
     return evidence::Claim{id, text, "it does", "1", from};

@@ -1,14 +1,14 @@
-/// Where an error stands among those of other solvers.
+/// Where the errors of a result stand among those of other solvers that were run on the case and stored.
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <vector>
+
+#include "reports/evidence/record.hpp"
 
 namespace seiche::validation {
 
-/// Of every error of the record: how many results of other solvers for its case in the folder have a larger one. Files
-/// that are no records are passed over.
-std::vector<std::string> ranks(const std::filesystem::path& folder, const std::string& stem);
+/// Of every quantity the largest relative error (of a curve in L1, of an experiment that of its readings) and how many
+/// solvers of reports/record/solvers.csv have a larger one at the same parameters; empty where none is stored.
+std::string rank(const evidence::Record& record);
 
 }  // namespace seiche::validation

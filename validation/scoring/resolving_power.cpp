@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -404,12 +402,8 @@ std::string told_by(const std::vector<Resolved>& rows, const std::string& table,
 
 std::map<std::string, std::vector<Resolved>> recorded_power() {
   std::map<std::string, std::vector<Resolved>> cases;
-  std::ifstream file(data_folder("record") / "resolving_power.csv");
-  for (std::string line; std::getline(file, line);) {
-    std::vector<std::string> words;
-    std::istringstream fields(line);
-    for (std::string word; std::getline(fields, word, ',');) words.push_back(word);
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const std::vector<std::string>& words : recorded_rows("resolving_power.csv")) {
     cases[words.at(0)].push_back({words.at(1), words.at(2), words.at(3), io::number_in(words.at(4)).value_or(none),
                                   io::number_in(words.at(5)).value_or(none), words.at(6), words.at(7)});
   }

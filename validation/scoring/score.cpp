@@ -425,6 +425,10 @@ void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, e
     for (const WantedQuantity& quantity : table.quantities) {
       for (const SubmittedGroup& group : found->second) QuantityScore(table, quantity, group, {}).measure(exhibit);
     }
+    const std::vector<double>& x = found->second.front().abscissa;
+    if (table.kind == WantedTable::Kind::profile && x.size() > 1) {
+      exhibit.measure("cell_size", (x.back() - x.front()) / static_cast<double>(x.size() - 1));
+    }
   }
 }
 

@@ -29,8 +29,8 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
 /// Says in the record that a table's requirements were not judged, and why.
 void leave_out(const WantedTable& table, const std::string& reason, evidence::Record& record);
 
-/// The same measurements of a result of our own, without claims, table and figure: so that a page shows the same
-/// numbers for all solvers.
+/// The same measurements of a result of our own, and the size of its cells, without claims, table and figure: so that a
+/// page shows the same numbers for all solvers.
 void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Exhibit& exhibit);
 
 }  // namespace seiche::validation

@@ -15,17 +15,18 @@ $$\eta = A S - \tfrac34 A^2 S (1 - S), \quad S = \mathrm{sech}^2\left(\sqrt{\tfr
 A)\,x\right),$$
 
 and with the exact wave of the same height. The second approximation itself is off the exact wave by 0.01 at $A = 0.3$
-and by 0.05 at $A = 0.5$: the exact wave is the judge.
+and by 0.05 at $A = 0.5$: the exact wave is the reference.
 
 **What to look at.** On cells one depth wide and half a depth high, which the source recommends for long waves, heights
-and speeds are those of its table, a little below $\sqrt{1 + A}$. The profile is near the second approximation, as the
+and speeds agree with its table, a little below $\sqrt{1 + A}$. The profile is near the second approximation, as the
 source shows it. This is good fortune: the errors of mesh and series are alike. On finer meshes speed and profile leave
 the series and approach the exact wave.
 
 The lowest wave of the source's table is the farthest from ours, slower by 0.004, and slower than the exact wave by
 0.003: we do not know why.
 
-The highest wave leaves the first column of the coarsest mesh sheared, which folds at last, when the wave has long left.
+The highest wave leaves the first column of the coarsest mesh sheared, which tangles at last, when the wave has long
+left.
 */
 #include <algorithm>
 #include <array>
@@ -231,8 +232,8 @@ void claim_source_table(const Claims<Family>& claims, const io::Table& published
         return difference.value();
       },
       Bound{.limit = 0.005,
-            .reason = "half a unit of the last digit of A moves C by 0.002, that of C is 0.0005; the source does not "
-                      "say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
+            .reason = "half a unit of the last digit of A moves C by 0.002, half a unit of C is 0.0005; the source "
+                      "does not say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
 }
 
 /// Of the distances of speeds from the Euler equations' on a mesh and on the one before, the largest ratio.
@@ -309,8 +310,8 @@ void claim_fold(const Claims<Family>& claims) {
   claims
       .fails({.value = 117.1,
               .width = 0.5,
-              .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; "
-                        "the shear grows slowly, so that a few steps more or less are the same fold"})
+              .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; the shear "
+                        "grows slowly, so that it tangles a few steps earlier or later"})
       .check(
           "fold", "The highest hump leaves no corner inverted on cells one depth wide.",
           "end of the run [sqrt(depth/g)]", [](const Family& coarse) { return coarse.waves.back().track.time.back(); },

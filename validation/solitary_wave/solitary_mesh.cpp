@@ -10,8 +10,8 @@ through the highest node and its neighbours. The profile error is taken about th
 shape and height only.
 
 The exact wave is not quite the wave of the mesh. In the first five time units the crest falls back by two thirds of
-what it loses in twenty, and leaves small waves behind. The **speed** is therefore that of a straight line through the
-crest's places from $t = 5$ on. The **phase error** counts from the start.
+what it loses in twenty, and leaves small waves behind. The **speed** is therefore the slope of a straight line through
+the crest's places from $t = 5$ on. The **phase error** counts from the start.
 
 **What to look at.** All errors are of second order, and the height of the cells governs them: twice as many rows help
 much more than twice as many columns. Sharper waves show it on finer meshes only: for $A = 0.5$ the orders observed here
@@ -19,10 +19,10 @@ are 1.5 to 1.8. On coarse meshes the wave is too slow and loses height.
 
 **How to start.** `sampled`: the exact velocities at the nodes, made to change no area. In a potential flow of the mesh
 surface nodes are slower along the surface, to first order in the cells. Given the exact velocity, they slide over the
-row beneath where the wave started, and nothing ever stops them. A high wave on coarse cells folds the mesh there in the
-end, when it has long gone. `impulse`: the velocities that an impulsive pressure $-\varphi$ on the surface, the
-potential of the exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the fold does not come.
-A small restoring force (`hourglass`) prevents it too.
+row beneath where the wave started, and nothing ever stops them. A high wave on coarse cells tangles the mesh there in
+the end, when it has long gone. `impulse`: the velocities that an impulsive pressure $-\varphi$ on the surface, the
+potential of the exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the mesh does not
+tangle. A small restoring force (`hourglass`) prevents it too.
 */
 #include <array>
 #include <cmath>
@@ -147,9 +147,8 @@ void claim_fold(const Claims<Results>& all) {
   claims
       .fails({.value = 19.2,
               .width = 0.2,
-              .reason =
-                  "surface nodes with the exact velocity slide over the row beneath: no force stops them; the time of "
-                  "the fold is that of a step, to two steps"})
+              .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the "
+                        "time of tangling is known to two steps"})
       .check("fold",
              "A = 0.5 on cells one depth wide: no corner tangles behind a wave that starts with sampled velocities.",
              quantity, end(&Results::sampled), to_the_end);

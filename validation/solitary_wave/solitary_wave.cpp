@@ -93,7 +93,7 @@ std::vector<WantedTable> wanted(const Values& values) {
        .quantities = {{.column = {"eta", "m", "surface elevation above still water"},
                        .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
                        .requirements = {within_tolerance(Measure::relative_l2, values,
-                                                         "The surface is that of the exact wave.", source),
+                                                         "The surface agrees with the exact wave.", source),
                                         within_tolerance(Measure::amplitude_ratio, values, "The wave keeps its height.",
                                                          source, 1)}}},
        .groups = {0.5 * time, time},

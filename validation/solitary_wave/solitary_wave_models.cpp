@@ -128,8 +128,8 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                            model.name),
                "rms error of the surface over the height", error_of_finest,
                Bound{.limit = kh * kh,
-                     .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave is that of the cells "
-                               "but for terms of second order"});
+                     .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave satisfies the "
+                               "equations of the cells but for terms of second order"});
   }
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")

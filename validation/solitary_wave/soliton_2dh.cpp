@@ -8,17 +8,17 @@ $\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c = \sqrt{1 + a}$, sta
 along $x$, over more than a hundred depths, with time steps of $0.4\,h$. Cells are $h$ long and $h$ wide; the
 hexahedral mesh has one to three layers.
 
-**What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become that of
-the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own wave
-is farther from the one it starts with. The speed is judged by that of the Green-Naghdi equations for the height that
-the crest has, in the 2DH model; for the hexahedral mesh by that of the exact solitary wave of the same height.
+**What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become a wave
+of the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own
+wave is farther from the one it starts with. The speed is compared with the Green-Naghdi equations for the height that
+the crest has, in the 2DH model; for the hexahedral mesh with the exact solitary wave of the same height.
 
 **What to look at.** The 2DH model keeps the height to half a per cent even on cells as long as the water is deep: the
 wave is then six cells long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and
 slower, which it keeps as well once it has shed what it started with too much: that takes a hundred depths, and its run
 lasts twice as long. Three layers bring the wave near the exact one. Where it started, the mesh's surface nodes keep
-sliding slowly over those below, for the exact velocities are not quite those of a potential flow of the mesh: it would
-fold there in the end, long after the wave has gone, and the runs of two and three layers end at $t = 100$.
+sliding slowly over those below, for the exact velocities are not quite a potential flow of the mesh: it would tangle
+there in the end, long after the wave has gone, and the runs of two and three layers end at $t = 100$.
 */
 #include <cmath>
 
@@ -97,7 +97,7 @@ Bound energy_bound(const Travel& travel) {
   const double columns = 3 * a / (1 + a) * h * h / 12;
   const std::string reason =
       "(omega tau)^2/8, by which the energy differs from what the scheme keeps, times the part by which the wave "
-      "changes as it becomes that of the lattice: (2 kappa h)^2/12, the error of differences";
+      "changes as it becomes a wave of the lattice: (2 kappa h)^2/12, the error of differences";
   if (travel.layers == 0) return {missed * columns, reason};
   const auto layers = static_cast<double>(travel.layers);
   return {missed * (columns + 0.5 / (layers * layers)),
@@ -173,8 +173,8 @@ Results compute(const Run& run) {
 void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
   const PlanSolitonRun& coarsest = r.travels.front().run;
   auto& figure = exhibit.figure("waves", "The wave at the beginning and at the end",
-                                fmt::format("Plan model, h = {:g}: nodes of one row about the crest, and the exact "
-                                            "wave of the equations moved to the crest.",
+                                fmt::format("2DH model, h = {:g}: nodes of one row about the crest, and the exact wave "
+                                            "of the equations moved to the crest.",
                                             coarsest.spacing),
                                 {"frank-soliton-plan"});
   auto& panel = figure.panel({.x = "x - crest", .y = "elevation"});
@@ -196,12 +196,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                      "Height of the crest in time: 2DH model, and hexahedral mesh of h = 0.5.", {"frank-soliton-plan"});
   auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "2DH model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
-  evidence::Table& table = add_table(
-      exhibit, "travels", "Solitary waves on coarse grids",
-      "Mean height, its band and speed once the wave has settled; speed against that of the equations for this "
-      "height; largest relative defect of the energy.",
-      {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]", "speed [sqrt(gH)]", "speed error",
-       "energy defect"});
+  evidence::Table& table = add_table(exhibit, "travels", "Solitary waves on coarse grids",
+                                     "Mean height, its band and speed once the wave has settled; speed against the "
+                                     "equations' for this height; largest relative error of the energy.",
+                                     {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]",
+                                      "speed [sqrt(gH)]", "speed error", "energy defect"});
   for (const Travel& travel : r.travels) {
     const SolitonTravel& found = travel.found;
     (travel.layers == 0 ? plan : mesh).line(travel.name, found.time, found.height);
@@ -222,7 +221,7 @@ Case soliton_2dh() {
   c.parameters = {
       real("amplitude", 0.3, "H", {0.02, 0.5}, "of the wave at the beginning"),
       real("time", 100, "sqrt(H/g)", {20, 2000},
-           "length of the runs of the 2DH model, and of those of the mesh up to 100; with one layer twice as long"),
+           "length of the runs of the 2DH model, and of the mesh up to 100; with one layer twice as long"),
       real("finest", {0.5, 0.25, 0.125}, "H", {0.05, 0.5}, "finest cells of the 2DH model, beside 1, 0.7 and 0.5"),
       integer("rows", 1, {1, 16}, "cells across the wave's way"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),

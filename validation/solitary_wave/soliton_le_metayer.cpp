@@ -323,7 +323,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
             [floor = 3 * tail_at_walls(wave)](const Curve& c) { return order_of(c, floor); },
             Order{2, 0.15, "cells from half a depth, where the next order still takes 0.13 off the order"});
     curve.at("128 .. 1024 cells")
-        .only_if(peers_wave, "the peer's errors are those of its own wave on 128 .. 1024 cells")
+        .only_if(peers_wave, "the comparison scheme's errors are of its own wave on 128 .. 1024 cells")
         .from(peer_source)
         .check("against-peer-" + id, fmt::format("{}: with as many cells the error is smaller than Basilisk's.", name),
                "largest error ratio", against_peer,

@@ -4,16 +4,16 @@ hexahedral Lagrangian mesh, whose lowest nodes slide on the bottom, and by the d
 the same bottom. Depth and gravity are 1.
 
 **Set-up.** A channel of walls, 35 depths long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has
-its top on one wall, which mirrors it. The wave starts 12 depths before the top, that of the Euler equations on the
-hexahedra, that of the Green-Naghdi equations in plan. Cells are as long and as wide as a layer of the mesh is high;
+its top on one wall, which mirrors it. The wave starts 12 depths before the top, a wave of the Euler equations on the
+hexahedra, a wave of the Green-Naghdi equations in plan. Cells are as long and as wide as a layer of the mesh is high;
 both models have the same cells and steps.
 
 **What is compared.** The largest elevation at three places on the walls: over the top, two depths behind it, and
-across the channel beside the top. Each model comes with the uncertainty that three of its meshes give. The plan model
+across the channel beside the top. Each model comes with the uncertainty that three of its meshes give. The 2DH model
 leaves out what is of the order of $(\kappa h)^4$, with $\kappa^2 h^2 = 3a/(4(h + a))$ of the solitary wave of this
 height over the top.
 
-**What to look at.** Both models gather the wave in the lee, the plan model more: there the waves are steepest and
+**What to look at.** Both models gather the wave in the lee, the 2DH model more: there the waves are steepest and
 shortest. Across, where the bottom is level, they agree to half a per cent.
 */
 #include <algorithm>
@@ -228,7 +228,7 @@ void claim_energy(const Claims<Results>& claims, const ShoalWave& finest, const 
       },
       Bound{.limit = 3 * finest.amplitude * std::pow(finest.tau(), 2) / 8 * finest.height,
             .reason = "(omega tau)^2/8, omega^2 = 3a, by which the energy differs from what the scheme keeps, times "
-                      "the part by which the shoal can change the wave, that of the depth it takes"});
+                      "the part by which the shoal can change the wave, the part of the depth it takes"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -252,7 +252,7 @@ void claims(const Values& values, const Claims<Results>& all) {
           return {.value = (hexahedra - plan) / std::hypot(grids, 2 * left_out(finest) * plan)};
         },
         Bound{.limit = 1,
-              .reason = "the 95 % half-widths of both from three meshes, and what the plan model leaves out, (kappa "
+              .reason = "the 95 % half-widths of both from three meshes, and what the 2DH model leaves out, (kappa "
                         "h)^4 with a coefficient of up to 2"});
     claims.check(
         fmt::format("resolved-{}", gauge.id),
@@ -264,7 +264,7 @@ void claims(const Values& values, const Claims<Results>& all) {
           return converged(r, &Pair::hexahedra, g).uncertainty / highest(r, &Pair::hexahedra, g);
         },
         Bound{.limit = 2 * left_out(finest),
-              .reason = "what is not known better says nothing about what the plan model leaves out"});
+              .reason = "what is not known better says nothing about what the 2DH model leaves out"});
   }
   claims.check(
       "gathered", "The shoal gathers the wave: it is higher in the lee than across.",

@@ -22,8 +22,8 @@ of slopes, $\gamma = 1/15$, $\alpha = 2/5$, which makes small waves nearly Airy'
 depth.
 
 **What to look at.** The model follows its theory to four digits, and water qualitatively. The added energy with $s = 2$
-takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelength is that of water, and longer waves
-are near Tadjbakhsh and Keller's; shorter ones slow down too little.
+takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelength equals the one in water, and longer
+waves are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 */
 #include <algorithm>
 #include <array>
@@ -191,7 +191,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              "C = (Omega/omega - 1)/(a/H)^2", &Results::own_coefficient,
              Bound{.limit = std::max(0.01 * std::abs(own_theory), 1e-3),
                    .reason = "1 %, and 0.001 where C nearly vanishes: the square of k s is 0.001 at k = 0.6, s = 0.05, "
-                             "that of the amplitude 0.0004, their coefficients are of order one",
+                             "the square of the amplitude 0.0004, their coefficients are of order one",
                    .expected = own_theory});
 
   const Limit fine(values);

@@ -11,9 +11,9 @@ is 5.93822 depths.
 **What is compared.** The case shows the frequency correction and the surface. It scores others: start from the surface
 at rest at its highest (the template's `t = 0`), submit the elevation at the wall and the angular frequency.
 
-**What to look at.** The limits are those of this wave: they let neither linear theory pass, nor a tank that is a
+**What to look at.** The limits follow from this wave: they let neither linear theory pass, nor a tank that is a
 fiftieth too shallow. One amplitude tells little of the frequency, since the linear one carries an error of its own:
-score two amplitudes and compare the difference of frequencies with that of the references.
+score two amplitudes and compare the difference of frequencies with the references.
 */
 #include <algorithm>
 #include <cmath>

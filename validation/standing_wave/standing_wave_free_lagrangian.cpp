@@ -6,14 +6,14 @@ drawn back to their places (5.3). Depth, gravity and density are 1; the tank is 
 **Set-up.** The water starts flat, with the velocities of the linear wave. Meshes of square cells, staggered rows for
 the two models of Dirichlet cells; without stabilisation of the pressure, and with.
 
-**What is compared.** For a small wave, the period with that of the linear wave on ever finer meshes, and the *noise*:
+**What is compared.** For a small wave, the period with the linear wave on ever finer meshes, and the *noise*:
 the largest kinetic energy outside the linear wave's velocity field, over the kinetic energy of the beginning. For a
 wave of a tenth of the depth, how long a model lasts, up to `periods`.
 
 **What to look at.** The source says that the motion of Dirichlet cells, which is not the water's, costs quality. The
-frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times
-that of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
-its cell, and after about a period a triangle of the outline turns over. The quadrilaterals, here without the force that
+frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times the
+noise of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
+its cell, and after about a period a triangle of the outline inverts. The quadrilaterals, here without the force that
 keeps them from folding, last for nearly five. Particles of variable mass last. Where their nodes follow the water and
 are drawn back, the energy of the motion goes into short waves after a few periods, on finer meshes too. Nodes that keep
 their $x$, here on twice as many rows, hand over more water at every step, and lose about a hundredth of the energy in
@@ -253,16 +253,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .from("Frank (1994), 5.2, in words")
       .check(
           "noise", "Dirichlet cells without stabilisation are noisier than quadrilaterals.",
-          "noise over that of the quadrilaterals",
+          "noise over the noise of the quadrilaterals",
           [](const Results& r) {
             return r.noise.finest(of_dirichlet) > 3 * r.noise.finest(of_quadrilaterals) ? 1.0 : 0.0;
           },
-          Qualitative{"more than three times",
-                      "the motion of the cells, which is not that of the water, costs quality"});
+          Qualitative{"more than three times", "the cells move other than the water, which costs quality"});
   const auto falls = [&](const std::string& id, const std::string& text, std::size_t kind, bool expected) {
     claims.at(fmt::format("{} and {} rows", rows.back() / 2, rows.back()))
         .check(
-            "noise-falls-" + id, text, "noise over that of half as many rows",
+            "noise-falls-" + id, text, "noise over the noise of half as many rows",
             [kind](const Results& r) { return r.noise_ratio(kind) <= 0.5 ? 1.0 : 0.0; },
             Qualitative{"at most a half: of first order or more", "what is left of a discretisation vanishes with it",
                         expected});
@@ -313,8 +312,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           "tells, once in as many steps at most"});
   const Bound one_wave{.limit = 0.05,
                        .reason =
-                           "harmonics of a wave of a = 0.1 have velocities of order a/H over those of the wave: a "
-                           "hundredth of its energy, and of meshes of eight rows a few more"};
+                           "harmonics of a wave of a = 0.1 have velocities of order a/H over the wave's: a hundredth "
+                           "of its energy, and of meshes of eight rows a few more"};
   at_fixed_x.only_if(periods <= 10, "the noise grows with time")
       .check(
           "noise-of-life-fixed", "The motion of nodes at fixed x stays a single wave's.",
@@ -331,9 +330,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   life.only_if(amplitude == 0.1 && periods >= 3, "how long Dirichlet cells last depends on the height of the wave")
       .fails({.value = 1.12,
               .width = 0.2,
-              .reason =
-                  "nothing restores the place of a node in its cell: the instability is that of the model, not of "
-                  "the time step, and a triangle of the outline turns over within a quarter period"})
+              .reason = "nothing restores the place of a node in its cell: the instability is the model's, not the "
+                        "time step's, and a triangle of the outline inverts within a quarter period"})
       .check(claim("dirichlet",
                    "The high standing wave with Dirichlet cells lasts for all periods that were asked for, to 1e-9."),
              lasts(of_dirichlet), whole);

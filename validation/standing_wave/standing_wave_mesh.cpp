@@ -212,7 +212,7 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
     const double wavelength = wavelengths[i];
     const std::string id = fmt::format("{:.0f}", 100 * wavelength);
     claims.at(fmt::format("{} rows, a -> 0", finest / 2))
-        .only_if(finest >= 16, "the bound is that of eight rows or more")
+        .only_if(finest >= 16, "the bound is for eight rows or more")
         .check(
             "mesh-" + id,
             fmt::format("The coefficient of the coarser mesh at wavelength L/h = {:g} agrees with theory within 30 %, "

@@ -1,7 +1,7 @@
 /*
 A Lagrangian mesh does not live for ever. Some motions of its nodes change no cell's area, so they meet no force:
 vortices, down to the hourglass motion $(-1)^{i+j}$. Standing waves feed them a little in every period, until a cell's
-corner folds. Frank's model (1994, chapter 2) stops there. This case shows when and where, that the time step has no
+corner inverts. Frank's model (1994, chapter 2) stops there. This case shows when and where, that the time step has no
 part in it, and what helps.
 
 **The remedy.** A conservative hourglass potential, $\tfrac12\kappa \sum |r_0 - r_1 + r_2 - r_3 - \text{initial}|^2$
@@ -10,14 +10,14 @@ zero with the cells' size. Another one needs no force: columns that lean are put
 
 **Set-up.** A tank of six depths, half a wavelength. The water starts from rest with the elevation $a\cos(\pi x/6)$.
 
-**What is compared.** Without the potential: the time of the fold for two time steps and both schemes. With it: the run
+**What is compared.** Without the potential: the time of tangling for two time steps and both schemes. With it: the run
 goes on; the energy of the one-step scheme stays within the band that its modified energy allows, $(\omega\tau)^2/4$ of
 itself for small waves. The potential's effect on the wave's frequency is compared with the error that the mesh has
 without it. With rezoning: the run goes on; what it takes from the wave's energy.
 
 **What to look at.** The worst corner falls ever faster from 1 to 0: the surface nodes drift along the row below them.
-With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before the fold as
-at the beginning. Watch the corners.
+With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before it tangles
+as at the beginning. Watch the corners.
 */
 #include <algorithm>
 #include <array>
@@ -201,11 +201,11 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
                 .expected = values.real("time")});
   claims
       .only_if(fold.has_value(),
-               "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they fold "
+               "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they tangle "
                "the mesh")
       .check("not-the-step" + suffix,
              "With half the time step, and with the conservative scheme, the mesh tangles at the same time.",
-             "largest difference of the times of the fold [sqrt(H/g)]", &Wave::spread,
+             "largest difference of the times of tangling [sqrt(H/g)]", &Wave::spread,
              Bound{.limit = 0.1 * 2 * std::numbers::pi / tank_of(values).law().frequency(wavenumber),
                    .reason = "a tenth of the wave's period. Were it the error of the time step, of order tau^2, half "
                              "the step would multiply the life by four"});
@@ -218,7 +218,7 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
       .check(
           "carries-with-hourglass" + suffix,
           fmt::format("With the hourglass potential the mesh carries the wave to t = {:g}.", values.real("time")),
-          "the mesh does not fold", [](const Wave& wave) { return wave.with.fold ? 0.0 : 1.0; },
+          "the mesh does not tangle", [](const Wave& wave) { return wave.with.fold ? 0.0 : 1.0; },
           Qualitative{.detector = "a corner's triangle with negative area",
                       .reason = "the potential gives those motions a frequency, so that they are no longer driven at "
                                 "zero frequency"});
@@ -246,10 +246,10 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
   claims.from(hirt).check(
       "carries-rezoned" + suffix,
       fmt::format("With rezoned columns the mesh carries the wave to t = {:g}.", values.real("time")),
-      "the mesh does not fold", [](const Wave& wave) { return wave.rezoned.fold ? 0.0 : 1.0; },
+      "the mesh does not tangle", [](const Wave& wave) { return wave.rezoned.fold ? 0.0 : 1.0; },
       Qualitative{.detector = "a corner's triangle with negative area",
                   .reason = "water under a wave of this height has a surface of one elevation at every place: upright "
-                            "columns cannot fold"});
+                            "columns cannot tangle"});
   const double periods = values.real("time") * tank_of(values).law().frequency(wavenumber) / (2 * std::numbers::pi);
   claims.from(hirt).check(
       "taken-by-rezoning" + suffix, "Rezoning takes at most 0.1 % of the wave's energy in a period.",
@@ -289,8 +289,8 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   const Life& with = wave.with;
   auto& histories =
       exhibit.figure("life" + suffix, fmt::format("Life of a mesh under a standing wave, a = {:g}", amplitude),
-                     "Left: shape of the worst corner, 1 when square, 0 when it folds. Right: error of the energy of "
-                     "the one-step scheme, which shows nothing of the fold.");
+                     "Left: shape of the worst corner, 1 when square, 0 when it inverts. Right: error of the energy of "
+                     "the one-step scheme, which shows nothing of it.");
   auto& corner = histories.panel({.x = "t", .y = "worst corner", .y_min = 0, .y_max = 1.02});
   auto& energy = histories.panel({.x = "t", .y = "energy error, relative"});
   const std::string label = fmt::format("hourglass potential {:g}", hourglass);
@@ -308,10 +308,10 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   exhibit.measure("fold_place" + suffix, without.fold->place());
   auto& meshes =
       exhibit.figure("mesh" + suffix, fmt::format("The mesh, a = {:g}", amplitude),
-                     fmt::format("Left: without the potential, one step before a corner folds at t = {:.2f}, x = "
+                     fmt::format("Left: without the potential, one step before a corner inverts at t = {:.2f}, x = "
                                  "{:.2f}; the surface has drifted along the row below it. Right: with it, at t = {:g}.",
                                  without.fold->time(), without.fold->place(), with.flow->time()));
-  draw_mesh(meshes.panel(mesh_axes("before the fold")), "mesh", *without.flow);
+  draw_mesh(meshes.panel(mesh_axes("before it tangles")), "mesh", *without.flow);
   draw_mesh(meshes.panel(mesh_axes("with the hourglass potential")), "mesh", *with.flow);
 }
 

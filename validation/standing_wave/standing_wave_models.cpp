@@ -14,12 +14,12 @@ order in $e = ka$, and known to $e^2$. Then each goes on for six periods, unless
 a quarter of the amplitude.
 
 **What to look at.** Free particles are as near as the exact wave is known, on any lattice. The mesh takes a fiftieth
-of their time and is nearly as near. The energy of the mesh is that of its steps: they make it swing by
+of their time and is nearly as near. The energy error of the mesh comes from its steps: they make it swing by
 $(\omega\tau)^2/4$. The dispersive model ends where its equations do, five per cent off after this time, by the phase,
 and takes a millisecond. Dirichlet cells are noisy, and lose the wave within a few periods; particles of variable mass
 keep it, with short waves on it. SPH loses height, and beyond some twelve rows is no nearer on finer lattices.
 
-**When it is no test.** Longer waves have less dispersion, and higher ones fold the mesh after some periods
+**When it is no test.** Longer waves have less dispersion, and higher ones tangle the mesh after some periods
 (`standing_wave_mesh_life`) and break the cells at once (`standing_wave_free_lagrangian`).
 */
 #include <algorithm>

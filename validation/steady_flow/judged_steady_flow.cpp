@@ -30,7 +30,7 @@ struct Required {
 std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
   std::vector<Required> all{
       {{"depth", "The mean error of the depth is below the tolerance, by default 5 % of the error of level water.",
-        "mean |h - exact| over that of level water", "1", flow.source},
+        "mean |h - exact| over the error of level water", "1", flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
        {.limit = flow.tolerance,
         .reason =
@@ -72,7 +72,7 @@ void judge(const JudgedSteadyFlow& flow, const Submitted& submitted, const Solve
 
 Parameter level_tolerance_parameter() {
   return real("tolerance", 0.05, "1", {1e-12, 1},
-              "mean error of a submitted depth that still passes, over that of level water");
+              "mean error of a submitted depth that still passes, over the error of level water");
 }
 
 Submission submission_of(const std::function<JudgedSteadyFlow(const Values&)>& flow_of) {

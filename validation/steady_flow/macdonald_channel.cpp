@@ -9,8 +9,8 @@ Bed, friction and the two ends act together over $L = 1000$ m.
 **What is compared.** Depth and discharge after the flow has settled, for several numbers of particles. Particles enter
 at their own rhythm, and no instant is like the next: errors are means over the last fifth of the time.
 
-**Your solver.** `seiche exact macdonald` prints the bed z; 2 m²/s come in at x = 0, at 1000 m the depth is that of the
-template's reference. Depth and velocity of the settled flow are judged by the depth and by the discharge.
+**Your solver.** `seiche exact macdonald` prints the bed z; 2 m²/s come in at x = 0, at 1000 m the depth is the
+template's reference. Depth and velocity of the settled flow are evaluated by the depth and by the discharge.
 
 **What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed section through
 which the water enters is only first-order accurate, and with the ends included it decides the mean error. At a single

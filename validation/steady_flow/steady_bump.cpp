@@ -11,11 +11,11 @@ The ends are fixed sections: the water comes in at $q$ and goes out at the given
 supercritical), so particles are born at one end and leave at the other. No instant is like the next: errors are means
 over the last fifth of the time.
 
-**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid peer with
-hydrostatic reconstruction beside it.
+**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid comparison
+scheme with hydrostatic reconstruction beside it.
 
 **Your solver.** One regime at a time (`--set regime=jump`; `subcritical` where none is set): depth and velocity of the
-settled flow are judged by the depth, the discharge and the place of the jump.
+settled flow are evaluated by the depth, the discharge and the place of the jump.
 
 **What to look at.** The discharge: it shows what the depth hides. Smooth flow converges with the second order,
 transcritical flow too once the particles, which grow as the water thins, resolve the bump: from 50 on. At a jump the
@@ -35,10 +35,12 @@ disturbance of its own.
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/scoring/score.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
+#include "validation/studies/shallow_water/profile_points.hpp"
 
 namespace seiche::validation::cases::steady_bump {
 namespace {
@@ -349,9 +351,15 @@ void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exh
   draw(exhibit, r, regime);
 }
 
+/// Of the first of the regimes.
+Submission submission() {
+  return submission_of([](const Values& values) { return judged_flow(regimes_of(values).front(), values); });
+}
+
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<Regime> regimes = regimes_of(values);
   for (std::size_t k = 0; k < regimes.size(); ++k) show_regime(r[k], regimes[k], exhibit);
+  measure_own(submission().tables(values), submitted_profile(r.front().finest.profile), exhibit);
 }
 
 }  // namespace
@@ -374,7 +382,7 @@ Case steady_bump() {
       level_tolerance_parameter(),
   };
   c.study = Study(claims, compute, show, "conservation law of mass");
-  c.submission = submission_of([](const Values& values) { return judged_flow(regimes_of(values).front(), values); });
+  c.submission = submission();
   return c;
 }
 

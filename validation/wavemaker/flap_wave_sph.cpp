@@ -13,7 +13,7 @@ third too low, in exact linear theory a fifth. Counted from one period later, wh
 12 per cent below the design, by spacing: this is the clock that fits.
 
 **Where the loss is.** With the publication's cubic spline and $h = 1.3\,dx$ the second wave is too low. The table
-follows it along the flume: beside the flap it is that of the exact transient, so the paddle does what it should; on the
+follows it along the flume: beside the flap it equals the exact transient, so the paddle does what it should; on the
 way it falls. Viscosity, density filter, XSPH, walls, sound speed and spacing are changed one at a time (tier `full`):
 none of them gives back much of what is lost. The number of neighbours does, with a kernel that bears it: the Wendland
 kernel with $h = 1.7\,dx$, 36 neighbours instead of 21, at 1.3 times the cost, for its steps are longer. The cubic
@@ -332,11 +332,11 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table& table = add_table(
-      exhibit, "heights", "Heights from crest to trough at the gauge",
-      "In the first and second period, and in the part of the third that was run [m]; the second one over that of "
-      "the settled wave, of which the publication says 8 per cent of difference.",
-      {"", "period 1 [m]", "period 2 [m]", "2 to 2.75 [m]", "period 2, over settled"});
+  evidence::Table& table =
+      add_table(exhibit, "heights", "Heights from crest to trough at the gauge",
+                "In the first and second period, and in the part of the third that was run [m]; the second one over "
+                "the settled wave, of which the publication says 8 per cent of difference.",
+                {"", "period 1 [m]", "period 2 [m]", "2 to 2.75 [m]", "period 2, over settled"});
   const double settled = r.linear.settled_height;
   const auto row = [&](const std::string& label, const std::array<double, 3>& heights) {
     table.rows.push_back({label, heights[0], heights[1], heights[2], heights[1] / settled});
@@ -349,11 +349,11 @@ void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table& table = add_table(
-      exhibit, "loss", "Where the waves lose height, and what gives it back",
-      "Root of the mean square of the elevation after one period, over that of the exact transient, at distances "
-      "from the flap in those of the gauge; the part that is lost on the way; particles that got out.",
-      {"", "layers", "neighbours"});
+  evidence::Table& table =
+      add_table(exhibit, "loss", "Where the waves lose height, and what gives it back",
+                "Root of the mean square of the elevation after one period, over the exact transient's, at distances "
+                "from the flap in distances of the gauge; the part that is lost on the way; particles that got out.",
+                {"", "layers", "neighbours"});
   for (const double place : places) table.columns.emplace_back(fmt::format("{:g}", place), "");
   table.columns.emplace_back("lost", "");
   table.columns.emplace_back("out", "");
@@ -389,11 +389,10 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   panel.line(fmt::format("SPH, {}, {} layers", more_neighbours.name, r.wide.back().layers), phase,
              r.wide.back().elevation[at_gauge], Role::peer);
 
-  auto& along =
-      exhibit
-          .figure("loss", "Height of the waves along the flume",
-                  "Root of the mean square of the elevation after one period, over that of the exact transient.")
-          .panel({.x = "x/L", .y = "share of the height", .y_min = 0});
+  auto& along = exhibit
+                    .figure("loss", "Height of the waves along the flume",
+                            "Root of the mean square of the elevation after one period, over the exact transient's.")
+                    .panel({.x = "x/L", .y = "share of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
     std::vector<double> share;
     for (std::size_t k = 0; k < places.size(); ++k) share.push_back(r.share(one, k));

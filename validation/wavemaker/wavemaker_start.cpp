@@ -90,7 +90,7 @@ std::vector<WantedTable> wanted(const Values& values) {
            .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
                            .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
                            .requirements = {within_tolerance(Measure::relative_l2, values,
-                                                             "The elevation at the gauge is that of linear theory.",
+                                                             "The elevation at the gauge agrees with linear theory.",
                                                              source)}}},
            .points = [times](double) { return times; },
            .exact = {fmt::format(

@@ -40,7 +40,8 @@ TEST_CASE("energy of a spherical double pendulum over a million steps", "[conser
     watch.record(state);
   }
   const std::string resolution = "tau = 0.01, 1e6 steps";
-  check.that("energy", "Energy is constant to round-off for a linear potential.", "largest energy defect [m g l]",
+  check.that("energy", "Energy is constant for a linear potential within a random walk of 1e6 roundings.",
+             "largest energy defect [m g l]",
              {.value = watch.ledger().largest_defect("energy"), .resolution = resolution},
              Bound{1e-12, "a random walk of one rounding per step, 4 eps sqrt(1e6), in energies of order 1"});
   check.from("follows from the scheme for quadratic constraints")
@@ -63,10 +64,10 @@ TEST_CASE("a free rigid chain keeps energy and momenta", "[conservation]") {
     watch.record(state);
   }
   check.at("tau = 0.01, 1e5 steps");
-  check.that("energy", "Energy of the free chain is constant.", "largest energy defect",
-             {watch.ledger().largest_defect("energy")},
+  check.that("energy", "Energy of the free chain is constant within a random walk of 1e5 roundings.",
+             "largest energy defect", {watch.ledger().largest_defect("energy")},
              Bound{1e-12, "4 eps sqrt(1e5) times the kinetic energy, about 3.5"});
-  check.that("momentum", "Momentum of the chain is constant to round-off.", "largest defect",
+  check.that("momentum", "Momentum of the chain is constant within a random walk of 1e5 roundings.", "largest defect",
              {watch.ledger().largest_defect("momentum")}, Bound{1e-12, "4 eps sqrt(1e5) times sum m|u|, a few units"});
   check.that("angular-momentum", "Angular momentum of the free chain is constant.", "largest defect",
              {watch.ledger().largest_defect("angular_momentum")},

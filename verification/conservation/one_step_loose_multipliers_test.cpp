@@ -138,7 +138,8 @@ TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their wo
   const double deviation = std::sqrt(square - mean * mean);
   check.from("regression: computed once by an earlier program for the same equations, one sequence: 3.4e-9")
       .that(
-          "random-walk", "The energy that random errors cost elsewhere is a typical outcome of their walk.",
+          "random-walk",
+          "The published energy cost of random errors lies within two standard deviations of their walk.",
           "energy defect of the pendulum at e = 1e-6, distance from the mean over 64 sequences in standard deviations",
           {.value = (3.4e-9 - mean) / deviation, .resolution = "tau = 0.01, 1000 steps"},
           Bound{2, "one outcome of a random walk, at 95 %"});

@@ -206,7 +206,8 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
     smooth.push_back(corrected.fourth.value());
     second.push_back(corrected.second.value());
   }
-  check.from(source).that("projected", "After a projected start the multipliers alternate by O(tau).",
+  check.from(source).that("projected",
+                          "The alternation of the multipliers after a projected start is of first order in tau.",
                           "order of the amplitude", observed_order(steps, projected),
                           Order{1, 0.05, "w^0 = 0 instead of O(tau^2), divided by tau"});
   auto chain = free_chain();
@@ -254,10 +255,11 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
             "alternation exceeds 10", {wild.parasite.back() > 10 ? 1.0 : 0.0},
             Qualitative{"amplitude of the alternation > 10", "the multipliers are of order 1"});
   check.from(digits + ": 8e-11")
-      .that("wild-energy",
-            "Even so the energy stays, but for the work of such multipliers on the rounding of the rates.",
-            "largest energy defect over 1e6 steps", {wild.energy},
-            Bound{1e-10, "the 8e-11 found there, rounded up: a chaotic run of its own rounding"});
+      .that(
+          "wild-energy",
+          "The energy with alternating multipliers changes by at most 1e-10, their work on the rounding of the rates.",
+          "largest energy defect over 1e6 steps", {wild.energy},
+          Bound{1e-10, "the 8e-11 found there, rounded up: a chaotic run of its own rounding"});
   check.from(digits + ": jumps up to 0.05 for reprojection every 1 to 1000 steps")
       .that("cure", "With reprojection every 1000 steps the multipliers jump by no more than the motion makes them.",
             "largest excess of a jump over the change of the motion's multipliers", {cured.excess.value()},
@@ -266,15 +268,13 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
   std::vector<double> jumps;
   for (const double step : fractions) jumps.push_back(largest_jump_from(cured.before_jump, step));
   check.from("a smooth multiplier changes by tau times its rate; an alternation would jump by as much in any step")
-      .that("jump",
-            "The largest jump of the cured run is the motion's: repeated from shortly before it with shorter steps, it "
-            "falls with the step.",
+      .that("jump", "The largest jump of the cured run, repeated with shorter steps, falls at first order in the step.",
             "order of the largest jump", observed_order(fractions, jumps),
             Order{1, 0.05, "tau times the rate of the multiplier"});
   const Input parasite = cured.parasite;
   const std::size_t quarter = parasite.size() / 4;
   const std::string quantity = "mean logarithm of the alternation, difference in standard errors: ";
-  check.that("no-growth", "The alternation does not grow in the course of the cured run.",
+  check.that("no-growth", "The alternation in the cured run grows by less than three standard errors.",
              quantity + "last quarter less first", {growth(parasite.first(quarter), parasite.last(quarter))},
              Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
   check.that("no-regrowth", "The alternation does not grow between two reprojections.",

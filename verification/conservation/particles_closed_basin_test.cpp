@@ -43,8 +43,7 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
   // differs from the state that the jump is between, and the jump is found in both.
   check.that("adjacent", "No two neighbouring particles keep a jump of the same facing.",
              "pairs of them over all steps", {static_cast<double>(adjacent)}, Bound{0, "the smaller one is dropped"});
-  check.that("dropped",
-             "What is dropped is the same jump, seen from a particle that it has just left or not yet entered.",
+  check.that("dropped", "The part of a particle with a dropped event that lies beyond its jump is less than half.",
              "largest part of such a particle beyond the jump", {flow.events().discarded_inside.value()},
              Bound{0.5,
                    "a jump counts if it is twice as large as what the particles beside it differ by: a neighbour's "

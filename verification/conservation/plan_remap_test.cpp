@@ -141,7 +141,8 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   check.that("wet", "Depths of all columns stay positive after the remap.", "smallest depth is positive",
              {depth.value() > 0 ? 1.0 : 0.0},
              Qualitative{"above the bottom", "a column sinks by a part of its depth in a pass"});
-  check.that("told", "The remap tells what water it put elsewhere than it was swept, and most is not.",
+  check.that("told",
+             "The water that the remap puts elsewhere than it was swept is more than zero and at most 5 % of all.",
              "that water over all", {now.displaced / sum(model.first_volumes())},
              Bound{0.025 - 1e-6, "some, less than a twentieth", 0.025});
   check.from(source).that("water", "The volume of the water is conserved to round-off.", "change of the volume [m^3]",
@@ -225,7 +226,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     steepest.add(std::abs(up(i + 1) - up(i)) / std::hypot(lake.x[i + 1] - lake.x[i], lake.y[i + 1] - lake.y[i]));
   }
   check.at("columns 0.5 m apart");
-  check.that("cut", "A tongue is drawn back to the slope asked for, on both of its sides.",
+  check.that("cut", "The slope of a tongue that is drawn back agrees with the setting within 5 % on either side.",
              "steepest way up from a marker of the shoreline to the next one over their distance", {steepest.value()},
              Bound{0.05, "columns are lines from the first shoreline to the outer side and not quite radii", 1});
   Worst pressed;
@@ -234,7 +235,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   }
   check.that("pressed", "No cell of its column is pressed by more than 0.3.", "width left below 0.7 of what it was",
              {pressed.value()}, Roundoff{10, 10, "differences of places up to 10 m away"});
-  check.that("drawn", "A film is drawn back until a wedge of its water has the slope asked for.",
+  check.that("drawn", "The width of a film that is drawn back agrees with the wedge of the given slope within 1 %.",
              "width of the cells at the shoreline over the square root of what the slope lacks, less 1", {off.value()},
              Bound{0.01,
                    "what the pattern + - takes from a row that is no circle: the bottom's spline moves its markers by "
@@ -290,7 +291,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   for (std::size_t j = 1; j < lake.shape.rows; ++j) {
     for (std::size_t i = 0; i < count; ++i) least.add(width(kept, i, j) / width(lake, i, j));
   }
-  check.that("widths", "Rows that come too near to each other are put apart.",
+  check.that("widths", "The narrowest cell after rows were put apart has the least width of the settings, to 1e-9.",
              "narrowest cell along its column, over what it was at the beginning", {least.value()},
              Bound{1e-9, "a quarter, to rounding", RezoneSettings{}.narrowest});
 }
@@ -357,7 +358,8 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
   const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());
   const auto steps = static_cast<double>(flow.steps());
   check.at(fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned()));
-  check.that("rezoned", "The lattice is rezoned on the way.", "times", {static_cast<double>(flow.rezoned())},
+  check.that("rezoned", "The lattice is rezoned in at least one step, and not in every step.", "times",
+             {static_cast<double>(flow.rezoned())},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
   check.that("water", "The volume of the water is conserved to round-off.", "largest change over the first volume",
              {spilt.value()},
@@ -407,8 +409,8 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
              Roundoff{static_cast<double>(flow.steps() + flow.rezoned()), 100,
                       "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning rounds their "
                       "differences anew"});
-  check.that("taken", "The energy that rezoning takes is positive and small.", "what it took over the first value",
-             {.value = flow.lost() / begin, .resolution = resolution},
+  check.that("taken", "The energy that rezoning takes is positive and at most 1 % of the first value.",
+             "what it took over the first value", {.value = flow.lost() / begin, .resolution = resolution},
              Bound{0.005,
                    "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, next to "
                    "the shore alone",

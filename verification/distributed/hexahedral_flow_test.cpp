@@ -66,7 +66,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
             {.value = largest_difference(shared, reference), .resolution = resolution},
             Bound{steps * shared.condition * tolerance * speed(reference),
                   fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", shared.condition, speed(reference))});
-  check.that("copies", "The copies that several processes hold of a node are bitwise equal.",
+  check.that("copies", "The difference between the copies that several processes hold of a node is zero.",
              "largest difference between copies", {.value = shared.rim_difference, .resolution = resolution},
              Bound{0, "copies are copied"});
   if (window.reach) {

@@ -33,7 +33,7 @@ TEST_CASE("a point of a graph and its arc length belong together", "[geometry]")
       });
     }
   }
-  check.that("ends", "Every point of the graph, its ends too, has an arc length that the curve has.",
+  check.that("ends", "The number of points of the graph whose arc length lies beyond the curve is zero.",
              "points beyond the ends", {.value = beyond.value(), .resolution = "1 to 200 panels"}, Bound{0, "none"});
   check.from("arc length by Gauss's rule over each panel")
       .that("round-trip", "The point at the arc length of a point is that point.", "largest distance [m]",

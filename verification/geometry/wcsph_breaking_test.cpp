@@ -107,10 +107,10 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   const std::string reason =
       "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
       "its middle";
-  check.that("overhang", "The overhang agrees with the curve.", "largest error over dx", {overhang_error.value()},
-             Bound{1.5, reason});
-  check.that("tip", "The tip of the jet reaches as far forward as the curve's.", "largest error of its x over dx",
-             {tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
+  check.that("overhang", "The overhang agrees with the curve within 1.5 dx.", "largest error over dx",
+             {overhang_error.value()}, Bound{1.5, reason});
+  check.that("tip", "The tip of the jet agrees with the tip of the curve within 0.75 dx.",
+             "largest error of its x over dx", {tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
   check.that("side", "The direction in which it breaks is found.", "directions right", {sides ? 1.0 : 0.0},
              Qualitative{"overhang().towards_right", "the tip turns to the right, the hollow to the left"});
   check.that("no-alarm", "No wave that is single-valued is said to overturn.", "false alarms", {false_alarm.value()},
@@ -167,22 +167,23 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
   }
   check.that("landed", "A tongue that has reached the level has shut off air.", "missed", {late},
              Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
-  check.that("not-early", "A gap wider than the support of a kernel is not called closed.",
+  check.that("not-early", "The widest gap that is called closed is at most 2.6 dx, the support of the kernel.",
              "widest gap said to be closed, over dx", {early.value()},
              Bound{2.6, "below 2h = 2.6 dx the weights of both sides overlap"});
   check.that("cavity", "The air enclosed is half a disc.", "relative error of the area", {cavity.value()},
              Bound{0.71 * spacing * (pi + 2) * Tongue::inner / half_disc,
                    "the contour's largest distance, 0.71 dx, all around"});
-  check.that("tip", "Before, the tip is as far forward as the tongue.", "largest error of its x over dx", {tip.value()},
-             Bound{1.5, "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
+  check.that("tip", "The tip before impact agrees with the tongue within 1.5 dx.", "largest error of its x over dx",
+             {tip.value()}, Bound{1.5, "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
 
   // Air in a corner, under water that leans against the wall on the right; and water that lies in such a corner.
   const Box box{-0.5, 0.5, -0.4, 0.6};
   const auto pocket = [](double x, double z) { return z < 0.4 && std::hypot(x - 0.5, z + 0.36) > 0.3; };
   const double quarter = pi / 4 * 0.3 * 0.3;
   check.from("a quarter of a disc")
-      .that("pocket", "Air in a corner of the box is enclosed by curve and walls.", "area [m^2]",
-            {cavity_area(contours_of(pocket, box, spacing), hole)},
+      .that("pocket",
+            "The area of air in a corner of the box agrees with its quarter circle within 0.71 dx along the arc.",
+            "area [m^2]", {cavity_area(contours_of(pocket, box, spacing), hole)},
             Bound{0.71 * spacing * pi / 2 * 0.3, "0.71 dx along the arc", quarter});
   const auto heap = [](double x, double z) { return std::hypot(x - 0.5, z + 0.36) < 0.3; };
   CHECK(cavity_area(contours_of(heap, box, spacing), hole) == 0);

@@ -96,7 +96,8 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
       level.add(elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
     }
   }
-  check.that("level", "A level layer has its elevation.", "largest error over dx", {level.value()},
+  check.that("level", "The elevation of a level layer is found within 0.1 dx.", "largest error over dx",
+             {level.value()},
              Bound{0.1, "particles stand for cells dx high: a tenth of that is what is read off them"});
   const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
   check.that("walls", "Beside walls too: the weight behind them does not count.", "largest error over dx",
@@ -205,10 +206,14 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
             water);
   const std::vector<Contour> curves = free_surface(fraction_of(ring), {-1.2, 1.2, -1.2, 1.2}, 0.02);
   REQUIRE(curves.size() == 2);
-  check.that("ring-outside", "Around water curves run clockwise: the area is negative.", "area [m^2]",
-             {curves[0].area()}, Bound{2 * pi * 0.02, "half a spacing all around", -pi});
-  check.that("ring-inside", "Around air they run counter-clockwise, and the air is counted.", "area [m^2]",
-             {curves[1].air}, Bound{2 * pi * 0.4 * 0.02, "half a spacing all around", 0.16 * pi});
+  check.that("ring-outside",
+             "The area of a curve around water, which runs clockwise, is negative and correct within half a spacing "
+             "all around.",
+             "area [m^2]", {curves[0].area()}, Bound{2 * pi * 0.02, "half a spacing all around", -pi});
+  check.that(
+      "ring-inside",
+      "The area of a curve around air, which runs counter-clockwise, is counted within half a spacing all around.",
+      "area [m^2]", {curves[1].air}, Bound{2 * pi * 0.4 * 0.02, "half a spacing all around", 0.16 * pi});
   CHECK(curves[0].air == 0);
   CHECK(std::abs(curves[0].distance(0, 0) - 1) < 0.04);
 }

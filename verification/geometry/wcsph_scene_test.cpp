@@ -218,7 +218,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
     }
   }
   check.from("interface of the scene")
-      .that("sweep", "The bottom reaches as far back as the paddle does.",
+      .that("sweep", "The length by which the paddle reaches behind the end of the bottom is zero.",
             "rearmost place of the paddle behind the end of the bottom [m]",
             {std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
 

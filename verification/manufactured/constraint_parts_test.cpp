@@ -79,7 +79,8 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
     const double second = (-m2[s] + 16 * m1[s] - 30 * now[s] + 16 * p1[s] - p2[s]) / (12 * h * h);
     worst.add(curvature[s] - second);
   }
-  check.that("areas", "Second derivatives of the cell areas equal differences.", "largest difference", {worst.value()},
+  check.that("areas", "Second derivatives of the cell areas agree with differences within 1e-9.", "largest difference",
+             {worst.value()},
              Bound{1e-9,
                    "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products of places "
                    "up to 6, 1e-15, over h^2"});

@@ -29,8 +29,9 @@ FiniteVolumeFlow two_states(FiniteVolumeFlow::Settings settings, State left, Sta
 }
 
 FiniteVolumeFlow stationary_jump(State upstream, State downstream) {
-  return two_states({.scheme = Scheme::roe, .courant = 0.8, .left = End::inflow(upstream), .right = End::inflow(downstream)}, upstream,
-                    downstream);
+  return two_states(
+      {.scheme = Scheme::roe, .courant = 0.8, .left = End::inflow(upstream), .right = End::inflow(downstream)},
+      upstream, downstream);
 }
 
 TEST_CASE("fluxes through a face are those of the schemes in closed form", "[manufactured]") {
@@ -87,7 +88,8 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   march(expansion, 1);
   Largest kept;
   for (std::size_t i = 0; i + 1 < cells; ++i) kept.add(std::abs(expansion.depth()[i + 1] - expansion.depth()[i]));
-  check.that("roe-expansion", "A jump that would gain energy spreads into a fan.",
+  check.that("roe-expansion",
+             "A jump that would gain energy spreads into a fan with steps of at most 0.35 m after one second.",
              "largest difference of neighbouring depths after one second [m]",
              {.value = kept.value(), .resolution = "40 cells of 1 m"},
              Bound{0.35,

@@ -128,7 +128,7 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
                march(flow, time, tau);
                return std::abs(flow.z()[0] / amplitude - expected);
              });
-  check.that("size", "The error at the smallest step is small against the amplitude.",
+  check.that("size", "The error at the smallest step is at most r tau/2 of the amplitude, half a step of decay.",
              "difference over the first amplitude", {.value = errors[0].back(), .resolution = "tau = 0.025"},
              Bound{0.5 * rate * 0.025,
                    "half a step of decay between places and velocities: r tau/2 of the amplitude; other errors are of "
@@ -174,7 +174,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   std::fill(ones.yy.begin(), ones.yy.end(), 1.0);
   const std::size_t inner = lattice.shape.node(6, 5);
   const auto [all, left] = slowed(pattern, h, equal, ones);
-  check.that("rate", "The pattern decays at the rate.", "rate of an inner node over the given one",
+  check.that("rate", "The pattern decays at the given rate within 1e-4.", "rate of an inner node over the given one",
              {(1 - left[inner] / all[inner]) / (rate * h)},
              Bound{1e-4, "pair after pair: what one takes the next no longer has, some 10 rate h", 1});
   const auto [waves, damped] = slowed(
@@ -281,7 +281,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   const double subcritical = std::sqrt(1 - depth * (depth + behind) / (2 * behind * behind));
   const double viscosity = 2 * std::sqrt(1.0 / 3) * mean_depth * std::sqrt(mean_depth) * subcritical;
   const double force = viscosity * mean_depth * 0.4 / 0.5;  // of the difference of two velocities
-  check.that("rate", "Two neighbours exchange momentum as the viscosity says.",
+  check.that("rate", "The momentum that two neighbours exchange agrees with the viscosity within 1e-4.",
              "force over nu H times the width and the gradient of the velocity",
              {(after[inner] - before[inner]) * masses[inner] / (h * -1.0 * force)},
              Bound{1e-4, "implicit: off by twice h times the rate of some 10, and rounding over 1e-6", 1});

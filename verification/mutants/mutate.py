@@ -244,7 +244,7 @@ class Trials:
         with tempfile.TemporaryDirectory(dir=self.scratch) as folder:
             come_to = pathlib.Path(folder) / "come_to"
             extra = self.together.environment(number, come_to)
-            limit = 30 + 10 * self.seconds[check] if number >= 0 else 900
+            limit = 30 + 10 * self.seconds[check] if number >= 0 else self.judge.budget
             try:
                 said = findings(check, self.together.programs.program(check.target), pathlib.Path(folder) / "evidence",
                                 self.together.tree, limit, extra, seconds.append)

@@ -79,8 +79,8 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   const double first = worst(flow.model().projected()) * 2 / 0.03;
   march(flow, 10, 0.03, [&] { flow.observe(); });
   check.that("uneven-bounded",
-             "Over an uneven bottom, with the penalty, the surface moves by less than a steady push of the first "
-             "acceleration would raise the longest wave.",
+             "The surface over an uneven bottom with the penalty rises by at most 2 a/omega^2, a the first "
+             "acceleration, omega of the longest wave.",
              "highest elevation up to t = 10 [depth]",
              {.value = highest_marker(flow), .resolution = "20 cells, 12 particles to a side"},
              Bound{2 * first / std::tanh(1.0),

@@ -114,7 +114,8 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   for (std::size_t i = 0; i < rates.du.size(); ++i) {
     if (parted.particles().kind[i] == Kind::fluid) push += parted.particles().mass[i] * rates.du[i];
   }
-  check.that("push", "The difference of the pressures on the end walls sets the water in motion.",
+  check.that("push",
+             "The rate of the momentum agrees with the pressures on the end walls within one spacing over the depth.",
              "rate of the momentum over rho g (H^2 - h^2)/2",
              {push / (0.5 * plain.density * gravity * (high * high - low * low))},
              Bound{dx / high,
@@ -125,8 +126,10 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   Flow rest(levels(high, Lattice::square, followed).particles, dx, followed);
   march(rest, 0.5);
   check.that(
-      "rest", "Equal levels stay at rest, without a gate.", "rms velocity over sqrt(g H) after 0.5 s",
-      {rms_velocity(rest.particles())},
+      "rest",
+      "The rms velocity of equal levels without a gate is below a sound wave with the pressure of one spacing of "
+      "water.",
+      "rms velocity over sqrt(g H) after 0.5 s", {rms_velocity(rest.particles())},
       Bound{dx / high * 0.1, "sound of pressure rho c u as high as that of one spacing of water: dx/H sqrt(g H)/c"});
 }
 

@@ -11,7 +11,7 @@ for (const plate of document.querySelectorAll("a.plate[data-live]")) {
     live.type = "image/svg+xml";
     live.data = plate.href + "#play";
     live.ariaLabel = picture.alt;
-    live.style.cssText = `display: block; width: ${picture.clientWidth}px; height: ${picture.clientHeight}px`;
+    live.style.cssText = `display: block; width: 100%; aspect-ratio: ${picture.clientWidth} / ${picture.clientHeight}`;
     plate.replaceWith(live);
     button.remove();
   });

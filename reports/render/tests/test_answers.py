@@ -7,6 +7,7 @@ import shutil
 import tempfile
 import unittest
 
+import h5py
 from made import write_arrays
 from test_phone import BROWSER, found_by
 
@@ -36,6 +37,7 @@ const seen = d => [...d.querySelectorAll("[data-frame]")].filter(g => g.getAttri
   press();
   found.pressed = key.getAttribute("aria-pressed");
   found.off = point(2.02, 20.2);
+  found.bar = point(2.0, 24.0);
   press();
   found.on_again = point(2.02, 20.2);
   const film = await open("FILM");
@@ -64,6 +66,8 @@ class Answers(unittest.TestCase):
             line = ("computed", "computed", "line", [1, 2, 3, 4], [10, 20, 30, 40])
             data = ("measured", "data", "points", [1, 2, 4], [12, 21, 38])
             write_arrays(place / "f.h5", {"plot": [[line, data]], "film": [[line], [data], [line, data]]})
+            with h5py.File(place / "f.h5", "a") as file:
+                file["figures/plot/panel_00/series_01/y_error"] = [3.0, 3.0, 3.0]
             for name, drawing in (("plot", "panels"), ("film", "film")):
                 self.assertEqual(figures.draw(place / "f.h5", name, drawing, False, "key", place / f"{name}.svg"), "")
             uri = place.as_uri()
@@ -71,6 +75,7 @@ class Answers(unittest.TestCase):
         self.assertEqual(found["on"], "computed: 2, 20")
         self.assertEqual(found["pressed"], "false")
         self.assertEqual(found["off"], "measured: 2, 21")
+        self.assertEqual(found["bar"], "measured: 2, 21")
         self.assertEqual(found["on_again"], found["on"])
         self.assertEqual(set(found["still"]), {"2"})
         self.assertEqual(set(found["first"]), {"0"})

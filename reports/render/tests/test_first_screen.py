@@ -16,6 +16,7 @@ from render import matrix
 CASES, TESTS, GROUPS = 128, 430, 11      # as many as the suite has
 PAGES, INDEX_BYTES, INDEX_NODES, SEARCH_BYTES = 180, 120_000, 2_500, 250_000
 SHEET_BYTES, ALL_BYTES = 200_000, 25_000_000
+SHEETS = 20                              # printed, of A4
 WHOLE = pathlib.Path(os.environ.get("SEICHE_EVIDENCE", "build/release/evidence")) / "report/index.html"
 RENDERER = max(file.stat().st_mtime for file in pathlib.Path(matrix.__file__).parent.glob("*.py"))
 SCREENS = {1440: 3 * 900, 390: 5 * 860}     # width of a window and what its page may be high
@@ -73,17 +74,21 @@ class FirstScreen(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         claims = [claim(f"c{k}", text="The front of the bore agrees with the exact solution.") for k in range(9)]
-        made = [record(f"case_{k}", group=f"group_{k % 14}", claims=claims, article="A word of many. " * 60) for k in range(CASES)]
+        known = claim("known", verdict="fail", declared="fail", declared_reason="cause unknown: " + "a word of many " * 12)
+        made = [record(f"case_{k}", group=f"group_{k % 14}", claims=[*claims, known], article="A word of many. " * 60)
+                for k in range(CASES)]
         made += [record(f"test_{k}", kind="verification", group=f"room_{k % GROUPS}", claims=claims[:7 if k % GROUPS else 9])
                  for k in range(TESTS)]
         made += [record("drop_models", group="drop", tables=contest_table([contest_row("SPH", **{"broke by": "it stops"})]))]
         made += [record("case_3", group="group_3", solver="OpenFOAM", claims=claims)]
-        cls.report = reported(cls.enterClassContext(tempfile.TemporaryDirectory()), *made)
+        folder = cls.enterClassContext(tempfile.TemporaryDirectory())
+        cls.printed = pathlib.Path(folder, "report.pdf")
+        cls.report = reported(folder, *made, options=["--pdf", str(cls.printed)] if BROWSER else [])
 
     def test_the_report_keeps_its_budget(self):
         for report in [self.report, *([WHOLE.parent] if WHOLE.exists() and WHOLE.stat().st_mtime > RENDERER else [])]:
             with self.subTest(report):
-                self.assertLessEqual(len(list(report.rglob("*.html"))), PAGES)
+                self.assertLessEqual(len({*report.rglob("*.html")} - {report / "print.html"}), PAGES)
                 index = (report / "index.html").read_text(encoding="utf-8")
                 self.assertLessEqual(len(index.encode()), INDEX_BYTES)
                 self.assertLessEqual(len(re.findall(r"<[a-z]", index)), INDEX_NODES)
@@ -99,6 +104,10 @@ class FirstScreen(unittest.TestCase):
         for name in (f"test_{k}" for k in range(TESTS)):
             self.assertEqual(sum(f'<details class="test" id="{name}.seiche"' in page for page in pages.values()), 1, name)
         self.assertIn('href="../verification/room_0-2.html"', pages["room_0.html"])
+
+    @unittest.skipUnless(BROWSER, "no Chromium: nothing is printed")
+    def test_the_print_has_few_pages(self):
+        self.assertLessEqual(len(re.findall(rb"/Type\s*/Page\b", self.printed.read_bytes())), SHEETS)
 
     @unittest.skipUnless(BROWSER, "no Chromium: search, filters and order are not tried")
     def test_what_a_reader_does_is_answered(self):

@@ -2,6 +2,8 @@
 
     /usr/bin/python3 reports/render/tests/test_league.py
 """
+import csv
+import pathlib
 import tempfile
 import unittest
 
@@ -56,6 +58,20 @@ class League(unittest.TestCase):
     def test_one_run_and_an_exact_one_have_no_order(self):
         one, = self.table(scored("boxes-10", 0.1, 0.25), scored("circles-10", 0.1, 0.0), scored("circles-20", 0.05, 0.0))
         self.assertEqual([run.order for run in one.runs], [None] * 3)
+
+    def test_a_stored_result_is_what_the_record_said(self):
+        rows = [row for one in (scored("boxes", 0.1, 0.25, measurements={"ladder_order_eta": 1.5}), scored("circles", 0.2, 0.5))
+                for row in league.rows_of(records.Record("0.json", one), {"boxes": "2.1"})]
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "solvers.csv"
+            with open(path, "w", newline="") as file:
+                writer = csv.DictWriter(file, league.COLUMNS)
+                writer.writeheader()
+                writer.writerows(rows)
+            kept = league.stored(path)
+        one, = league.survey([records.Case("wave", [records.Record("0.json", scored("circles", 0.1, 0.1))])], kept)
+        self.assertEqual([(run.record.by, run.cell, run.error, run.order) for run in one.runs],
+                         [("circles", 0.1, 0.1, None), ("boxes 2.1", 0.1, 0.25, 1.5)], "a solver's own record takes its place")
 
     def test_page_is_made_where_others_are(self):
         with tempfile.TemporaryDirectory() as folder:

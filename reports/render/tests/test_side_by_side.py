@@ -23,7 +23,7 @@ class Models(unittest.TestCase):
                                                               energy=None, momentum=None, lasted=1.25,
                                                               **{"broke by": f"folds {HOSTILE}"}),
                 row("never there", error=None, uncertainty=None, energy=None, momentum=None, lasted=0.0,
-                    **{"broke by": "refuses to start"}),
+                    **{"broke by": "cannot start"}),
                 row("between walls", momentum=None, energy=3e-16)]
         write_arrays(folder / "evidence/drop_models.h5", {"cost": [[("a", "computed", "points", [1, 2], [2, 1])]]})
         cls.out = reported(
@@ -69,7 +69,7 @@ class Models(unittest.TestCase):
 
     def test_a_model_that_gives_no_error_is_a_row_with_its_cause(self):
         line, = self.lines("never there")
-        self.assertIn("refuses to start", line)
+        self.assertIn("cannot start", line)
         self.assertNotIn("round-off", line)
         self.assertNotIn("walls", line)
 

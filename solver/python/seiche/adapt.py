@@ -214,7 +214,8 @@ def read_particles(path):
             values = file[group][name]
             if values.external or values.is_virtual or values.size > MOST_NUMBERS or values.dtype.kind not in "fiu":
                 raise Unusable(f"{path}: {name}: must be numbers in this file, at most {MOST_NUMBERS}")
-            fields[name] = values[:]
+            if values.size:     # PySPH writes what it never filled as an array of none
+                fields[name] = values[:]
     flat = {name: values for name, values in fields.items() if np.ndim(values) == 1}
     if not {"x", "y"} <= set(flat) or len({values.size for values in flat.values()}) != 1:
         raise Unusable(f"{path}: needs x and y of the particles, as long as the other arrays")

@@ -60,7 +60,7 @@ Crest refined_crest(const SurfaceLattice& surface, std::size_t column, std::size
   if (!(left < 0 && right > 0)) {
     throw std::invalid_argument(
         fmt::format("row {} of the surface does not advance along the wall at column {}: x = {:g}, {:g}, {:g}; "
-                    "allowed: increasing, as of waves that do not turn over",
+                    "allowed: increasing, as in waves that do not overturn",
                     j, column, surface.x[top - 1], surface.x[top], surface.x[top + 1]));
   }
   const double slope_left = (surface.z[top - 1] - surface.z[top]) / left;

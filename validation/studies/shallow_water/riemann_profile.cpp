@@ -312,7 +312,7 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
        {.limit = sum(&RiemannErrors::momentum, rounding * length), .reason = reason}},
       {"celerity",
        "The distance that waves have travelled agrees with the exact solution.",
-       "share of the time by which the depth is nearest to that of a later instant",
+       "share of the time by which the depth is nearest to a later instant",
        "1",
        &RiemannErrors::celerity,
        {.limit = evidence::Amount::at_most(either(&RiemannErrors::celerity), most_of_time), .reason = reason}}};

@@ -92,7 +92,7 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
     }
   } catch (const std::invalid_argument& refusal) {
     if (!may_refuse) throw;
-    result.cause = fmt::format("refuses to start: {}", refusal.what());
+    result.cause = fmt::format("cannot start: {}", refusal.what());
   }
   return result;
 }
@@ -196,7 +196,7 @@ void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std
         const auto falls = [](const Attempt& one) { return one.energy < 0; };
         return std::ranges::all_of(entry.attempts, falls) ? 1.0 : 0.0;
       },
-      Qualitative{.detector = "energy at the end less that of the beginning is negative", .reason = reason});
+      Qualitative{.detector = "energy at the end less the initial energy is negative", .reason = reason});
 }
 
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,

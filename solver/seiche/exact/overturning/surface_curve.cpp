@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
+#include "seiche/exact/entry.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/linear/fourier.hpp"
 #include "seiche/require.hpp"
@@ -347,21 +347,18 @@ SelfTest MovingSurface::balances(double amplitude, double tolerance, const std::
     impulse.add(now.impulse - start.impulse - by_pressure(moment.state).thrust);
     largest_impulse.add(now.impulse);
   }
-  const double limit = static_cast<double>(resolved) * std::pow(tolerance / a, 1.2);
-  const std::string reason = fmt::format(
-      "{} steps whose errors of fourth order are kept at {:g}/k and add up, over the amplitude; the solution of fifth "
-      "order that is carried on errs less by a step, the fifth root of that",
-      resolved, tolerance);
-  const std::string square = reason + "; twice as much of a square";
+  const auto kept = [&](const std::string& name, double defect, double times) {
+    return kept_by_steps(name, defect, static_cast<double>(resolved), tolerance / a, times);
+  };
   const bool forced = evolution_->forced();
   SelfTest identities;
   if (first) identities.push_back(*first);
-  identities.push_back({"volume is conserved", volume.value() / (2 * std::numbers::pi * a), limit, reason});
-  identities.push_back({forced ? "energy changes by the work of the pressure" : "energy is conserved",
-                        energy.value() / largest_energy.value(), 2 * limit, square});
+  identities.push_back(kept("volume is conserved", volume.value() / (2 * std::numbers::pi * a), 1));
+  identities.push_back(kept(forced ? "energy changes by the work of the pressure" : "energy is conserved",
+                            energy.value() / largest_energy.value(), 2));
   identities.push_back(
-      {forced ? "horizontal impulse changes by the thrust of the pressure" : "horizontal impulse is conserved",
-       impulse.value() / largest_impulse.value(), 2 * limit, square});
+      kept(forced ? "horizontal impulse changes by the thrust of the pressure" : "horizontal impulse is conserved",
+           impulse.value() / largest_impulse.value(), 2));
   return identities;
 }
 

@@ -123,6 +123,8 @@ class WallRunup {
   /// R. Takes as long as that computation.
   [[nodiscard]] double uncertainty() const;
   [[nodiscard]] SelfTest self_test() const;
+  /// What a self-test will say of a wave of amplitude/depth `ratio`, without its defects, which are NaN.
+  static SelfTest identities(double ratio, std::size_t markers = 384, double tolerance = 1e-11);
 
  protected:
   /// @param fall  the motion is followed until the water at the wall is lower than this part of its run-up
@@ -134,9 +136,8 @@ class WallRunup {
   [[nodiscard]] Solution coarser() const {
     return Solution(amplitude_, depth_, std::max<std::size_t>(128, markers_ / 3 * 2), 10 * tolerance_);
   }
-  /// An identity that the errors of the time steps limit, so many times.
-  [[nodiscard]] Identity within_steps(const std::string& name, double defect, double times) const;
-  [[nodiscard]] Identity energy_identity() const;
+  /// The identity of a square that the errors of the time steps limit.
+  [[nodiscard]] Identity within_steps(const std::string& name, double defect) const;
 
  private:
   double amplitude_, depth_;
