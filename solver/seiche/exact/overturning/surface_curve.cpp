@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-
 #include "seiche/divergence.hpp"
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
