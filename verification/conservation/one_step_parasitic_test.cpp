@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "seiche/mechanics/index_reduced.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"

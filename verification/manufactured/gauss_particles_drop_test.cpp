@@ -5,8 +5,8 @@
 #include <string>
 
 #include "seiche/exact/affine_drop.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
