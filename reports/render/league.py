@@ -42,10 +42,16 @@ class Table:
     costs: object = None        # costs.Costs, where somebody scored several sizes
 
 
+def measured(record):
+    """Its measurements; of an experiment the difference that its readings share, for a curve holds the gate's time too."""
+    shared = [] if isinstance(record.claims, str) else [claim for claim in record.claims if claim.id == "agreement"]
+    return {"readings_relative_l1": shared[0].measured} if shared else record.measurements
+
+
 def error_names(scored):
     """What the error is, the pattern of the measurements that say it, and the quantity: the first that all have."""
     for pattern, words in ERRORS.items():
-        found = [[name for name in record.measurements if re.fullmatch(pattern, name)] for record in scored]
+        found = [[name for name in measured(record) if re.fullmatch(pattern, name)] for record in scored]
         if all(found):
             first = re.fullmatch(pattern, found[0][0])
             stem = first[1] if first.re.groups else None
@@ -56,8 +62,8 @@ def error_names(scored):
 
 def of_quantity(record, pattern, stem):
     """Its errors, one per gauge or time."""
-    found = {name: re.fullmatch(pattern, name) for name in record.measurements}
-    return [record.measurements[name] for name, match in found.items() if match and (stem is None or match[1] == stem)]
+    return [value for name, value in measured(record).items()
+            if (match := re.fullmatch(pattern, name)) and (stem is None or match[1] == stem)]
 
 
 def error_of(record, pattern, stem):
@@ -102,15 +108,11 @@ def _number(text):
 
 
 def rows_of(record, versions):
-    """A row for every quantity with a relative error: of a curve in L1, the largest over gauges and instants; of an
-    experiment the difference that its readings share."""
+    """A row for every quantity with a relative error: of a curve in L1, the largest over gauges and instants."""
     errors = collections.defaultdict(list)
-    for name, value in record.measurements.items():
+    for name, value in measured(record).items():
         if found := re.fullmatch(r"(\w+?)_relative_(?:l1|error)(?:_.+)?", name):
             errors[found[1]].append(math.inf if value is None else abs(value))
-    shared = [claim.measured for claim in record.claims if claim.id == "agreement"]
-    if shared:
-        errors = {"readings": shared}
     solver = record.solver
     settings = ""
     if record.own:      # of its own discretisation are the parameters, not of the problem
