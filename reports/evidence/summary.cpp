@@ -9,7 +9,7 @@
 #include "reports/evidence/record_files.hpp"
 #include "reports/evidence/seal.hpp"
 #include "seiche/io/atomic_file.hpp"
-#include "seiche/printable.hpp"
+#include "seiche/wording.hpp"
 
 namespace seiche::evidence {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "seiche/exact/catalogue.hpp"
 #include "seiche/io/text_table.hpp"
+#include "seiche/require_that.hpp"
 
 using namespace seiche;
 
@@ -52,7 +53,7 @@ std::map<std::string, double> values_of(const exact::ExactSolution& solution, co
       }
     }
     const auto number = io::number_in(value);
-    if (!number) throw std::invalid_argument(fmt::format("parameter '{}': must be name=number", setting));
+    require_that(number.has_value(), "parameter '{}': must be name=number", setting);
     values[name] = *number;
   }
   return values;
@@ -67,11 +68,11 @@ const char* name_of(const std::vector<Named>& all, std::size_t k) {
 
 seiche_solution* seiche_create(const char* name, const char* parameters) {
   return guarded<seiche_solution*>(nullptr, [&] {
-    if (name == nullptr) throw std::invalid_argument("name: must not be NULL");
+    require_that(name != nullptr, "name: must not be NULL");
     const exact::ExactSolution& description = exact::find_solution(name);
-    if (description.outputs.empty()) throw std::invalid_argument(fmt::format("{}: has no values at points", name));
+    require_that(!description.outputs.empty(), "{}: has no values at points", name);
     exact::Evaluator evaluator = description.evaluator(values_of(description, parameters == nullptr ? "" : parameters));
-    if (evaluator.curve) throw std::invalid_argument(fmt::format("{}: is a curve, not values at points", name));
+    require_that(!evaluator.curve, "{}: is a curve, not values at points", name);
     return new seiche_solution{description, std::move(evaluator)};
   });
 }

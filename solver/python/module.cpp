@@ -12,7 +12,8 @@
 #include <fmt/ranges.h>
 
 #include "seiche/exact/catalogue.hpp"
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
+#include "seiche/require_that.hpp"
 
 namespace py = pybind11;
 using namespace seiche;
@@ -96,9 +97,7 @@ class Solution {
       const auto name = py::cast<std::string>(key);
       if (name == "outside") {
         const auto choice = py::cast<std::string>(value);
-        if (choice != "nan" && choice != "error") {
-          throw std::invalid_argument(fmt::format("outside = {} is unknown: must be nan or error", choice));
-        }
+        require_that(choice == "nan" || choice == "error", "outside = {} is unknown: must be nan or error", choice);
         outside_is_nan = choice == "nan";
       } else if (std::find(names.begin(), names.end(), name) == names.end()) {
         throw std::invalid_argument(fmt::format("{} has no coordinate {}: it has {}", description_->name, name,
@@ -120,10 +119,7 @@ class Solution {
   [[nodiscard]] py::dict curve(const std::vector<Array>& inputs) const {
     std::vector<double> point;
     for (const Array& input : inputs) {
-      if (input.size() != 1) {
-        throw std::invalid_argument(
-            fmt::format("{} is a curve: coordinates must be single numbers", description_->name));
-      }
+      require_that(input.size() == 1, "{} is a curve: coordinates must be single numbers", description_->name);
       point.push_back(input.data()[0]);
     }
     const auto rows = evaluator_.curve(point);
@@ -159,13 +155,11 @@ Solution make(const exact::ExactSolution& description, const py::kwargs& argumen
     for (const auto& p : description.parameters) {
       if (p.name != name) continue;
       const auto choice = std::find(p.choices.begin(), p.choices.end(), text);
-      if (choice == p.choices.end()) {
-        throw std::invalid_argument(
-            fmt::format("{} = {} is unknown: must be one of {}", name, text, fmt::join(p.choices, ", ")));
-      }
+      require_that(choice != p.choices.end(), "{} = {} is unknown: must be one of {}", name, text,
+                   fmt::join(p.choices, ", "));
       parameters[name] = static_cast<double>(choice - p.choices.begin());
     }
-    if (parameters.count(name) == 0) throw std::invalid_argument(fmt::format("{} is not a parameter", name));
+    require_that(parameters.count(name) != 0, "{} is not a parameter", name);
   }
   return {description, parameters};
 }

@@ -25,8 +25,8 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 
 #include "seiche/exact/shallow_water/thacker.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"

@@ -35,8 +35,8 @@ several cells.
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/riemann.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"

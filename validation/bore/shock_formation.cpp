@@ -14,8 +14,8 @@ which starts at the depth of a simple wave and must settle to that behind a bore
 #include <fmt/format.h>
 
 #include "reports/evidence/grid_convergence.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/shallow_water/relations.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"

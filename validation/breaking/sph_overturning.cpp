@@ -76,7 +76,7 @@ wcsph::Scene scene_of(const SphOverturning& setup) {
                                               .spacing = setup.spacing(),
                                               .lattice = setup.lattice},
                                              setup.settings);
-  const wcsph::TaitFluid fluid(setup.settings.density, setup.settings.sound_speed, setup.settings.exponent);
+  const wcsph::TaitFluid fluid(setup.settings.density, setup.settings.sound_speed);
   wcsph::Particles& p = scene.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.kind[i] == wcsph::Kind::wall) p.density[i] = fluid.density_at(pressure(p.x[i], p.z[i]));

@@ -7,7 +7,7 @@
 
 #include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/models/wcsph/flow.hpp"
-#include "seiche/models/wcsph/lattice.hpp"
+#include "seiche/models/wcsph/particles.hpp"
 #include "validation/case/checkpoints.hpp"
 #include "validation/instruments/particles/sph_free_surface.hpp"
 #include "validation/instruments/polyline_distance.hpp"

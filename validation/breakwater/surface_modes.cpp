@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "seiche/linear/dense.hpp"
-#include "seiche/mechanics/projection.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::validation {
 namespace {

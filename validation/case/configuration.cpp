@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "seiche/io/isolated.hpp"
-#include "seiche/printable.hpp"
+#include "seiche/io/hdf5_table.hpp"
+#include "seiche/wording.hpp"
 #include "validation/case/registry.hpp"
 
 namespace seiche::validation {

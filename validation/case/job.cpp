@@ -8,7 +8,7 @@
 
 #include "reports/evidence/provenance.hpp"
 #include "reports/evidence/record_files.hpp"
-#include "seiche/io/isolated.hpp"
+#include "seiche/io/hdf5_table.hpp"
 
 namespace seiche::validation {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "seiche/spelling.hpp"
+#include "seiche/wording.hpp"
 
 #include "validation/case/reference_table.hpp"
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "validation/case/tier.hpp"
 
 namespace seiche::validation {

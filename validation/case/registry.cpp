@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/spelling.hpp"
+#include "seiche/wording.hpp"
 
 namespace seiche::validation {
 

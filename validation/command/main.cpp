@@ -22,7 +22,7 @@
 
 #include "reports/evidence/build_facts.hpp"
 #include "seiche/io/text_table.hpp"
-#include "seiche/spelling.hpp"
+#include "seiche/wording.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/exact_inputs.hpp"
 #include "validation/command/streams.hpp"
@@ -59,7 +59,8 @@ void add_list(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json, "Print JSON, with every parameter");
   command->add_flag("--scores", options->scores,
                     "List cases that accept external results, with their tables and columns");
-  command->add_flag("--published", options->published, "List as-published parameter sets, and whether they reproduce the figures and tables");
+  command->add_flag("--published", options->published,
+                    "List as-published parameter sets, and whether they reproduce the figures and tables");
   command->add_option("--claims", options->claims, "List the claims of this case, with limits and reasons");
   command->add_option("--tier", options->tier, "Test level, with --claims: quick, full or paper [quick]");
   command->add_option("--set", options->settings, "Parameter of the case, with --claims, as name=value")

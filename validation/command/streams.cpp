@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "seiche/printable.hpp"
+#include "seiche/wording.hpp"
 
 namespace seiche::command {
 

@@ -20,8 +20,8 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/riemann.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 

@@ -29,7 +29,7 @@ nothing restores, the loss of quality that the source reports.
 #include <fmt/format.h>
 
 #include "seiche/exact/released_column.hpp"
-#include "seiche/models/dirichlet_mesh/model.hpp"
+#include "seiche/models/dirichlet_mesh/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
 

@@ -24,8 +24,8 @@ cut cells, the sums over particles, and the steps.
 #include <Eigen/LU>
 
 #include "seiche/exact/affine_drop.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dispersive_standing_wave.hpp"
 #include "seiche/exact/lattice_dispersion.hpp"
+#include "seiche/exact/standing_wave.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 

@@ -34,7 +34,7 @@ short time, methods of high order are far cheaper than either.
 #include "seiche/divergence.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/projected_step.hpp"
+#include "seiche/mechanics/one_step.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"

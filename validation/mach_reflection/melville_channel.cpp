@@ -27,7 +27,6 @@ is a hundredth lower.
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/each.hpp"

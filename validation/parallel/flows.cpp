@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::parallel {

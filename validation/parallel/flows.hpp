@@ -8,7 +8,7 @@
 
 #include "reports/evidence/record.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "validation/instruments/plan/island_flow.hpp"
 #include "validation/instruments/plan/oblique_wave.hpp"

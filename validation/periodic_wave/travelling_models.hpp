@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "seiche/exact/serre_cnoidal.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/geometry/curve.hpp"
 

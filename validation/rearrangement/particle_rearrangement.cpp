@@ -17,8 +17,8 @@ it, because the deep particle also pushes.
 
 #include <fmt/format.h>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 

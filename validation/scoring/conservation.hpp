@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "reports/evidence/record.hpp"
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "validation/scoring/submitted.hpp"
 
 namespace seiche::validation {

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "seiche/io/table.hpp"
 #include "seiche/io/text_table.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/data_folder.hpp"

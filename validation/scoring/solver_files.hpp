@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 
 namespace seiche::validation {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "validation/case/submission.hpp"
 
 namespace seiche::validation {

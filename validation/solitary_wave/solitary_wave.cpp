@@ -14,7 +14,7 @@ Boussinesq-type equations, has the wrong speed: the shift at the last time tells
 
 #include <fmt/format.h>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"

@@ -24,7 +24,7 @@ there in the end, long after the wave has gone, and the runs of two and three la
 
 #include <fmt/format.h>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/plan/plan_soliton.hpp"

@@ -31,7 +31,7 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"

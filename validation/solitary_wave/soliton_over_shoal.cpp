@@ -26,12 +26,11 @@ shortest. Across, where the bottom is level, they agree to half a per cent.
 #include <fmt/format.h>
 
 #include "reports/evidence/grid_convergence.hpp"
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/peak.hpp"

@@ -27,7 +27,6 @@ Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dispersive_standing_wave.hpp"
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"

@@ -29,7 +29,6 @@ keep it, with short waves on it. SPH loses height, and beyond some twelve rows i
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dispersive_standing_wave.hpp"
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"

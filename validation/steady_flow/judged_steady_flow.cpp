@@ -92,6 +92,8 @@ void claim_steady_flow(const Claims<Profile>& claims, const JudgedSteadyFlow& fl
   for (const Required& one : requirements(flow, cell)) {
     evidence::Claim claim = one.claim;
     claim.id = prefix + claim.id;
+    const std::size_t regime = prefix.find("-judged");
+    if (regime != std::string::npos) claim.text = fmt::format("{}: {}", prefix.substr(0, regime), claim.text);
     claims.check(
         claim, [measured = one.measured](const Profile& own) { return measured(points_of(own)); }, one.bound);
   }

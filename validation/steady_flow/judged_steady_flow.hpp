@@ -36,7 +36,7 @@ Parameter level_tolerance_parameter();
 /// judged_cell() and submitted_points() do.
 Submission submission_of(const std::function<JudgedSteadyFlow(const Values&)>& flow_of);
 
-/// The same claims of a flow of our own. @param prefix  of their ids
+/// The same claims of a flow of our own. @param prefix  of their ids: "judged-", or with the regime before it
 void claim_steady_flow(const Claims<Profile>& claims, const JudgedSteadyFlow& flow, double cell,
                        const std::string& prefix = "judged-");
 

@@ -22,8 +22,8 @@ instant the errors scatter so much that the order cannot be told.
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/steady_flow.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"

@@ -31,8 +31,8 @@ disturbance of its own.
 
 #include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/plan_soliton.hpp"

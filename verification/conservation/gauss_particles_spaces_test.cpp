@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "seiche/exact/affine_drop.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

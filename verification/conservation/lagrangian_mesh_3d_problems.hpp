@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 #include "verification/polynomial_bottom.hpp"

@@ -11,7 +11,6 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/metamorphic.hpp"
 #include "verification/noise.hpp"

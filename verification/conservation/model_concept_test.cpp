@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "seiche/mechanics/index_reduced.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"

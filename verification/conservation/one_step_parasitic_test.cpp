@@ -1,7 +1,7 @@
 // The alternation of the multipliers: how it starts, how it grows in very long runs, and its cures.
 #include <cmath>
 
-#include "seiche/mechanics/index_reduced.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"

@@ -1,8 +1,8 @@
 // What the particle method keeps for ever: mass, length, momentum minus booked impulses, and a lake at rest.
 #include <cmath>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/steady_flow.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"

@@ -209,16 +209,16 @@ class DirectSums {
     smoothing_.clear();
     for (std::size_t a = 0; a < p_.size(); ++a) {
       const double s = p_.density[a] / settings_.density;
-      const double pressure = stiffness() * (std::pow(s, settings_.exponent) - 1);
+      const double pressure = stiffness() * (std::pow(s, wcsph::TaitFluid::exponent) - 1);
       const bool clamped = settings_.walls == wcsph::WallPressure::clamped && !fluid(a);
       pressure_.push_back(clamped ? std::max(pressure, 0.0) : pressure);
-      sound_speed_.push_back(settings_.sound_speed * std::pow(s, 0.5 * (settings_.exponent - 1)));
+      sound_speed_.push_back(settings_.sound_speed * std::pow(s, 0.5 * (wcsph::TaitFluid::exponent - 1)));
       smoothing_.push_back(settings_.smoothing * spacing_ / std::sqrt(s));
     }
   }
 
   [[nodiscard]] double stiffness() const {
-    return settings_.density * settings_.sound_speed * settings_.sound_speed / settings_.exponent;
+    return settings_.density * settings_.sound_speed * settings_.sound_speed / wcsph::TaitFluid::exponent;
   }
 
   /// Of a wall at rest: P = sum [P_b + rho_b g . r_ab] W/sum W over the fluid, turned into a density.
@@ -229,7 +229,7 @@ class DirectSums {
       weights += pair.weight;
     });
     const double pressure = weights > 0 ? sum / weights : 0;
-    return settings_.density * std::pow(1 + pressure / stiffness(), 1 / settings_.exponent);
+    return settings_.density * std::pow(1 + pressure / stiffness(), 1 / wcsph::TaitFluid::exponent);
   }
 
   [[nodiscard]] bool fluid(std::size_t a) const { return p_.kind[a] == wcsph::Kind::fluid; }

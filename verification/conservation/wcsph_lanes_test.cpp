@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/wcsph_direct_sums.hpp"
@@ -34,7 +34,7 @@ struct Blob {
         mass(particles.mass),
         records(count + most_lanes,
                 Record{.x = 1e30, .z = 1e30, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0}) {
-    const TaitFluid water(settings.density, settings.sound_speed, settings.exponent);
+    const TaitFluid water(settings.density, settings.sound_speed);
     mass.resize(records.size());
     for (std::size_t a = 0; a < count; ++a) {
       const double density = particles.density[a];

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

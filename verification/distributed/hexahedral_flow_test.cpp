@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 #include "verification/polynomial_bottom.hpp"

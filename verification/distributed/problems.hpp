@@ -10,7 +10,7 @@
 
 #include "seiche/distributed/distributed_flow.hpp"
 #include "seiche/distributed/patches.hpp"
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/island_flow.hpp"

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "seiche/io/hdf5_file.hpp"
-#include "seiche/io/table.hpp"
 #include "seiche/io/text_table.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"

@@ -5,7 +5,6 @@
 
 #include <Eigen/Dense>
 
-#include "seiche/exact/dispersive_standing_wave.hpp"
 #include "seiche/exact/standing_wave.hpp"
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"

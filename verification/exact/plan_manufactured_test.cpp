@@ -7,14 +7,14 @@
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
-#include "seiche/exact/plan_manufactured.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/plan_manufactured.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace plan_manufactured_test {
 
 using namespace seiche;
-using exact::PlanManufactured;
+using validation::PlanManufactured;
 using namespace seiche::verification;
 using Field = Eigen::ArrayXXd;  // labels: X along rows, Y along columns
 

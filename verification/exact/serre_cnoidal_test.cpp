@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/serre_cnoidal.hpp"
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/samples.hpp"
 #include "verification/digits_table.hpp"

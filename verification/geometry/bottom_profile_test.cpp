@@ -201,20 +201,20 @@ TEST_CASE("outside of its extent a bottom refuses to answer, naming the place an
     CHECK_NOTHROW(bottom->elevation(-10));
     CHECK_NOTHROW(bottom->elevation(10));
     for (const double x : {-10.001, 10.001, not_a_number}) {
-      CHECK_THROWS_AS(bottom->elevation(x), OutsideBottom);
-      CHECK_THROWS_AS(bottom->slope(x), OutsideBottom);
-      CHECK_THROWS_AS(bottom->mean(0, x), OutsideBottom);
-      CHECK_THROWS_AS(bottom->mean(x, 0), OutsideBottom);
-      CHECK_THROWS_AS(bottom->mean_square(0, x), OutsideBottom);
-      CHECK_THROWS_AS(bottom->mean_square(x, 0), OutsideBottom);
-      CHECK_THROWS_AS(bottom->uniform_slope(0, x), OutsideBottom);
-      CHECK_THROWS_AS(bottom->uniform_slope(x, 0), OutsideBottom);
+      CHECK_THROWS_AS(bottom->elevation(x), Infeasible);
+      CHECK_THROWS_AS(bottom->slope(x), Infeasible);
+      CHECK_THROWS_AS(bottom->mean(0, x), Infeasible);
+      CHECK_THROWS_AS(bottom->mean(x, 0), Infeasible);
+      CHECK_THROWS_AS(bottom->mean_square(0, x), Infeasible);
+      CHECK_THROWS_AS(bottom->mean_square(x, 0), Infeasible);
+      CHECK_THROWS_AS(bottom->uniform_slope(0, x), Infeasible);
+      CHECK_THROWS_AS(bottom->uniform_slope(x, 0), Infeasible);
     }
   }
   try {
     static_cast<void>(broken.elevation(12.5));
     FAIL("went on");
-  } catch (const OutsideBottom& outside) {
+  } catch (const Infeasible& outside) {
     CHECK(outside.place() == 12.5);
     CHECK(std::string(outside.what()).find("12.5") != std::string::npos);
     CHECK(std::string(outside.what()).find("[-10, 10]") != std::string::npos);

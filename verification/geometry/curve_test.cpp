@@ -27,7 +27,7 @@ TEST_CASE("a point of a graph and its arc length belong together", "[geometry]")
           const Point again = curve.position(curve.arc_length_at(on));
           if (panels >= 40) apart.add(std::hypot(again.x - on.x, again.y - on.y), on.x);
           return false;
-        } catch (const OutsideCurve&) {
+        } catch (const Infeasible&) {
           return true;
         }
       });

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
-#include "seiche/shallow_water/breaking_bore.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
+#include "seiche/shallow_water/relations.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::dispersive_fronts_test {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "seiche/models/gauss_particles/lattice.hpp"
-#include "seiche/models/gauss_particles/spline_axis.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "seiche/linear/cosine_lattice.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -10,7 +10,6 @@
 #include <boost/polygon/voronoi.hpp>
 
 #include "seiche/free_lagrangian/mesh.hpp"
-#include "seiche/geometry/moving_triangulation.hpp"
 #include "seiche/geometry/predicates.hpp"
 #include "seiche/geometry/triangulation.hpp"
 #include "verification/jittered_mesh.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/wcsph/lattice.hpp"
+#include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

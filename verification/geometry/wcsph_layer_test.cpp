@@ -4,8 +4,8 @@
 #include <string>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
@@ -161,7 +161,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
       least.fluid.add(here.fluid);
       least.wall.add(here.wall);
       const Settings settings = water(scene.still_water);
-      const TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+      const TaitFluid fluid(settings.density, settings.sound_speed);
       for (std::size_t i = 0; i < scene.particles.size(); ++i) {
         const bool below_water = scene.particles.kind[i] == Kind::fluid || &scene == &scenes[1].first;
         if (!below_water) continue;

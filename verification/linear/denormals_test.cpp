@@ -6,7 +6,6 @@
 
 #include "seiche/flush_denormals.hpp"
 #include "seiche/linear/conjugate_gradients.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"

@@ -9,7 +9,6 @@
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

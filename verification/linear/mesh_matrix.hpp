@@ -14,7 +14,7 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/linear/lattice_matrix.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 
 namespace seiche::verification {
 

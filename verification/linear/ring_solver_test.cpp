@@ -7,7 +7,7 @@
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/dirichlet_cells.hpp"
 #include "seiche/geometry/triangulation.hpp"
-#include "seiche/linear/ring_solver.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/jittered_mesh.hpp"

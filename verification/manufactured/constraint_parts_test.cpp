@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
+#include "seiche/models/lagrangian_mesh_2d/nodes.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"

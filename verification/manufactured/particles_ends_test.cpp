@@ -1,8 +1,8 @@
 // Particles under friction and before a piston: flows of which one number is known in closed form.
 #include <cmath>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

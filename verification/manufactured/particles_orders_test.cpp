@@ -6,8 +6,8 @@
 
 #include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/exact/shallow_water/thacker.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "validation/instruments/manufactured/lagrangian_manufactured.hpp"

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

@@ -28,7 +28,7 @@ Settings water(double felt) {
 /// A tank whose water has the pressure p_0 + along (z - depth/2) + normal (x - wall_x).
 Flow with_pressure(double spacing, const Settings& settings, double along, double normal) {
   Scene scene = tank({.width = wall_x, .depth = depth, .spacing = spacing}, settings);
-  const TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+  const TaitFluid fluid(settings.density, settings.sound_speed);
   Particles& p = scene.particles;
   for (std::size_t a = 0; a < p.size(); ++a) {
     if (p.kind[a] != Kind::fluid) continue;

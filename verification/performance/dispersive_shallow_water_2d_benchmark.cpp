@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/performance/work.hpp"
 

@@ -11,7 +11,6 @@
 #include <cmath>
 
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/performance/work.hpp"
 
 namespace {

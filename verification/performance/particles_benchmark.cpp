@@ -8,8 +8,8 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "verification/performance/work.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/mechanics/index_reduced.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "verification/check.hpp"

@@ -63,7 +63,7 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
               source);
   constexpr double low = 0.1;
   const Settings plain = still(WallPressure::dynamic);
-  const TaitFluid fluid(plain.density, plain.sound_speed, plain.exponent);
+  const TaitFluid fluid(plain.density, plain.sound_speed);
   Worst pressure_error, area_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     const Scene scene = levels(low, lattice, plain);

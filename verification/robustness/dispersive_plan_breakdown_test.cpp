@@ -29,7 +29,7 @@ class ShortBottom final : public PlanBottom {
 
  private:
   static void require_inside(double x, double y) {
-    if (!(std::abs(x) < 7)) throw OutsidePlanBottom(x, y, "x", -7, 7);
+    if (!(std::abs(x) < 7)) throw Infeasible(x, "({:g}, {:g}) is outside the bottom", x, y);
   }
   double depth_;
 };

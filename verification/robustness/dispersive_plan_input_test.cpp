@@ -30,7 +30,7 @@ class ShortBottom final : public PlanBottom {
 
  private:
   static void require_inside(double x, double y) {
-    if (!(x < 3)) throw OutsidePlanBottom(x, y, "x", -infinity, 3);
+    if (!(x < 3)) throw Infeasible(x, "({:g}, {:g}) is outside the bottom; allowed: x within 3", x, y);
   }
 };
 

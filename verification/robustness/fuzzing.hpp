@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "seiche/printable.hpp"
 #include "seiche/samples.hpp"
+#include "seiche/wording.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "seiche/divergence.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/robustness/refusals.hpp"
 

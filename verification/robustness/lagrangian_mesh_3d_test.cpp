@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/breakdown.hpp"

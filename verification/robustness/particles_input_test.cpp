@@ -2,8 +2,8 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/models/shallow_water_particles/as_written.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "verification/robustness/refusals.hpp"
 

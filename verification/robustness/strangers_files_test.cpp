@@ -11,7 +11,7 @@
 #include "seiche/io/atomic_file.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/hdf5_table.hpp"
-#include "seiche/printable.hpp"
+#include "seiche/wording.hpp"
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 

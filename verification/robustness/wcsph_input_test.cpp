@@ -41,7 +41,6 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
   CHECK_THROWS_AS(Flow(water, -0.1, good), std::invalid_argument);
   refuse(water, with([](Settings& s) { s.smoothing = 0.89; }), "smoothing");
   refuse(water, with([](Settings& s) { s.smoothing = 3.01; }), "smoothing");
-  refuse(water, with([](Settings& s) { s.exponent = 0.9; }), "exponent");
   refuse(water, with([](Settings& s) { s.sound_speed = 0; }), "sound_speed");
   refuse(water, with([](Settings& s) { s.density = -1; }), "density");
   refuse(water, with([](Settings& s) { s.xsph = 1.1; }), "xsph");

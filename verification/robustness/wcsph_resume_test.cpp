@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/flow_state.hpp"
+#include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
 

@@ -30,7 +30,7 @@ struct Rest {
 
 /// A lattice of water with three rows of wall particles that continue it, without pressure of their own.
 Particles full_rows(double spacing, const Settings& settings) {
-  const TaitFluid water(settings.density, settings.sound_speed, settings.exponent);
+  const TaitFluid water(settings.density, settings.sound_speed);
   const long columns = std::lround(width / spacing);
   const long rows = std::lround(depth / spacing);
   Particles particles;

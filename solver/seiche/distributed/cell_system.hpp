@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "seiche/distributed/decomposition.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 
 namespace seiche::distributed {
 

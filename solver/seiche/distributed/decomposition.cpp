@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <petscdmda.h>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::distributed {
 
 namespace {
@@ -117,13 +119,11 @@ Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbe
   check(DMDAGetOwnershipRanges(cells_, &columns, &rows, nullptr));
   std::vector<PetscInt> node_columns = lengths(columns, blocks_x);
   std::vector<PetscInt> node_rows = lengths(rows, blocks_y);
-  if ((blocks_x > 1 && *std::min_element(node_columns.begin(), node_columns.end()) < rim) ||
-      (blocks_y > 1 && *std::min_element(node_rows.begin(), node_rows.end()) < rim)) {
-    throw std::invalid_argument(
-        fmt::format("a lattice of {} x {} cells in {} x {} blocks; allowed: blocks of at least {} x {} cells, so use "
-                    "fewer processes",
-                    lattice.columns, lattice.rows, blocks_x, blocks_y, rim, rim));
-  }
+  require_that((blocks_x == 1 || *std::min_element(node_columns.begin(), node_columns.end()) >= rim) &&
+                   (blocks_y == 1 || *std::min_element(node_rows.begin(), node_rows.end()) >= rim),
+               "a lattice of {} x {} cells in {} x {} blocks; allowed: blocks of at least {} x {} cells, so use "
+               "fewer processes",
+               lattice.columns, lattice.rows, blocks_x, blocks_y, rim, rim);
   ++node_columns.back();
   ++node_rows.back();
   const plan_lattice::Shape lattice_nodes{lattice.columns + 1, lattice.rows + 1};

@@ -9,6 +9,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::distributed {
 
@@ -28,12 +29,10 @@ std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shall
       !std::holds_alternative<plan_lattice::ShoreSide>(part.sides.south)) {
     settings.drag.shore_rate = 0;
   }
-  if (settings.drag.lattice_rate > 0) {
-    throw std::invalid_argument("lattice_rate on many processes; allowed: on one, with the model's own flow");
-  }
-  if (settings.drag.breaking_slope > 0) {
-    throw std::invalid_argument("breaking_slope on many processes; allowed: on one, with the model's own flow");
-  }
+  require_that(settings.drag.lattice_rate == 0,
+               "lattice_rate on many processes; allowed: on one, with the model's own flow");
+  require_that(settings.drag.breaking_slope == 0,
+               "breaking_slope on many processes; allowed: on one, with the model's own flow");
   return std::make_unique<dispersive_shallow_water_2d::Model>(std::move(part), settings);
 }
 
@@ -44,9 +43,8 @@ std::unique_ptr<lagrangian_mesh_3d::Model> local_model(lagrangian_mesh_3d::Mesh 
 }
 
 bool is_conservative(mechanics::Stepping stepping) {
-  if (stepping == mechanics::Stepping::one_step_feedback) {
-    throw std::invalid_argument("one_step_feedback on many processes; allowed: one_step, conservative");
-  }
+  require_that(stepping != mechanics::Stepping::one_step_feedback,
+               "one_step_feedback on many processes; allowed: one_step, conservative");
   return stepping == mechanics::Stepping::conservative;
 }
 
@@ -56,9 +54,8 @@ void require_movable(const plan_lattice::Window& window, const DistributedModel<
   plan_lattice::require_movable(window, sides);
   if (!window.reach) return;
   if constexpr (std::is_same_v<Model, dispersive_shallow_water_2d::Model>) {
-    if (plan_lattice::any_side<plan_lattice::ShoreSide>(sides) || model.local().absorbs()) {
-      throw std::invalid_argument("a moving window with a shoreline or absorption; allowed: one of them");
-    }
+    require_that(!plan_lattice::any_side<plan_lattice::ShoreSide>(sides) && !model.local().absorbs(),
+                 "a moving window with a shoreline or absorption; allowed: one of them");
   } else if (model.local().mesh().bottom) {
     throw std::invalid_argument("a moving window of hexahedra over an uneven bottom; allowed: a level one");
   }
@@ -67,10 +64,8 @@ void require_movable(const plan_lattice::Window& window, const DistributedModel<
   const double width = model.local().east_width();
   const double narrowest = Decomposition::least(in_east ? width : std::numeric_limits<double>::max());
   const double widest = Decomposition::largest(in_east ? width : 0);
-  if (widest - narrowest > 1e-12 * widest) {
-    throw std::invalid_argument(
-        fmt::format("a moving window over an east column {:g} to {:g} wide; allowed: one width", narrowest, widest));
-  }
+  require_that(widest - narrowest <= 1e-12 * widest,
+               "a moving window over an east column {:g} to {:g} wide; allowed: one width", narrowest, widest);
 }
 
 }  // namespace

@@ -129,13 +129,11 @@ class DistributedModel {
       action();
     } catch (const mechanics::Infeasible& failure) {
       keep(failure.place());
-    } catch (const OutsidePlanBottom& failure) {
-      keep(failure.place());
     }
     const double first = Decomposition::least(place);
     if (own) std::rethrow_exception(own);
     if (first < feasible) {
-      throw mechanics::Infeasible(fmt::format("another process stopped at x = {:g}", first), first);
+      throw mechanics::Infeasible(first, "another process stopped at x = {:g}", first);
     }
   }
 

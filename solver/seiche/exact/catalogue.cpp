@@ -8,7 +8,7 @@
 
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
-#include "seiche/spelling.hpp"
+#include "seiche/wording.hpp"
 
 namespace seiche::exact {
 
@@ -16,11 +16,11 @@ namespace seiche::exact {
 ExactSolution riemann_entry(), bore_reflection_entry(), simple_wave_entry(), steady_bump_entry(), macdonald_entry(),
     thacker_entry(), thacker_radial_entry(), thacker_planar_entry(), airy_entry(), dispersion_entry(),
     frank_dispersion_entry(), lagrangian_mesh_dispersion_entry(), plan_dispersion_entry(),
-    hexahedral_dispersion_entry(), plan_manufactured_entry(), serre_solitary_entry(), serre_cnoidal_entry(),
-    solitary_asymptotic_entry(), solitary_entry(), stokes_entry(), standing_entry(), dispersive_standing_entry(),
-    gerstner_entry(), overturning_wave_entry(), pressure_forced_wave_entry(), released_column_entry(),
-    soliton_fission_entry(), solitary_runup_entry(), hall_watts_entry(), wall_load_entry(), wall_runup_entry(),
-    slope_runup_entry(), mach_reflection_entry(), wavemaker_entry(), wavemaker_start_entry(), affine_drop_entry();
+    hexahedral_dispersion_entry(), serre_solitary_entry(), serre_cnoidal_entry(), solitary_asymptotic_entry(),
+    solitary_entry(), stokes_entry(), standing_entry(), dispersive_standing_entry(), gerstner_entry(),
+    overturning_wave_entry(), pressure_forced_wave_entry(), released_column_entry(), soliton_fission_entry(),
+    solitary_runup_entry(), hall_watts_entry(), wall_load_entry(), wall_runup_entry(), slope_runup_entry(),
+    mach_reflection_entry(), wavemaker_entry(), wavemaker_start_entry(), affine_drop_entry();
 
 Evaluator ExactSolution::evaluator(const std::map<std::string, double>& values) const {
   std::map<std::string, double> complete;
@@ -31,10 +31,8 @@ Evaluator ExactSolution::evaluator(const std::map<std::string, double>& values) 
   }
   for (const auto& [key, value] : values) {
     const auto place = complete.find(key);
-    if (place == complete.end()) {
-      throw std::invalid_argument(fmt::format("{} is not a parameter of {}{} it has {}", key, name,
-                                              did_you_mean(key, known), fmt::join(known, ", ")));
-    }
+    require_that(place != complete.end(), "{} is not a parameter of {}{} it has {}", key, name,
+                 did_you_mean(key, known), fmt::join(known, ", "));
     place->second = value;
   }
   for (const Parameter& parameter : parameters) {
@@ -61,11 +59,11 @@ const std::vector<ExactSolution>& catalogue() {
       solutions_of(riemann_entry, bore_reflection_entry, simple_wave_entry, steady_bump_entry, macdonald_entry,
                    thacker_entry, thacker_radial_entry, thacker_planar_entry, airy_entry, dispersion_entry,
                    frank_dispersion_entry, lagrangian_mesh_dispersion_entry, plan_dispersion_entry,
-                   hexahedral_dispersion_entry, plan_manufactured_entry, serre_solitary_entry, serre_cnoidal_entry,
-                   solitary_asymptotic_entry, solitary_entry, stokes_entry, standing_entry, dispersive_standing_entry,
-                   gerstner_entry, overturning_wave_entry, pressure_forced_wave_entry, released_column_entry,
-                   soliton_fission_entry, solitary_runup_entry, hall_watts_entry, wall_load_entry, wall_runup_entry,
-                   slope_runup_entry, mach_reflection_entry, wavemaker_entry, wavemaker_start_entry, affine_drop_entry);
+                   hexahedral_dispersion_entry, serre_solitary_entry, serre_cnoidal_entry, solitary_asymptotic_entry,
+                   solitary_entry, stokes_entry, standing_entry, dispersive_standing_entry, gerstner_entry,
+                   overturning_wave_entry, pressure_forced_wave_entry, released_column_entry, soliton_fission_entry,
+                   solitary_runup_entry, hall_watts_entry, wall_load_entry, wall_runup_entry, slope_runup_entry,
+                   mach_reflection_entry, wavemaker_entry, wavemaker_start_entry, affine_drop_entry);
   return solutions;
 }
 

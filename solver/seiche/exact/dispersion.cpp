@@ -11,7 +11,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"

@@ -10,7 +10,6 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 

@@ -12,7 +12,6 @@
 #include <gsl/gsl_sf_bessel.h>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"

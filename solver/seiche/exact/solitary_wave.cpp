@@ -5,7 +5,6 @@
 #include <gsl/gsl_sf_expint.h>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {

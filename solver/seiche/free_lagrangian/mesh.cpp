@@ -8,6 +8,7 @@
 
 #include "seiche/geometry/triangulation.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::free_lagrangian {
@@ -41,10 +42,8 @@ Rows rows_of(const Layer& layer) {
   const double width = (layer.end - layer.begin) / layer.columns;
   const auto put = [&](double x, int j) {
     const double top = layer.level + (layer.elevation ? layer.elevation(x) : 0.0);
-    if (!(top > layer.bottom)) {
-      throw std::invalid_argument(fmt::format(
-          "no water at x = {:g}: its surface at {:g} is not above the bottom at {:g}", x, top, layer.bottom));
-    }
+    require_that(top > layer.bottom, "no water at x = {:g}: its surface at {:g} is not above the bottom at {:g}", x,
+                 top, layer.bottom);
     rows.mesh.x.push_back(x);
     rows.mesh.y.push_back(j == layer.rows ? top : layer.bottom + (top - layer.bottom) * j / layer.rows);
     return static_cast<int>(rows.mesh.nodes()) - 1;
@@ -78,10 +77,8 @@ std::vector<bool> Mesh::on_outline() const {
 }
 
 void Mesh::require_valid() const {
-  if (y.size() != nodes() || held.size() != nodes()) {
-    throw std::invalid_argument(fmt::format("the mesh has {} x, {} y and {} entries of held; allowed: as many", nodes(),
-                                            y.size(), held.size()));
-  }
+  require_that(y.size() == nodes() && held.size() == nodes(),
+               "the mesh has {} x, {} y and {} entries of held; allowed: as many", nodes(), y.size(), held.size());
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const Wall& wall = walls[w];
     const double length = std::hypot(wall.direction.x, wall.direction.y);
@@ -89,27 +86,21 @@ void Mesh::require_valid() const {
     require_finite(fmt::format("place of wall {}", w), wall.through.x + wall.through.y);
   }
   for (const int k : outline) {
-    if (k < 0 || static_cast<std::size_t>(k) >= nodes()) {
-      throw std::invalid_argument(fmt::format("the outline names node {}; allowed: 0 to {}", k, nodes() - 1));
-    }
+    require_that(k >= 0 && static_cast<std::size_t>(k) < nodes(), "the outline names node {}; allowed: 0 to {}", k,
+                 nodes() - 1);
   }
   const std::vector<bool> on = on_outline();
   for (std::size_t k = 0; k < nodes(); ++k) {
     for (const int w : {held[k].one, held[k].other}) {
       if (w == Held::by_none) continue;
-      if (w < 0 || static_cast<std::size_t>(w) >= walls.size()) {
-        throw std::invalid_argument(
-            fmt::format("node {} is held by wall {}; there are {} walls, from 0", k, w, walls.size()));
-      }
-      if (!on[k])
-        throw std::invalid_argument(fmt::format("node {} is inside; allowed on walls: nodes of the outline", k));
+      require_that(w >= 0 && static_cast<std::size_t>(w) < walls.size(),
+                   "node {} is held by wall {}; there are {} walls, from 0", k, w, walls.size());
+      require_that(on[k], "node {} is inside; allowed on walls: nodes of the outline", k);
       const Wall& wall = walls[static_cast<std::size_t>(w)];
       const double off = ((x[k] - wall.through.x) * wall.direction.y - (y[k] - wall.through.y) * wall.direction.x) /
                          std::hypot(wall.direction.x, wall.direction.y);
-      if (!(std::abs(off) <= nearest * extent(*this))) {
-        throw std::invalid_argument(fmt::format("node {} at ({:g}, {:g}) is {:g} off its wall {}; allowed: on it", k,
-                                                x[k], y[k], std::abs(off), w));
-      }
+      require_that(std::abs(off) <= nearest * extent(*this),
+                   "node {} at ({:g}, {:g}) is {:g} off its wall {}; allowed: on it", k, x[k], y[k], std::abs(off), w);
     }
   }
 }

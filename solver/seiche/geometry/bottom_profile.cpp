@@ -13,9 +13,13 @@
 
 namespace seiche {
 
-OutsideBottom::OutsideBottom(double place, double begin, double end)
-    : std::runtime_error(fmt::format("x = {:.6g} is outside the bottom profile [{:.6g}, {:.6g}]", place, begin, end)),
-      place_(place) {}
+namespace {
+
+[[noreturn]] void throw_outside(double x, double begin, double end) {
+  throw Infeasible(x, "x = {:.6g} is outside the bottom profile [{:.6g}, {:.6g}]", x, begin, end);
+}
+
+}  // namespace
 
 double BottomProfile::elevation(double x) const {
   std::array<double, 1> b{}, s{};
@@ -55,7 +59,7 @@ PiecewiseLinearBottom::PiecewiseLinearBottom(std::vector<double> x, std::vector<
 }
 
 std::size_t PiecewiseLinearBottom::piece(double x) const {
-  if (!(x >= x_.front() && x <= x_.back())) throw OutsideBottom(x, x_.front(), x_.back());
+  if (!(x >= x_.front() && x <= x_.back())) throw_outside(x, x_.front(), x_.back());
   const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
   return static_cast<std::size_t>(above - x_.begin()) - 1;
 }
@@ -167,7 +171,7 @@ std::optional<double> SmoothBottom::uniform_slope(double from, double to) const 
 }
 
 void SmoothBottom::require_inside(double x) const {
-  if (!(x >= begin_ && x <= end_)) throw OutsideBottom(x, begin_, end_);
+  if (!(x >= begin_ && x <= end_)) throw_outside(x, begin_, end_);
 }
 
 double SmoothBottom::mean(double from, double to) const {
@@ -203,10 +207,6 @@ void Bed::validate(double start, double end) const {
                  "bed: derivative of the primitive at x = {:g} is {:.9g}, must equal the elevation {:.9g}", x, slope,
                  z);
   }
-}
-
-Bed flat_bed() {
-  return {[](double) { return 0.0; }, [](double) { return 0.0; }};
 }
 
 }  // namespace seiche

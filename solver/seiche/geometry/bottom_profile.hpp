@@ -1,7 +1,7 @@
 /// Bottom y = b(x) of a channel, y counted from the still-water level: b < 0 under water, b > 0 on dry land.
 ///
 /// Models that conserve volume and energy to round-off need exact means of b and b^2 over an interval, however short,
-/// besides b and its slope. All throw OutsideBottom for a place outside [begin, end].
+/// besides b and its slope. All throw Infeasible for a place outside [begin, end].
 #pragma once
 
 #include <functional>
@@ -11,17 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "seiche/divergence.hpp"
+
 namespace seiche {
-
-/// A place where the bottom is not defined.
-class OutsideBottom : public std::runtime_error {
- public:
-  OutsideBottom(double place, double begin, double end);
-  [[nodiscard]] double place() const { return place_; }
-
- private:
-  double place_;
-};
 
 class BottomProfile {
  public:
@@ -123,8 +115,5 @@ struct Bed {
   /// elevations and 0.
   void validate(double start, double end) const;
 };
-
-/// Bed z = 0.
-Bed flat_bed();
 
 }  // namespace seiche

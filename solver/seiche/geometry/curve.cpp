@@ -12,11 +12,6 @@
 
 namespace seiche {
 
-OutsideCurve::OutsideCurve(double arc_length, double begin, double end, Point end_point)
-    : std::runtime_error(
-          fmt::format("a node has left its curve: arc length {:g}; allowed: {:g} to {:g}", arc_length, begin, end)),
-      place_(end_point.x) {}
-
 Line::Line(Point origin, Point direction) : origin_(origin) {
   for (const double value : {origin.x, origin.y, direction.x, direction.y}) require_finite("line", value);
   const double length = std::hypot(direction.x, direction.y);
@@ -70,7 +65,7 @@ std::size_t GraphCurve::panel(double x) const {
 double GraphCurve::place(double s) const {
   if (!(s >= 0 && s <= length())) {
     const double x = s < 0 ? begin_ : end_;
-    throw OutsideCurve(s, 0, length(), {x, elevation_(x)});
+    throw Infeasible(x, "a node has left its curve: arc length {:g}; allowed: {:g} to {:g}", s, 0.0, length());
   }
   const auto above = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, s);
   const auto k = static_cast<std::size_t>(above - knots_.begin()) - 1;

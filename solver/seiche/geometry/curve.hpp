@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "seiche/divergence.hpp"
+
 namespace seiche {
 
 /// A point or a vector in the vertical plane: x horizontal, y upwards.
@@ -42,21 +44,10 @@ inline double distance(Point a, Point b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// An arc length beyond the ends of a curve.
-class OutsideCurve : public std::runtime_error {
- public:
-  OutsideCurve(double arc_length, double begin, double end, Point end_point);
-  /// x of the end that was passed.
-  [[nodiscard]] double place() const { return place_; }
-
- private:
-  double place_;
-};
-
 class Curve {
  public:
   virtual ~Curve() = default;
-  /// Throw OutsideCurve.
+  /// Throw Infeasible beyond the ends.
   [[nodiscard]] virtual Point position(double s) const = 0;
   [[nodiscard]] virtual Point tangent(double s) const = 0;
   /// d tangent/ds.

@@ -14,11 +14,6 @@
 
 namespace seiche {
 
-OutsidePlanBottom::OutsidePlanBottom(double x, double y, const char* coordinate, double lowest, double highest)
-    : std::runtime_error(fmt::format("({:g}, {:g}) is outside the bottom; allowed: {} within [{:g}, {:g}]", x, y,
-                                     coordinate, lowest, highest)),
-      x_(x) {}
-
 double PlanBottom::increment(double x, double y, double dx, double dy) const {
   // Abramowitz and Stegun, table 25.4.
   static constexpr std::array<std::pair<double, double>, 2> gauss{
@@ -183,8 +178,13 @@ SplineBottom::Local SplineBottom::find(std::span<const double> lines, double pla
 }
 
 void SplineBottom::require_inside(double x, double y) const {
-  if (!(x >= x_.front() && x <= x_.back())) throw OutsidePlanBottom(x, y, "x", x_.front(), x_.back());
-  if (!(y >= y_.front() && y <= y_.back())) throw OutsidePlanBottom(x, y, "y", y_.front(), y_.back());
+  const auto require = [&](double at, const char* coordinate, const std::vector<double>& places) {
+    if (at >= places.front() && at <= places.back()) return;
+    throw Infeasible(x, "({:g}, {:g}) is outside the bottom; allowed: {} within [{:g}, {:g}]", x, y, coordinate,
+                     places.front(), places.back());
+  };
+  require(x, "x", x_);
+  require(y, "y", y_);
 }
 
 PlanBottom::Slope SplineBottom::slope(double x, double y) const {

@@ -15,17 +15,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "seiche/divergence.hpp"
+
 namespace seiche {
-
-/// A place where the bottom is not defined.
-class OutsidePlanBottom : public std::runtime_error {
- public:
-  OutsidePlanBottom(double x, double y, const char* coordinate, double lowest, double highest);
-  [[nodiscard]] double place() const { return x_; }
-
- private:
-  double x_;
-};
 
 class PlanBottom {
  public:
@@ -41,7 +33,7 @@ class PlanBottom {
   };
 
   virtual ~PlanBottom() = default;
-  /// Throw OutsidePlanBottom.
+  /// Throw Infeasible where the bottom is not defined.
   [[nodiscard]] virtual Slope slope(double x, double y) const = 0;
   [[nodiscard]] virtual Integral integral(double x, double y) const = 0;
   /// B(x + dx, y + dy) - B(x, y), rounded as a number of its own size and not of B's: the integral of b dx + B_y dy

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,6 +41,14 @@ std::vector<Side> sides_of(std::span<const Triangle> triangles) {
     return p.lower != q.lower ? p.lower < q.lower : p.upper != q.upper ? p.upper < q.upper : p.triangle < q.triangle;
   });
   return sides;
+}
+
+void copy(std::span<const double> from, std::vector<double>& to) {
+  std::copy(from.begin(), from.end(), to.begin());
+}
+
+void go(std::span<const double> from, std::span<const double> to, double part, std::vector<double>& there) {
+  for (std::size_t i = 0; i < from.size(); ++i) there[i] = from[i] + part * (to[i] - from[i]);
 }
 
 }  // namespace
@@ -180,9 +189,7 @@ void require_nodes(Places nodes, std::span<const int> outline) {
   std::vector<bool> named(nodes.x.size());
   for (const int k : outline) {
     require_that(k >= 0 && k < nodes.size(), "the outline names node {}; allowed: 0 to {}", k, nodes.size() - 1);
-    if (named[static_cast<std::size_t>(k)]) {
-      throw std::invalid_argument("the outline names " + at(nodes, k) + " twice; allowed: once");
-    }
+    require_that(!named[static_cast<std::size_t>(k)], "the outline names {} twice; allowed: once", at(nodes, k));
     named[static_cast<std::size_t>(k)] = true;
   }
 }
@@ -348,6 +355,49 @@ Triangulation triangulate_polygon(Places nodes, std::span<const int> outline) {
   }
   require_apart(mesh, nodes);
   return mesh;
+}
+
+MovingTriangulation::MovingTriangulation(Triangulation mesh, Places nodes)
+    : mesh_(std::move(mesh)),
+      x_(nodes.x.begin(), nodes.x.end()),
+      y_(nodes.y.begin(), nodes.y.end()),
+      next_x_(x_.size()),
+      next_y_(y_.size()) {}
+
+void MovingTriangulation::move_to(Places nodes) {
+  require_that(nodes.x.size() == x_.size() && nodes.y.size() == x_.size(),
+               "{} and {} coordinates; the mesh has {} nodes", nodes.x.size(), nodes.y.size(), x_.size());
+  if (std::equal(x_.begin(), x_.end(), nodes.x.begin()) && std::equal(y_.begin(), y_.end(), nodes.y.begin())) return;
+  double left = 1;  // of the way, from where the nodes are
+  while (left > 0) {
+    double part = left;
+    for (;;) {
+      // The end itself is hit to the last bit.
+      if (part == left) {
+        copy(nodes.x, next_x_);
+        copy(nodes.y, next_y_);
+      } else {
+        go(x_, nodes.x, part / left, next_x_);
+        go(y_, nodes.y, part / left, next_y_);
+      }
+      const int inverted = mesh_.first_inverted({next_x_, next_y_});
+      if (inverted == Triangulation::outside) break;
+      part /= 2;
+      ++bisections_;
+      if (part < shortest_part) throw_tangled(inverted, {next_x_, next_y_});
+    }
+    x_.swap(next_x_);
+    y_.swap(next_y_);
+    flips_ += mesh_.make_delaunay({x_, y_});
+    left -= part;
+  }
+}
+
+void MovingTriangulation::throw_tangled(int triangle, Places there) const {
+  const auto [a, b, c] = mesh_[triangle].vertex;
+  throw Infeasible(there[a].x,
+                   "triangle {} of nodes {}, {}, {} turns over: a node reaches the outline, or two of the outline meet",
+                   triangle, a, b, c);
 }
 
 }  // namespace seiche

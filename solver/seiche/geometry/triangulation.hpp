@@ -10,8 +10,11 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "seiche/divergence.hpp"
 #include "seiche/geometry/curve.hpp"
 
 namespace seiche {
@@ -97,5 +100,46 @@ Triangulation triangulate_polygon(Places nodes, std::span<const int> outline);
 
 /// Area enclosed by a closed chain of nodes, positive for counter-clockwise ones. Summed about its first node.
 double enclosed_area(Places nodes, std::span<const int> outline);
+
+// A Delaunay triangulation that follows its nodes by local flips: the rearrangement of the Dirichlet mesh (Frank 1994,
+// 5.2).
+//
+// The mesh of given places is the same whichever way the nodes came, but for the diagonals of nodes on one circle. Its
+// cost is that of looking at every edge once; flips are rare. Where nodes go so far that a triangle turns over on the
+// way, the way is halved.
+//
+// When not to use it: where the outline changes its nodes. A node inside that reaches the outline, or two nodes of the
+// outline that meet, end the motion.
+//
+// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), 5.2; Pautov & Frank,
+// Zh. Vychisl. Mat. Mat. Fiz. 28 (1988) 1730.
+
+class MovingTriangulation {
+ public:
+  /// @param mesh  Delaunay at these places, with all nodes
+  MovingTriangulation(Triangulation mesh, Places nodes);
+
+  /// Moves the nodes along straight lines. Throws std::invalid_argument for another number of nodes, Infeasible: the
+  /// mesh then is somewhere on the way, and as good as before.
+  void move_to(Places nodes);
+
+  [[nodiscard]] const Triangulation& mesh() const { return mesh_; }
+  [[nodiscard]] Places nodes() const { return {x_, y_}; }
+  /// Grows whenever the triangles are others than before: for whoever keeps what depends on them.
+  [[nodiscard]] long flips() const { return flips_; }
+  /// How often a way was halved.
+  [[nodiscard]] long bisections() const { return bisections_; }
+
+ private:
+  static constexpr double shortest_part = 1e-9;  // of the way: nodes may pass each other as closely as that
+
+  [[noreturn]] void throw_tangled(int triangle, Places there) const;
+
+  Triangulation mesh_;
+  std::vector<double> x_, y_;
+  std::vector<double> next_x_, next_y_;
+  long flips_ = 0;
+  long bisections_ = 0;
+};
 
 }  // namespace seiche

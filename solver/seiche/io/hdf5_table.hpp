@@ -1,10 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 
 namespace seiche::io {
 
@@ -26,5 +27,13 @@ Table read_hdf5(const std::filesystem::path& file, const std::vector<std::string
 /// Whether every dataset carries checksums (Fletcher32), without which damage to its numbers is not seen. A file that
 /// cannot be opened has none.
 bool has_checksums(const std::filesystem::path& file);
+
+/// Runs `action` in a child process of at most `seconds` of processor time, and returns the text it returns.
+///
+/// For libraries that may crash or spin on damaged input. The child's standard error is discarded.
+///
+/// @throws std::invalid_argument  with the message of the std::exception that `action` threw
+/// @throws std::runtime_error     when the child crashed or ran out of time, saying which
+std::string isolated(const std::function<std::string()>& action, unsigned seconds);
 
 }  // namespace seiche::io

@@ -15,7 +15,7 @@
 #include <array>
 #include <cstddef>
 
-#include "seiche/linear/lattice_matrix.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::lattice {

@@ -33,11 +33,9 @@ class Flow : public mechanics::ModelFlow<Model> {
 
   /// Shape of the worst corner: 1 at the beginning for equal boxes, 0 where the lattice folds; a warning below 0.2.
   [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
-  /// Mass, momenta, energy, volumes since the beginning. Costs several passes: `observe` takes a record.
-  void observe() { watch_->record(state_); }
 
  protected:
-  using mechanics::ModelFlow<Model>::model_, mechanics::ModelFlow<Model>::state_, mechanics::ModelFlow<Model>::watch_;
+  using mechanics::ModelFlow<Model>::model_, mechanics::ModelFlow<Model>::state_;
 
   explicit Flow(mechanics::Scheme scheme) : scheme_(scheme) {}
   /// Throws mechanics::Infeasible, and then changes nothing; std::invalid_argument for the scheme.

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "seiche/linear/lattice_matrix.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 
 namespace seiche::lattice {

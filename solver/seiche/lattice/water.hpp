@@ -35,8 +35,8 @@
 #include "seiche/geometry/curve.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/lattice/cell_rows.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
@@ -62,18 +62,6 @@ Corner worst_corner(std::size_t cells, const Shape& shape_of) {
     if (!(shape >= worst.shape)) worst = {shape, cell};
   }
   return worst;
-}
-
-/// Does what may leave a curve or a bottom: a configuration that cannot be.
-template <class Action>
-void feasible(const Action& action) {
-  try {
-    action();
-  } catch (const OutsideCurve& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
-  } catch (const OutsidePlanBottom& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
-  }
 }
 
 struct Cells {
@@ -135,11 +123,74 @@ class Water {
   [[nodiscard]] std::size_t coordinates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t rates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t constraints() const { return volume_.size(); }
-  void advance(Input from, Input u, double h, Output to) const;
+  void advance(Input from, Input u, double h, Output to) const {
+    const double* const begin = from.data();
+    const double* const rate = u.data();
+    double* const end = to.data();
+    const std::size_t count = shape_.columns + 1;
+    linear::share_out(E::axes * node_rows(), worth_sharing(), [&](std::size_t row) {
+#pragma omp simd
+      for (std::size_t i = row * count; i < (row + 1) * count; ++i) end[i] = begin[i] + h * rate[i];
+    });
+  }
   /// Of what is pushed, from `first_pushed_row_` on, and of `held_`.
-  void kick(double h, Output u) const;
-  void constraint_rates(Input u, Output w) const;
-  void react(Input mu, Output u) const;
+  void kick(double h, Output u) const {
+    const auto mobility = self().mobility();
+    const std::size_t count = shape_.columns + 1;
+    linear::share_out(node_rows() - first_pushed_row_, worth_sharing(), [&](std::size_t up) {
+      const std::size_t row = first_pushed_row_ + up;
+      Kick<E> here{.count = count, .h = h};
+      for (std::size_t k = 0; k < E::mobilities; ++k) here.w[k] = mobility[k] + row * count;
+      for (std::size_t axis = 0; axis < E::axes; ++axis) {
+        here.push[axis] = push_.data() + axis * n_ + row * count;
+        here.velocity[axis] = u.data() + axis * n_ + row * count;
+      }
+      if constexpr (E::mobilities == 6) here.full = self().full_row(row);
+      E::kick_row(here);
+    });
+    for (const Held& held : held_) {
+      Components push;
+      for (std::size_t axis = 0; axis < E::axes; ++axis) push[axis] = h * push_[axis * n_ + held.node];
+      move_held(held, push, u);
+    }
+  }
+  void constraint_rates(Input u, Output w) const {
+    each_row([&](std::size_t row) {
+      const auto cells = gradients_.row(row);
+      E::rates_of_row({shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
+                       w.data() + row * shape_.columns});
+    });
+  }
+  void react(Input mu, Output u) const {
+    const auto [columns, rows, layers] = shape_;
+    const auto mobility = self().mobility();
+    linear::share_out(node_rows(), worth_sharing(), [&](std::size_t row) {
+      const std::size_t j = row % (rows + 1);
+      const std::size_t l = row / (rows + 1);
+      Reaction<E> here{.columns = columns, .stride = static_cast<std::ptrdiff_t>(gradients_.zeros().stride)};
+      for (std::size_t k = 0; k < E::corners / 2; ++k) {
+        const std::size_t south = k % 2 == 0 ? 1 : 0;
+        const std::size_t below = E::corners == 8 && k < 2 ? 1 : 0;
+        const bool outside = j < south || l < below || j - south >= rows || l - below >= layers;
+        const std::size_t cell_row = (l - below) * rows + j - south;
+        here.cells[k] = (outside ? gradients_.zeros() : gradients_.row(cell_row)).data;
+        here.mu[k] = outside ? no_cells_.data() : mu.data() + cell_row * columns;
+      }
+      const std::size_t first = row * (columns + 1);
+      for (std::size_t k = 0; k < E::mobilities; ++k) here.w[k] = mobility[k] + first;
+      for (std::size_t axis = 0; axis < E::axes; ++axis) here.velocity[axis] = u.data() + axis * n_ + first;
+      if constexpr (E::mobilities == 6) here.full = self().full_row(row);
+      E::react_row(here);
+    });
+    for (const Held& held : held_) {
+      const Around cells = cells_around(held.node);
+      Components force{};
+      for (std::size_t a = 0; a < cells.count; ++a) {
+        for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] += mu[cells.cell[a]] * cells.gradient[a][axis];
+      }
+      move_held(held, force, u);
+    }
+  }
   void solve(Input right_hand_side, Output mu) {
     solver_.solve(right_hand_side, mu, sweeping_ ? tolerance_of_sweeps : 0);
   }
@@ -151,16 +202,52 @@ class Water {
     for (std::size_t cell = 0; cell < volume_.size(); ++cell) f[cell] = self().cell_volume(q, cell) - volume_[cell];
   }
 
-  [[nodiscard]] double mass() const;
-  [[nodiscard]] std::array<double, E::momenta> momentum(Input q, Input u) const;
+  [[nodiscard]] double mass() const {
+    CompensatedSum sum;
+    for (const double m : self().node_masses()) sum.add(m);
+    return sum.value();
+  }
+  [[nodiscard]] std::array<double, E::momenta> momentum(Input q, Input u) const {
+    std::array<CompensatedSum, E::momenta> sum;
+    each_momentum(q, u, [&](std::size_t, const Components& p) {
+      for (std::size_t axis = 0; axis < E::momenta; ++axis) sum[axis].add(p[axis]);
+    });
+    std::array<double, E::momenta> values;
+    for (std::size_t axis = 0; axis < E::momenta; ++axis) values[axis] = sum[axis].value();
+    return values;
+  }
   /// About the origin: along z, in space along all axes.
-  [[nodiscard]] std::array<double, E::turns> angular_momentum(Input q, Input u) const;
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;
+  [[nodiscard]] std::array<double, E::turns> angular_momentum(Input q, Input u) const {
+    std::array<CompensatedSum, E::turns> sum;
+    each_momentum(q, u, [&](std::size_t k, const Components& p) {
+      for (std::size_t turn = 0; turn < E::turns; ++turn) {
+        const std::size_t a = E::turns == 1 ? 0 : (turn + 1) % 3;
+        const std::size_t b = E::turns == 1 ? 1 : (turn + 2) % 3;
+        sum[turn].add(q[a * n_ + k] * p[b] - q[b * n_ + k] * p[a]);
+      }
+    });
+    std::array<double, E::turns> values;
+    for (std::size_t turn = 0; turn < E::turns; ++turn) values[turn] = sum[turn].value();
+    return values;
+  }
+  [[nodiscard]] double kinetic_energy(Input q, Input u) const {
+    CompensatedSum sum;
+    each_momentum(q, u, [&](std::size_t k, const Components& p) {
+      for (std::size_t axis = 0; axis < E::axes; ++axis) sum.add(0.5 * p[axis] * u[axis * n_ + k]);
+    });
+    return sum.value();
+  }
 
-  [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
-  [[nodiscard]] const linear::ConstraintSolver& solver() const { return solver_; }
+  [[nodiscard]] std::span<const double> first_volumes() const {
+    return volume_;
+  }
+  [[nodiscard]] const linear::ConstraintSolver& solver() const {
+    return solver_;
+  }
   /// A of the last linearisation.
-  [[nodiscard]] const linear::StencilMatrix& matrix() const { return matrix_; }
+  [[nodiscard]] const linear::StencilMatrix& matrix() const {
+    return matrix_;
+  }
   /// A warning when below 0.2.
   [[nodiscard]] Corner worst_corner(Input q) const {
     return lattice::worst_corner(volume_.size(), [&](std::size_t cell) { return self().cell_shape(q, cell); });
@@ -192,29 +279,135 @@ class Water {
         solver_(std::move(solver)),
         tolerance_(tolerance) {}
 
-  [[nodiscard]] const Model& self() const { return static_cast<const Model&>(*this); }
-  [[nodiscard]] bool worth_sharing() const { return volume_.size() > linear::worth_threads; }
-  [[nodiscard]] std::size_t cell_rows() const { return shape_.rows * shape_.layers; }
-  [[nodiscard]] std::size_t node_rows() const { return n_ / (shape_.columns + 1); }
+  [[nodiscard]] const Model& self() const {
+    return static_cast<const Model&>(*this);
+  }
+  [[nodiscard]] bool worth_sharing() const {
+    return volume_.size() > linear::worth_threads;
+  }
+  [[nodiscard]] std::size_t cell_rows() const {
+    return shape_.rows * shape_.layers;
+  }
+  [[nodiscard]] std::size_t node_rows() const {
+    return n_ / (shape_.columns + 1);
+  }
   /// Rows of nodes around a row of cells, of quantities that begin at these places.
   template <std::size_t count>
-  [[nodiscard]] std::array<Rows<E>, count> around(std::size_t row, const std::array<const double*, count>& from) const;
-  [[nodiscard]] NodeVectors<E> around(std::size_t row, Input values) const { return around(row, axes_of(values)); }
-  [[nodiscard]] std::array<const double*, E::axes> axes_of(Input values) const;
-  [[nodiscard]] Around cells_around(std::size_t node) const;
+  [[nodiscard]] std::array<Rows<E>, count> around(std::size_t row, const std::array<const double*, count>& from) const {
+    const std::size_t stride = shape_.columns + 1;
+    const std::size_t level = stride * (shape_.rows + 1);
+    const std::size_t first = row / shape_.rows * level + row % shape_.rows * stride;
+    std::array<Rows<E>, count> rows;
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t r = 0; r < E::corners / 2; ++r) rows[k][r] = from[k] + first + r % 2 * stride + r / 2 * level;
+    }
+    return rows;
+  }
+  [[nodiscard]] NodeVectors<E> around(std::size_t row, Input values) const {
+    return around(row, axes_of(values));
+  }
+  [[nodiscard]] std::array<const double*, E::axes> axes_of(Input values) const {
+    std::array<const double*, E::axes> from;
+    for (std::size_t axis = 0; axis < E::axes; ++axis) from[axis] = values.data() + axis * n_;
+    return from;
+  }
+  [[nodiscard]] Around cells_around(std::size_t node) const {
+    const auto [columns, rows, layers] = shape_;
+    const std::size_t i = node % (columns + 1);
+    const std::size_t j = node / (columns + 1) % (rows + 1);
+    const std::size_t l = node / ((columns + 1) * (rows + 1));
+    const auto stride = static_cast<std::ptrdiff_t>(gradients_.row(0).stride);
+    Around found;
+    // The node is this corner of the cell west, south, below of it where the corner's place is 1.
+    const auto add = [&]<std::size_t corner>() {
+      const auto dx = static_cast<std::size_t>(place_of[corner][0]);
+      const auto dy = static_cast<std::size_t>(place_of[corner][1]);
+      const auto dz = static_cast<std::size_t>(place_of[corner][2]);
+      if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) return;
+      const std::size_t row = (l - dz) * rows + j - dy;
+      const double* const s = gradients_.row(row).data;
+      const auto at = static_cast<std::ptrdiff_t>(i - dx);
+      Components& gradient = found.gradient[found.count];
+      gradient[0] = E::template gradient<corner, 0>(s, stride, at);
+      gradient[1] = E::template gradient<corner, 1>(s, stride, at);
+      if constexpr (E::axes == 3) gradient[2] = E::template gradient<corner, 2>(s, stride, at);
+      found.cell[found.count++] = row * columns + i - dx;
+    };
+    [&]<std::size_t... corner>(std::index_sequence<corner...>) {
+      (add.template operator()<corner>(), ...);
+    }
+    (std::make_index_sequence<E::corners>{});
+    return found;
+  }
 
   /// take(node, M u of it).
   template <class Take>
-  void each_momentum(Input q, Input u, const Take& take) const;
+  void each_momentum(Input q, Input u, const Take& take) const {
+    if constexpr (requires { self().look_below(q); }) self().look_below(q);
+    for (std::size_t k = 0; k < n_; ++k) take(k, self().momentum_of(k, u));
+  }
   /// work(row) for all rows of cells.
   template <class Work>
   void each_row(const Work& work) const {
     linear::share_out(cell_rows(), worth_sharing(), work);
   }
   /// A and its factorisation. Throws mechanics::Infeasible.
-  void assemble_and_factor();
+  void assemble_and_factor() {
+    const auto mobility = self().mobility();
+    const std::size_t rows = shape_.rows;
+    each_row([&](std::size_t row) {
+      const std::size_t j = row % rows;
+      const auto cells = std::as_const(gradients_).row(row);
+      Assembly<E> here{.columns = shape_.columns,
+                       .stride = static_cast<std::ptrdiff_t>(cells.stride),
+                       .cells = cells.data,
+                       .later = {},
+                       .w = around(row, mobility),
+                       .full = false,
+                       .parts = {}};
+      for (std::size_t k = 0; k < (shape_.layers > 1 ? 14 : 5); ++k) here.parts[k] = matrix_[k] + row * shape_.columns;
+      const bool north = j + 1 < rows;
+      const bool above = row + rows < cell_rows();
+      if (north) here.later[0] = std::as_const(gradients_).row(row + 1).data;
+      if (above && j > 0) here.later[1] = std::as_const(gradients_).row(row + rows - 1).data;
+      if (above) here.later[2] = std::as_const(gradients_).row(row + rows).data;
+      if (above && north) here.later[3] = std::as_const(gradients_).row(row + rows + 1).data;
+      if constexpr (E::mobilities == 6) {
+        const std::size_t nodes = row / rows * (rows + 1) + j;
+        here.full = self().full_row(nodes) || self().full_row(nodes + 1);
+      }
+      E::assemble_row(here);
+    });
+    for (const Held& held : held_) {
+      const Around cells = cells_around(held.node);
+      for (std::size_t a = 0; a < cells.count; ++a) {
+        const Components along = times(held.w, cells.gradient[a]);
+        for (std::size_t b = a; b < cells.count; ++b) {
+          double sum = 0;
+          for (std::size_t axis = 0; axis < E::axes; ++axis) sum += along[axis] * cells.gradient[b][axis];
+          matrix_.coefficient(cells.cell[a], cells.cell[b]) += sum;
+        }
+      }
+    }
+    try {
+      solver_.factor(matrix_);
+    } catch (const linear::NotPositiveDefinite& failure) {
+      throw mechanics::Infeasible(self().place(first_node(failure.row())), "cell {}: {}", failure.row(),
+                                  failure.what());
+    }
+  }
   /// @param lowest  allowed shape
-  [[noreturn]] void throw_folded(Input q, double lowest = 0) const;
+  [[noreturn]] void throw_folded(Input q, double lowest = 0) const {
+    const Corner worst = worst_corner(q);
+    const auto [columns, rows, layers] = shape_;
+    const std::size_t corner = first_node(worst.cell);
+    throw mechanics::Infeasible(
+        q[corner],
+        "the mesh folds: a corner of cell {} (column {}, row {}, layer {}) at ({:.4g}, {:.4g}) has shape "
+        "{:.3g} (1 where it is as at first, allowed: above {:g})",
+        worst.cell, worst.cell % columns, worst.cell / columns % rows, worst.cell / (columns * rows), q[corner],
+        q[n_ + corner], worst.shape, lowest);
+  }
   /// Corner 0.
   [[nodiscard]] std::size_t first_node(std::size_t cell) const {
     const std::size_t row = cell / shape_.columns;
@@ -234,10 +427,32 @@ class Water {
   }
   /// What shift_east of the models has in common: drops the west column of the state and of the first places x, y in
   /// plan, and puts a column of this width before the east side: at rest, with the places of the last one beside it.
-  void shift_columns(mechanics::State& state, std::vector<double>& x, std::vector<double>& y, double width);
+  void shift_columns(mechanics::State& state, std::vector<double>& x, std::vector<double>& y, double width) {
+    const std::size_t columns = shape_.columns;
+    for (std::vector<double>* values : {&state.q, &state.u, &x, &y}) shift_rows(std::span(*values), columns + 1);
+    shift_rows(std::span(volume_), columns);
+    state.earlier_u.clear();
+    for (std::vector<double>* multipliers : state.all_multipliers()) {
+      if (multipliers->empty()) continue;
+      shift_rows(std::span(*multipliers), columns);
+      for (std::size_t row = 1; row <= cell_rows(); ++row) (*multipliers)[row * columns - 1] = 0;
+    }
+    for (std::size_t east = columns; east < n_; east += columns + 1) {
+      x[east] = state.q[east] = x[east] + width;
+      state.q[n_ + east] = y[east];
+      for (std::size_t axis = 0; axis < E::axes; ++axis) state.u[axis * n_ + east] = 0;
+    }
+  }
   /// And join_shift: numbers that other parts own.
   void join_columns(std::vector<double>& x, std::vector<double>& y, const std::function<void(Output)>& nodes,
-                    const std::function<void(Output)>& cells);
+                    const std::function<void(Output)>& cells) {
+    std::vector<double> first = joined({x, y});
+    first.resize(E::axes * n_);
+    nodes(first);
+    std::copy_n(first.begin(), n_, x.begin());
+    std::copy_n(first.begin() + static_cast<std::ptrdiff_t>(n_), n_, y.begin());
+    cells(volume_);
+  }
   /// (q0 + q1)/2, valid until the next call.
   Input middle(Input q0, Input q1) {
     middle_.resize(q0.size());
@@ -269,269 +484,5 @@ class Water {
   Interval when_;          // of the last linearisation
   bool sweeping_ = false;  // which was a sweep of a conservative step
 };
-
-template <class E, class Model>
-std::array<const double*, E::axes> Water<E, Model>::axes_of(Input values) const {
-  std::array<const double*, E::axes> from;
-  for (std::size_t axis = 0; axis < E::axes; ++axis) from[axis] = values.data() + axis * n_;
-  return from;
-}
-
-template <class E, class Model>
-template <std::size_t count>
-std::array<Rows<E>, count> Water<E, Model>::around(std::size_t row,
-                                                   const std::array<const double*, count>& from) const {
-  const std::size_t stride = shape_.columns + 1;
-  const std::size_t level = stride * (shape_.rows + 1);
-  const std::size_t first = row / shape_.rows * level + row % shape_.rows * stride;
-  std::array<Rows<E>, count> rows;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t r = 0; r < E::corners / 2; ++r) rows[k][r] = from[k] + first + r % 2 * stride + r / 2 * level;
-  }
-  return rows;
-}
-
-template <class E, class Model>
-typename Water<E, Model>::Around Water<E, Model>::cells_around(std::size_t node) const {
-  const auto [columns, rows, layers] = shape_;
-  const std::size_t i = node % (columns + 1);
-  const std::size_t j = node / (columns + 1) % (rows + 1);
-  const std::size_t l = node / ((columns + 1) * (rows + 1));
-  const auto stride = static_cast<std::ptrdiff_t>(gradients_.row(0).stride);
-  Around found;
-  // The node is this corner of the cell west, south, below of it where the corner's place is 1.
-  const auto add = [&]<std::size_t corner>() {
-    const auto dx = static_cast<std::size_t>(place_of[corner][0]);
-    const auto dy = static_cast<std::size_t>(place_of[corner][1]);
-    const auto dz = static_cast<std::size_t>(place_of[corner][2]);
-    if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) return;
-    const std::size_t row = (l - dz) * rows + j - dy;
-    const double* const s = gradients_.row(row).data;
-    const auto at = static_cast<std::ptrdiff_t>(i - dx);
-    Components& gradient = found.gradient[found.count];
-    gradient[0] = E::template gradient<corner, 0>(s, stride, at);
-    gradient[1] = E::template gradient<corner, 1>(s, stride, at);
-    if constexpr (E::axes == 3) gradient[2] = E::template gradient<corner, 2>(s, stride, at);
-    found.cell[found.count++] = row * columns + i - dx;
-  };
-  [&]<std::size_t... corner>(std::index_sequence<corner...>) {
-    (add.template operator()<corner>(), ...);
-  }
-  (std::make_index_sequence<E::corners>{});
-  return found;
-}
-
-template <class E, class Model>
-void Water<E, Model>::constraint_rates(Input u, Output w) const {
-  each_row([&](std::size_t row) {
-    const auto cells = gradients_.row(row);
-    E::rates_of_row({shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
-                     w.data() + row * shape_.columns});
-  });
-}
-
-template <class E, class Model>
-void Water<E, Model>::react(Input mu, Output u) const {
-  const auto [columns, rows, layers] = shape_;
-  const auto mobility = self().mobility();
-  linear::share_out(node_rows(), worth_sharing(), [&](std::size_t row) {
-    const std::size_t j = row % (rows + 1);
-    const std::size_t l = row / (rows + 1);
-    Reaction<E> here{.columns = columns, .stride = static_cast<std::ptrdiff_t>(gradients_.zeros().stride)};
-    for (std::size_t k = 0; k < E::corners / 2; ++k) {
-      const std::size_t south = k % 2 == 0 ? 1 : 0;
-      const std::size_t below = E::corners == 8 && k < 2 ? 1 : 0;
-      const bool outside = j < south || l < below || j - south >= rows || l - below >= layers;
-      const std::size_t cell_row = (l - below) * rows + j - south;
-      here.cells[k] = (outside ? gradients_.zeros() : gradients_.row(cell_row)).data;
-      here.mu[k] = outside ? no_cells_.data() : mu.data() + cell_row * columns;
-    }
-    const std::size_t first = row * (columns + 1);
-    for (std::size_t k = 0; k < E::mobilities; ++k) here.w[k] = mobility[k] + first;
-    for (std::size_t axis = 0; axis < E::axes; ++axis) here.velocity[axis] = u.data() + axis * n_ + first;
-    if constexpr (E::mobilities == 6) here.full = self().full_row(row);
-    E::react_row(here);
-  });
-  for (const Held& held : held_) {
-    const Around cells = cells_around(held.node);
-    Components force{};
-    for (std::size_t a = 0; a < cells.count; ++a) {
-      for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] += mu[cells.cell[a]] * cells.gradient[a][axis];
-    }
-    move_held(held, force, u);
-  }
-}
-
-template <class E, class Model>
-void Water<E, Model>::kick(double h, Output u) const {
-  const auto mobility = self().mobility();
-  const std::size_t count = shape_.columns + 1;
-  linear::share_out(node_rows() - first_pushed_row_, worth_sharing(), [&](std::size_t up) {
-    const std::size_t row = first_pushed_row_ + up;
-    Kick<E> here{.count = count, .h = h};
-    for (std::size_t k = 0; k < E::mobilities; ++k) here.w[k] = mobility[k] + row * count;
-    for (std::size_t axis = 0; axis < E::axes; ++axis) {
-      here.push[axis] = push_.data() + axis * n_ + row * count;
-      here.velocity[axis] = u.data() + axis * n_ + row * count;
-    }
-    if constexpr (E::mobilities == 6) here.full = self().full_row(row);
-    E::kick_row(here);
-  });
-  for (const Held& held : held_) {
-    Components push;
-    for (std::size_t axis = 0; axis < E::axes; ++axis) push[axis] = h * push_[axis * n_ + held.node];
-    move_held(held, push, u);
-  }
-}
-
-template <class E, class Model>
-void Water<E, Model>::assemble_and_factor() {
-  const auto mobility = self().mobility();
-  const std::size_t rows = shape_.rows;
-  each_row([&](std::size_t row) {
-    const std::size_t j = row % rows;
-    const auto cells = std::as_const(gradients_).row(row);
-    Assembly<E> here{.columns = shape_.columns,
-                     .stride = static_cast<std::ptrdiff_t>(cells.stride),
-                     .cells = cells.data,
-                     .later = {},
-                     .w = around(row, mobility),
-                     .full = false,
-                     .parts = {}};
-    for (std::size_t k = 0; k < (shape_.layers > 1 ? 14 : 5); ++k) here.parts[k] = matrix_[k] + row * shape_.columns;
-    const bool north = j + 1 < rows;
-    const bool above = row + rows < cell_rows();
-    if (north) here.later[0] = std::as_const(gradients_).row(row + 1).data;
-    if (above && j > 0) here.later[1] = std::as_const(gradients_).row(row + rows - 1).data;
-    if (above) here.later[2] = std::as_const(gradients_).row(row + rows).data;
-    if (above && north) here.later[3] = std::as_const(gradients_).row(row + rows + 1).data;
-    if constexpr (E::mobilities == 6) {
-      const std::size_t nodes = row / rows * (rows + 1) + j;
-      here.full = self().full_row(nodes) || self().full_row(nodes + 1);
-    }
-    E::assemble_row(here);
-  });
-  for (const Held& held : held_) {
-    const Around cells = cells_around(held.node);
-    for (std::size_t a = 0; a < cells.count; ++a) {
-      const Components along = times(held.w, cells.gradient[a]);
-      for (std::size_t b = a; b < cells.count; ++b) {
-        double sum = 0;
-        for (std::size_t axis = 0; axis < E::axes; ++axis) sum += along[axis] * cells.gradient[b][axis];
-        matrix_.coefficient(cells.cell[a], cells.cell[b]) += sum;
-      }
-    }
-  }
-  try {
-    solver_.factor(matrix_);
-  } catch (const linear::NotPositiveDefinite& failure) {
-    throw mechanics::Infeasible(fmt::format("cell {}: {}", failure.row(), failure.what()),
-                                self().place(first_node(failure.row())));
-  }
-}
-
-template <class E, class Model>
-void Water<E, Model>::throw_folded(Input q, double lowest) const {
-  const Corner worst = worst_corner(q);
-  const auto [columns, rows, layers] = shape_;
-  const std::size_t corner = first_node(worst.cell);
-  throw mechanics::Infeasible(
-      fmt::format("the mesh folds: a corner of cell {} (column {}, row {}, layer {}) at ({:.4g}, {:.4g}) has shape "
-                  "{:.3g} (1 where it is as at first, allowed: above {:g})",
-                  worst.cell, worst.cell % columns, worst.cell / columns % rows, worst.cell / (columns * rows),
-                  q[corner], q[n_ + corner], worst.shape, lowest),
-      q[corner]);
-}
-
-template <class E, class Model>
-void Water<E, Model>::shift_columns(mechanics::State& state, std::vector<double>& x, std::vector<double>& y,
-                                    double width) {
-  const std::size_t columns = shape_.columns;
-  for (std::vector<double>* values : {&state.q, &state.u, &x, &y}) shift_rows(std::span(*values), columns + 1);
-  shift_rows(std::span(volume_), columns);
-  state.earlier_u.clear();
-  for (std::vector<double>* multipliers : state.all_multipliers()) {
-    if (multipliers->empty()) continue;
-    shift_rows(std::span(*multipliers), columns);
-    for (std::size_t row = 1; row <= cell_rows(); ++row) (*multipliers)[row * columns - 1] = 0;
-  }
-  for (std::size_t east = columns; east < n_; east += columns + 1) {
-    x[east] = state.q[east] = x[east] + width;
-    state.q[n_ + east] = y[east];
-    for (std::size_t axis = 0; axis < E::axes; ++axis) state.u[axis * n_ + east] = 0;
-  }
-}
-
-template <class E, class Model>
-void Water<E, Model>::join_columns(std::vector<double>& x, std::vector<double>& y,
-                                   const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
-  std::vector<double> first = joined({x, y});
-  first.resize(E::axes * n_);
-  nodes(first);
-  std::copy_n(first.begin(), n_, x.begin());
-  std::copy_n(first.begin() + static_cast<std::ptrdiff_t>(n_), n_, y.begin());
-  cells(volume_);
-}
-
-template <class E, class Model>
-double Water<E, Model>::mass() const {
-  CompensatedSum sum;
-  for (const double m : self().node_masses()) sum.add(m);
-  return sum.value();
-}
-
-template <class E, class Model>
-template <class Take>
-void Water<E, Model>::each_momentum(Input q, Input u, const Take& take) const {
-  if constexpr (requires { self().look_below(q); }) self().look_below(q);
-  for (std::size_t k = 0; k < n_; ++k) take(k, self().momentum_of(k, u));
-}
-
-template <class E, class Model>
-std::array<double, E::momenta> Water<E, Model>::momentum(Input q, Input u) const {
-  std::array<CompensatedSum, E::momenta> sum;
-  each_momentum(q, u, [&](std::size_t, const Components& p) {
-    for (std::size_t axis = 0; axis < E::momenta; ++axis) sum[axis].add(p[axis]);
-  });
-  std::array<double, E::momenta> values;
-  for (std::size_t axis = 0; axis < E::momenta; ++axis) values[axis] = sum[axis].value();
-  return values;
-}
-
-template <class E, class Model>
-std::array<double, E::turns> Water<E, Model>::angular_momentum(Input q, Input u) const {
-  std::array<CompensatedSum, E::turns> sum;
-  each_momentum(q, u, [&](std::size_t k, const Components& p) {
-    for (std::size_t turn = 0; turn < E::turns; ++turn) {
-      const std::size_t a = E::turns == 1 ? 0 : (turn + 1) % 3;
-      const std::size_t b = E::turns == 1 ? 1 : (turn + 2) % 3;
-      sum[turn].add(q[a * n_ + k] * p[b] - q[b * n_ + k] * p[a]);
-    }
-  });
-  std::array<double, E::turns> values;
-  for (std::size_t turn = 0; turn < E::turns; ++turn) values[turn] = sum[turn].value();
-  return values;
-}
-
-template <class E, class Model>
-double Water<E, Model>::kinetic_energy(Input q, Input u) const {
-  CompensatedSum sum;
-  each_momentum(q, u, [&](std::size_t k, const Components& p) {
-    for (std::size_t axis = 0; axis < E::axes; ++axis) sum.add(0.5 * p[axis] * u[axis * n_ + k]);
-  });
-  return sum.value();
-}
-
-template <class E, class Model>
-void Water<E, Model>::advance(Input from, Input u, double h, Output to) const {
-  const double* const begin = from.data();
-  const double* const rate = u.data();
-  double* const end = to.data();
-  const std::size_t count = shape_.columns + 1;
-  linear::share_out(E::axes * node_rows(), worth_sharing(), [&](std::size_t row) {
-#pragma omp simd
-    for (std::size_t i = row * count; i < (row + 1) * count; ++i) end[i] = begin[i] + h * rate[i];
-  });
-}
 
 }  // namespace seiche::lattice

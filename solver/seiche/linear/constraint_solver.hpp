@@ -28,7 +28,6 @@
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/nine_point_cholesky.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/require.hpp"

@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/linear/cosine_transform.hpp"
+#include "seiche/linear/fourier.hpp"
 
 namespace seiche::linear {
 
@@ -79,19 +79,18 @@ class CosineLattice {
   std::vector<float> inverse_pivot_, multiplier_;
 };
 
-// Symbol of the pressure matrix A = J M^-1 J^T of an undeformed hexahedral mesh (Frank 1994, 4.1): between vertical
-// walls, on a level bottom, under a free surface.
-//
-// Cells are h1 x h2 in plan; layer l = 0..n-1, counted from the bottom, is h_l high. A node of level l = 0..n carries
-// the mass m_l = rho h1 h2 (h_{l-1} + h_l)/2, and cannot move vertically on the bottom. With cosines of phases theta
-// and psi per cell along the two horizontal directions, c1 = cos(theta/2), s1 = sin(theta/2), c2, s2 of psi,
-// multipliers lambda_l give
-//
-//     lambda . A lambda = sum_l [ ((h2 s1 c2)^2 + (h1 s2 c1)^2) (h_{l-1} lambda_{l-1} + h_l lambda_l)^2
-//                               + (h1 h2 c1 c2)^2 (lambda_{l-1} - lambda_l)^2, l > 0 ]/m_l,
-//
-// where h and lambda outside 0..n-1 are zero.
-
+/// Symbol of the pressure matrix A = J M^-1 J^T of an undeformed hexahedral mesh (Frank 1994, 4.1): between vertical
+/// walls, on a level bottom, under a free surface.
+///
+/// Cells are h1 x h2 in plan; layer l = 0..n-1, counted from the bottom, is h_l high. A node of level l = 0..n carries
+/// the mass m_l = rho h1 h2 (h_{l-1} + h_l)/2, and cannot move vertically on the bottom. With cosines of phases theta
+/// and psi per cell along the two horizontal directions, c1 = cos(theta/2), s1 = sin(theta/2), c2, s2 of psi,
+/// multipliers lambda_l give
+///
+///     lambda . A lambda = sum_l [ ((h2 s1 c2)^2 + (h1 s2 c1)^2) (h_{l-1} lambda_{l-1} + h_l lambda_l)^2
+///                               + (h1 h2 c1 c2)^2 (lambda_{l-1} - lambda_l)^2, l > 0 ]/m_l,
+///
+/// where h and lambda outside 0..n-1 are zero.
 class HexahedralLattice {
  public:
   /// @param hx, hy  h1, h2 [m];  @param layer_heights  from the bottom up [m];  @param density  rho [kg/m^3]

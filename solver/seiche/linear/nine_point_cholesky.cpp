@@ -8,6 +8,7 @@
 
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::linear {
@@ -276,10 +277,9 @@ std::size_t NinePointCholesky::cell(const End& end, std::size_t number) const {
 }
 
 void NinePointCholesky::factor(const StencilMatrix& a) {
-  if (a.columns() != columns_ || a.rows() != rows_ || a.layers() != 1) {
-    throw std::invalid_argument(fmt::format("matrix of a {} x {} x {} lattice; expected {} x {} x 1", a.columns(),
-                                            a.rows(), a.layers(), columns_, rows_));
-  }
+  require_that(a.columns() == columns_ && a.rows() == rows_ && a.layers() == 1,
+               "matrix of a {} x {} x {} lattice; expected {} x {} x 1", a.columns(), a.rows(), a.layers(), columns_,
+               rows_);
   const Kernels::Failure failure = Kernels::factor(*this, a);
   if (failure.end != nullptr) throw NotPositiveDefinite(cell(*failure.end, failure.number), failure.pivot);
 }

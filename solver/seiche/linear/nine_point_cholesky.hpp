@@ -23,8 +23,8 @@
 #include <span>
 #include <vector>
 
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/dense_block.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::linear {

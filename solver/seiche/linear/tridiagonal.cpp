@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::linear {
 
 NotPositiveDefinite::NotPositiveDefinite(std::size_t row)
@@ -17,13 +19,9 @@ NotPositiveDefinite::NotPositiveDefinite(std::size_t row, double pivot)
 namespace {
 
 void require_shape(TridiagonalMatrix a, std::size_t least_rows, std::size_t couplings) {
-  if (a.diagonal.size() < least_rows) {
-    throw std::invalid_argument(fmt::format("rows = {}; allowed: at least {}", a.diagonal.size(), least_rows));
-  }
-  if (a.off_diagonal.size() < couplings) {
-    throw std::invalid_argument(
-        fmt::format("off_diagonal has {} entries; needed: {}", a.off_diagonal.size(), couplings));
-  }
+  require_that(a.diagonal.size() >= least_rows, "rows = {}; allowed: at least {}", a.diagonal.size(), least_rows);
+  require_that(a.off_diagonal.size() >= couplings, "off_diagonal has {} entries; needed: {}", a.off_diagonal.size(),
+               couplings);
 }
 
 /// Inverse pivots are stored, so that failure is looked for only after the elimination.

@@ -36,7 +36,7 @@
 ///     settle(Interval, q, u)     at the end of the step: transport back, walls' own velocities, tips on the bed
 ///     linearise_between(Interval, q0, q1, sweep)   discrete gradients over the segment (conservative_step.hpp)
 ///     constraint_values(q, f)    defects of the constraints themselves (drift feedback, RATTLE, invariants)
-///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (index_reduced.hpp)
+///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (start.hpp)
 ///     solver_accuracy()          relative accuracy of solve where it is iterative (conservative_step.hpp), else 0
 ///     place(i)                   coordinate of rate i, for messages
 ///     of_all(SweepChange)        the change of a sweep of all processes that share the model out (SharedOut)
@@ -52,19 +52,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "seiche/divergence.hpp"
+
 namespace seiche::mechanics {
 
-/// Thrown by a model for a configuration in which it cannot be: crossed markers, no water, a matrix that is not
-/// positive definite. Integrators turn it into Divergence, to which they add time and step.
-class Infeasible : public std::runtime_error {
- public:
-  /// @param quantity  what is wrong ("width of cell 12 is -0.1"). @param place  coordinate
-  Infeasible(const std::string& quantity, double place) : std::runtime_error(quantity), place_(place) {}
-  [[nodiscard]] double place() const { return place_; }
-
- private:
-  double place_;
-};
+using seiche::Infeasible;
 
 using Input = std::span<const double>;
 using Output = std::span<double>;

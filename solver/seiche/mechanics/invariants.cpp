@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::mechanics {
@@ -18,10 +19,8 @@ std::size_t InvariantsLedger::watch(std::string name, double initial) {
 }
 
 void InvariantsLedger::record(Input values) {
-  if (values.size() != entries_.size()) {
-    throw std::invalid_argument(
-        fmt::format("values: {} given; allowed: {}, one per entry", values.size(), entries_.size()));
-  }
+  require_that(values.size() == entries_.size(), "values: {} given; allowed: {}, one per entry", values.size(),
+               entries_.size());
   const auto keep_larger = [first = records_ == 0](double& largest, double sample) {
     // Nothing is larger than a NaN: it stays.
     if (first || std::isnan(sample) || std::abs(sample) > largest) largest = std::abs(sample);
@@ -58,7 +57,7 @@ double InvariantsLedger::largest_defect(const std::string& begins) const {
     found = true;
     worst.add(e.largest_defect);
   }
-  if (!found) throw std::invalid_argument(fmt::format("no invariant begins with {}", begins));
+  require_that(found, "no invariant begins with {}", begins);
   return worst.value();
 }
 

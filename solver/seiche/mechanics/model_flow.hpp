@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "seiche/divergence.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
@@ -33,6 +34,9 @@ class ModelFlow {
   [[nodiscard]] double energy() const {
     return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
   }
+  /// Mass, momenta, energy, constraints since the beginning, with what was booked. Costs several passes: `observe`
+  /// takes a record.
+  void observe() { watch_->record(state_); }
   [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
   [[nodiscard]] const InvariantsLedger& ledger() const { return watch_->ledger(); }
 
@@ -41,6 +45,18 @@ class ModelFlow {
   /// Projects the first velocities on the constraints. Throws Infeasible, and then changes nothing.
   void begin(std::unique_ptr<Model> model, State state) {
     Start(*model).project(state);
+    take(std::move(model), std::move(state));
+  }
+  /// The same at the very beginning. Throws Divergence for velocities that cannot be projected.
+  void begin_at_first(std::unique_ptr<Model> model, State state) {
+    try {
+      begin(std::move(model), std::move(state));
+    } catch (const Infeasible& failure) {
+      throw Divergence(failure.what(), 0, 0, failure.place());
+    }
+  }
+  /// Velocities that are not to be projected.
+  void take(std::unique_ptr<Model> model, State state) {
     auto watch = std::make_unique<InvariantsWatch<Model>>(*model, state);
     watch_ = std::move(watch);
     model_ = std::move(model);

@@ -43,9 +43,6 @@ class PlaneFlow : public ModelFlow<Model> {
 
   [[nodiscard]] static double stable_step() { return std::numeric_limits<double>::infinity(); }
 
-  /// Mass, momenta, energy with what was booked, constraints since the beginning: takes a record.
-  void observe() { watch_->record(state_); }
-
  protected:
   using ModelFlow<Model>::model_, ModelFlow<Model>::state_, ModelFlow<Model>::watch_;
 

@@ -1,9 +1,12 @@
 #include "seiche/mechanics/scheme.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "seiche/simd_clones.hpp"
 
 namespace seiche::mechanics {
 
@@ -23,6 +26,18 @@ TimeComposition composition_named(std::string_view name) {
 
 namespace {
 
+SEICHE_SIMD_CLONES
+SweepChange largest_change(const double* before, const double* after, std::size_t size) {
+  double change = 0;
+  double rate = 0;
+#pragma omp simd reduction(max : change, rate)
+  for (std::size_t i = 0; i < size; ++i) {
+    change = std::max(change, std::abs(after[i] - before[i]));
+    rate = std::max(rate, std::abs(after[i]));
+  }
+  return {change, rate};
+}
+
 std::vector<double> staged(const std::vector<double>& weights, Stages stages) {
   if (stages == Stages::single) return weights;
   std::vector<double> halves;
@@ -31,6 +46,10 @@ std::vector<double> staged(const std::vector<double>& weights, Stages stages) {
 }
 
 }  // namespace
+
+SweepChange change_between(Input before, Input after) {
+  return largest_change(before.data(), after.data(), after.size());
+}
 
 std::vector<double> triple_jump_weights(Stages stages) {
   const double g = 1 / (2 - std::cbrt(2.0));

@@ -8,6 +8,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::mechanics {
 
@@ -28,13 +29,10 @@ std::vector<double>& State::next_multipliers() {
 namespace {
 
 void require_array(const char* name, const std::vector<double>& values, std::size_t size) {
-  if (values.size() != size) {
-    throw std::invalid_argument(fmt::format("{} has {} entries; the model needs {}", name, values.size(), size));
-  }
+  require_that(values.size() == size, "{} has {} entries; the model needs {}", name, values.size(), size);
   const std::size_t bad = first_not_finite(values);
-  if (bad < size) {
+  if (bad < size)
     throw std::invalid_argument(fmt::format("{}[{}] = {}; allowed: finite numbers", name, bad, values[bad]));
-  }
 }
 
 }  // namespace

@@ -152,8 +152,7 @@ LatticePlace LatticeInterpolant::find_cell(Point place, LatticePlace guess) cons
     cell_j = next_j;
   }
   if (!(least < lost)) {
-    throw mechanics::Infeasible(fmt::format("({:g}, {:g}) is on none of the lattice's cells", place.x, place.y),
-                                place.x);
+    throw mechanics::Infeasible(place.x, "({:g}, {:g}) is on none of the lattice's cells", place.x, place.y);
   }
   return best;
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require_that.hpp"
+
 namespace seiche::plan_lattice {
 
 namespace {
@@ -21,10 +23,7 @@ struct Edge {
 Edge edge_between(std::size_t from, std::size_t to, std::span<const double> x, std::span<const double> y) {
   const Point way{x[to] - x[from], y[to] - y[from]};
   const double length = std::hypot(way.x, way.y);
-  if (!(length > 0)) {
-    throw std::invalid_argument(
-        fmt::format("nodes {} and {} of a side coincide at ({:g}, {:g})", from, to, x[to], y[to]));
-  }
+  require_that(length > 0, "nodes {} and {} of a side coincide at ({:g}, {:g})", from, to, x[to], y[to]);
   return {{way.x / length, way.y / length}};
 }
 
@@ -77,20 +76,17 @@ std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<co
   std::vector<BoundNode> all(shape.nodes());
   for (std::size_t k = 0; k < all.size(); ++k) all[k].node = k;
   const auto require_no_outward_bend = [&](Point before, Point after, std::size_t node) {
-    if (cross(before, after) < -parallel) {
-      throw std::invalid_argument(
-          fmt::format("the wall bends outwards at ({:g}, {:g}), node {}; allowed: interior "
-                      "angles of at most 180 degrees, or a held side",
-                      x[node], y[node], node));
-    }
+    require_that(!(cross(before, after) < -parallel),
+                 "the wall bends outwards at ({:g}, {:g}), node {}; allowed: interior "
+                 "angles of at most 180 degrees, or a held side",
+                 x[node], y[node], node);
   };
   const auto walks = walk_around(shape, sides);
   for (std::size_t s = 0; s < walks.size(); ++s) {
     const auto& [side, nodes] = walks[s];
     if (std::holds_alternative<FreeSide>(*side)) continue;
     if (std::holds_alternative<ShoreSide>(*side)) {
-      if (!shores)
-        throw std::invalid_argument("a side is a shoreline; allowed in this model: wall, held, driven, free");
+      require_that(shores, "a side is a shoreline; allowed in this model: wall, held, driven, free");
       for (const std::size_t k : nodes) all[k].shore = true;
       continue;
     }
@@ -99,9 +95,8 @@ std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<co
       continue;
     }
     const auto* driven = std::get_if<DrivenSide>(side);
-    if (driven != nullptr && !driven->velocity) {
-      throw std::invalid_argument("a driven side has no velocity; allowed: a function of place and time");
-    }
+    require_that(driven == nullptr || driven->velocity,
+                 "a driven side has no velocity; allowed: a function of place and time");
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const std::size_t before = nodes[k == 0 ? 0 : k - 1];
       const std::size_t after = nodes[std::min(k + 1, nodes.size() - 1)];

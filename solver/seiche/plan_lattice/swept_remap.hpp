@@ -15,8 +15,10 @@
 #include <span>
 #include <vector>
 
+#include "seiche/geometry/curve.hpp"
 #include "seiche/geometry/swept_quadrilateral.hpp"
 #include "seiche/plan_lattice/lattice_interpolant.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::plan_lattice {
 
@@ -28,7 +30,10 @@ class SweptRemap {
   /// @param shares  of the mass of a cell that each node has
   /// Throws mechanics::Infeasible for a new node that is on none of the old cells, std::invalid_argument.
   SweptRemap(Shape shape, std::span<const double> x, std::span<const double> y, std::span<const double> new_x,
-             std::span<const double> new_y, std::vector<double> shares);
+             std::span<const double> new_y, std::vector<double> shares)
+      : shape_(shape), x_(x), y_(y), new_x_(new_x), new_y_(new_y), shares_(std::move(shares)), old_(shape, x, y) {
+    for (std::size_t k = 0; k < shape.nodes(); ++k) places_.push_back(old_.find(new_point(k), at_node(k)));
+  }
 
   [[nodiscard]] const LatticeInterpolant& old() const { return old_; }
   /// Where a new node is on the old lattice.
@@ -40,22 +45,62 @@ class SweptRemap {
   /// visit(p, q, into, from) for every edge: what p -> q sweeps to its right comes into one cell from another, or
   /// `outside`.
   template <class Visit>
-  void each_edge(const Visit& visit) const;
+  void each_edge(const Visit& visit) const {
+    const auto [columns, rows] = shape_;
+    for (std::size_t j = 0; j <= rows; ++j) {
+      for (std::size_t i = 0; i < columns; ++i) {
+        visit(shape_.node(i, j), shape_.node(i + 1, j), j < rows ? j * columns + i : outside,
+              j > 0 ? (j - 1) * columns + i : outside);
+      }
+    }
+    for (std::size_t j = 0; j < rows; ++j) {
+      for (std::size_t i = 0; i <= columns; ++i) {
+        visit(shape_.node(i, j), shape_.node(i, j + 1), i > 0 ? j * columns + i - 1 : outside,
+              i < columns ? j * columns + i : outside);
+      }
+    }
+  }
   /// Old and new ends of an edge, around the quadrilateral that it sweeps to its right.
   [[nodiscard]] std::array<Point, 4> swept(std::size_t p, std::size_t q) const {
     return {old_point(p), new_point(p), new_point(q), old_point(q)};
   }
   /// visit(point, its place on the old lattice) for the points of the rule in what an edge sweeps.
   template <class Visit>
-  void each_swept(std::size_t p, std::size_t q, const Visit& visit) const;
+  void each_swept(std::size_t p, std::size_t q, const Visit& visit) const {
+    const std::array corner{at_node(p), places_[p], places_[q], at_node(q)};
+    const std::array columns{corner[0].i, corner[1].i, corner[2].i, corner[3].i};
+    const std::array rows{corner[0].j, corner[1].j, corner[2].j, corner[3].j};
+    each_swept_point(swept(p, q), [&](const SweptPoint& point) {
+      visit(point, old_.find(point.place, {.i = point.mix(columns), .j = point.mix(rows)}));
+    });
+  }
 
   /// Velocity of a cell's mass. @param velocity  of a node
   template <class Velocity>
-  [[nodiscard]] Point mean(std::size_t cell, const Velocity& velocity) const;
+  [[nodiscard]] Point mean(std::size_t cell, const Velocity& velocity) const {
+    double shares = 0;
+    Point sum;
+    for (const std::size_t k : shape_.corners(cell)) {
+      shares += share(k);
+      sum += share(k) * velocity(k);
+    }
+    return {sum.x / shares, sum.y / shares};
+  }
   /// What nodes with these velocities have too little of the momenta of cells that hold `content` now.
   template <class Velocity>
   [[nodiscard]] std::vector<Point> lacking(std::span<const double> content, std::span<const Point> momentum,
-                                           const Velocity& velocity) const;
+                                           const Velocity& velocity) const {
+    std::vector<double> mass(shape_.nodes(), 0.0);
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      for (const std::size_t k : shape_.corners(cell)) mass[k] += share(k) * content[cell];
+    }
+    std::vector<Point> change(shape_.nodes());
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const Point missing = momentum[cell] - content[cell] * mean(cell, velocity);
+      for (const std::size_t k : shape_.corners(cell)) change[k] += share(k) / mass[k] * missing;
+    }
+    return change;
+  }
 
  private:
   [[nodiscard]] LatticePlace at_node(std::size_t node) const {
@@ -70,63 +115,35 @@ class SweptRemap {
   std::vector<LatticePlace> places_;
 };
 
-inline SweptRemap::SweptRemap(Shape shape, std::span<const double> x, std::span<const double> y,
-                              std::span<const double> new_x, std::span<const double> new_y, std::vector<double> shares)
-    : shape_(shape), x_(x), y_(y), new_x_(new_x), new_y_(new_y), shares_(std::move(shares)), old_(shape, x, y) {
-  for (std::size_t k = 0; k < shape.nodes(); ++k) places_.push_back(old_.find(new_point(k), at_node(k)));
-}
+// Where the nodes of a Lagrangian lattice are put when it is rezoned: along its rows, on given lines.
 
-template <class Visit>
-void SweptRemap::each_edge(const Visit& visit) const {
-  const auto [columns, rows] = shape_;
-  for (std::size_t j = 0; j <= rows; ++j) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      visit(shape_.node(i, j), shape_.node(i + 1, j), j < rows ? j * columns + i : outside,
-            j > 0 ? (j - 1) * columns + i : outside);
-    }
-  }
-  for (std::size_t j = 0; j < rows; ++j) {
-    for (std::size_t i = 0; i <= columns; ++i) {
-      visit(shape_.node(i, j), shape_.node(i, j + 1), i > 0 ? j * columns + i - 1 : outside,
-            i < columns ? j * columns + i : outside);
-    }
-  }
-}
+/// A row of nodes as a curve: the cubic through four of them, no farther from their polyline than a twentieth of its
+/// edge. The nodes must outlive it; at least four.
+class RowCurve {
+ public:
+  RowCurve(std::span<const double> x, std::span<const double> y) : x_(x), y_(y) {}
 
-template <class Visit>
-void SweptRemap::each_swept(std::size_t p, std::size_t q, const Visit& visit) const {
-  const std::array corner{at_node(p), places_[p], places_[q], at_node(q)};
-  const std::array columns{corner[0].i, corner[1].i, corner[2].i, corner[3].i};
-  const std::array rows{corner[0].j, corner[1].j, corner[2].j, corner[3].j};
-  each_swept_point(swept(p, q), [&](const SweptPoint& point) {
-    visit(point, old_.find(point.place, {.i = point.mix(columns), .j = point.mix(rows)}));
-  });
-}
+  /// At a place counted in nodes.
+  [[nodiscard]] Point at(double number) const;
+  /// Where it meets the line through two points, sought from a node on by at most two edges; where it does not, the
+  /// place of the line beside the node.
+  [[nodiscard]] Point meet(std::size_t node, Point from, Point to) const;
 
-template <class Velocity>
-Point SweptRemap::mean(std::size_t cell, const Velocity& velocity) const {
-  double shares = 0;
-  Point sum;
-  for (const std::size_t k : shape_.corners(cell)) {
-    shares += share(k);
-    sum += share(k) * velocity(k);
-  }
-  return {sum.x / shares, sum.y / shares};
-}
+ private:
+  std::span<const double> x_, y_;
+};
 
-template <class Velocity>
-std::vector<Point> SweptRemap::lacking(std::span<const double> content, std::span<const Point> momentum,
-                                       const Velocity& velocity) const {
-  std::vector<double> mass(shape_.nodes(), 0.0);
-  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-    for (const std::size_t k : shape_.corners(cell)) mass[k] += share(k) * content[cell];
+struct RezonedPlaces {
+  std::vector<double> x, y;
+
+  [[nodiscard]] Point operator[](std::size_t node) const { return {x[node], y[node]}; }
+  void put(std::size_t node, Point place) {
+    x[node] = place.x;
+    y[node] = place.y;
   }
-  std::vector<Point> change(shape_.nodes());
-  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-    const Point missing = momentum[cell] - content[cell] * mean(cell, velocity);
-    for (const std::size_t k : shape_.corners(cell)) change[k] += share(k) / mass[k] * missing;
-  }
-  return change;
-}
+};
+
+/// Farthest of a node at (x, y) from its new place, over the shortest edge at the new place.
+double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places);
 
 }  // namespace seiche::plan_lattice

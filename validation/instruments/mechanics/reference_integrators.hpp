@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/step_parts.hpp"
 #include "seiche/samples.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/QR>
 
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::gauss_particles {

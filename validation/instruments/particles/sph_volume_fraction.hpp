@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "seiche/models/wcsph/kernel.hpp"
-#include "seiche/models/wcsph/lattice.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 

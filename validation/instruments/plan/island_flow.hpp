@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"

@@ -7,10 +7,9 @@
 /// wall at c/cos psi, faster than any wave behind it.
 #pragma once
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "validation/instruments/plan/surface_lattice.hpp"
 
 namespace seiche::validation {

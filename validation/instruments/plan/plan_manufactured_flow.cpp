@@ -12,7 +12,6 @@ namespace {
 
 using dispersive_shallow_water_2d::Flow;
 using dispersive_shallow_water_2d::Lattice;
-using exact::PlanManufactured;
 
 double label_of(std::size_t i, std::size_t n, double length) {
   return i == n ? length : length * static_cast<double>(i) / static_cast<double>(n);

@@ -1,10 +1,10 @@
-/// The plan model against a manufactured motion of a basin (exact/plan_manufactured.hpp).
+/// The plan model against a manufactured motion of a basin (manufactured/plan_manufactured.hpp).
 #pragma once
 
 #include <cstddef>
 
-#include "seiche/exact/plan_manufactured.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "validation/instruments/manufactured/plan_manufactured.hpp"
 
 namespace seiche::validation {
 
@@ -13,7 +13,7 @@ struct PlanManufacturedRun {
   long steps_per_cell = 4;  ///< tau is the width of a cell over this, changed to fit the time
   double time = 2;
   dispersive_shallow_water_2d::Scheme scheme = {};
-  exact::PlanManufactured::Parameters motion = {};
+  PlanManufactured::Parameters motion = {};
 
   /// Steps in all.
   [[nodiscard]] long steps() const;

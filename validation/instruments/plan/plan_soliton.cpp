@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/exact/model_waves.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/straight_line.hpp"
 

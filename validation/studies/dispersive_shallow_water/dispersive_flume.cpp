@@ -6,8 +6,7 @@
 
 #include <boost/math/tools/roots.hpp>
 
-#include "seiche/exact/serre_cnoidal.hpp"
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "validation/instruments/agreement.hpp"
 

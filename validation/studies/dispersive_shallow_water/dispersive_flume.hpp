@@ -58,7 +58,7 @@ double wavenumber(double depth, double period, double gravity, double gamma);
 
 dispersive::Flow regular_waves(const Flume& flume, const Train& train);
 
-/// Cnoidal waves of Serre's equations (exact/serre_cnoidal.hpp) of this height and period, without a mean discharge;
+/// Cnoidal waves of Serre's equations (exact/model_waves.hpp) of this height and period, without a mean discharge;
 /// they fade like regular_waves.
 struct Cnoidal {
   double depth = 1, height = 0.02, period = 1;

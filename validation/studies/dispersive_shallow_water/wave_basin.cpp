@@ -8,7 +8,7 @@
 
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/water_surface.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "validation/instruments/plan/plan_gauges.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "seiche/models/shallow_water_particles/as_written.hpp"
-#include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/processor_time.hpp"

@@ -1,6 +1,6 @@
 #include "validation/studies/wcsph/kept_flow.hpp"
 
-#include "seiche/models/wcsph/flow_state.hpp"
+#include "seiche/models/wcsph/flow.hpp"
 
 namespace seiche::validation {
 

@@ -1,12 +1,12 @@
 #include "validation/studies/wcsph/particle_frames.hpp"
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 
 namespace seiche::validation {
 
 void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particles& particles,
                    const wcsph::Settings& settings) {
-  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed);
   std::vector<double> pressure, identity, kind;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     pressure.push_back(fluid.pressure(particles.density[i]));

@@ -31,7 +31,7 @@ wcsph::Flow start_sph(const PeriodicWater& water, double spacing) {
                                               .pressure = pressure,
                                               .spacing = water.period / std::round(water.period / spacing)},
                                              settings);
-  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed);
   wcsph::Particles& p = scene.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.kind[i] == wcsph::Kind::wall) p.density[i] = fluid.density_at(pressure(p.x[i], p.z[i]));

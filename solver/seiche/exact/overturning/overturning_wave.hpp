@@ -41,7 +41,7 @@
 #include <numbers>
 #include <optional>
 
-#include "seiche/exact/overturning/moving_surface.hpp"
+#include "seiche/exact/overturning/surface_curve.hpp"
 #include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact {

@@ -10,7 +10,6 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
 #include "seiche/exact/overturning/slope_climb.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/require.hpp"

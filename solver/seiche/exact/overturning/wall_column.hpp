@@ -8,7 +8,7 @@
 ///     P(z) = sin^2((z + ih - pi)/2),
 ///
 /// which takes the same value at z, at its image in the wall and, conjugated, at that in the bottom, W, W_t and
-/// f/P' = dW/dP are single-valued, and the quotient of two Cauchy sums (cauchy_velocity.hpp) continues them from half
+/// f/P' = dW/dP are single-valued, and the quotient of two Cauchy sums (conformal_wave.hpp) continues them from half
 /// of the surface. Along the wall
 ///
 ///     p = -phi_t - v^2/2 - y   (density 1, g = 1).
@@ -19,7 +19,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "seiche/exact/cauchy_velocity.hpp"
+#include "seiche/exact/conformal_wave.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/exact/reference_solution.hpp"
 

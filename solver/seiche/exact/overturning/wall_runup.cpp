@@ -12,7 +12,6 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"

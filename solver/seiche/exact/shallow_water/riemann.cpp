@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/roots.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {

@@ -12,8 +12,6 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
-#include "seiche/exact/roots.hpp"
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "seiche/exact/entry.hpp"
-#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 

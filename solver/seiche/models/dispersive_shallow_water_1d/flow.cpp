@@ -9,26 +9,16 @@
 
 #include <fmt/format.h>
 
-#include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
-Flow::Flow(Channel channel, const Markers& initial, Scheme scheme, Forcing forcing)
-    : model_(std::make_unique<Model>(std::move(channel), initial, std::move(forcing))),
-      state_(model_->state_of(initial)) {
-  try {
-    mechanics::Start(*model_).project(state_);
-  } catch (const mechanics::Infeasible& failure) {
-    throw Divergence(failure.what(), 0, 0, failure.place());
-  }
+Flow::Flow(Channel channel, const Markers& initial, Scheme scheme, Forcing forcing) {
+  auto model = std::make_unique<Model>(std::move(channel), initial, std::move(forcing));
+  mechanics::State state = model->state_of(initial);
+  begin_at_first(std::move(model), std::move(state));
   stepper_ = std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme);
-  watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
 }
-
-Flow::~Flow() = default;
-Flow::Flow(Flow&&) noexcept = default;
-Flow& Flow::operator=(Flow&&) noexcept = default;
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
@@ -66,16 +56,8 @@ void Flow::step_and_lose(double tau) {
   }
 }
 
-Losses Flow::lost() const {
-  return {friction_.value(), breaking_.value(), friction_impulse_.value()};
-}
-
 double Flow::stable_step() const {
   return 2 * std::sqrt(model_->channel().alpha * model_->smallest_depth() / model_->channel().gravity);
-}
-
-long Flow::solves() const {
-  return model_->solves();
 }
 
 std::vector<double> Flow::velocity(std::size_t axis) const {
@@ -124,10 +106,6 @@ Flow::Crest Flow::crest() const {
   const double slope = slope_left - curvature * left;  // of the parabola at marker k
   const double shift = -slope / (2 * curvature);
   return {xs[k] + shift, ys[k] + 0.5 * slope * shift};
-}
-
-double Flow::energy() const {
-  return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
 }
 
 }  // namespace seiche::dispersive_shallow_water_1d

@@ -14,9 +14,8 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/model_flow.hpp"
 #include "seiche/mechanics/scheme.hpp"
-#include "seiche/mechanics/start.hpp"
 #include "seiche/model.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 
@@ -37,16 +36,12 @@ using mechanics::Scheme;
 using mechanics::Stepping;
 using mechanics::TimeComposition;
 
-class Flow {
+class Flow : public mechanics::ModelFlow<Model> {
  public:
   Flow(Channel channel, const Markers& initial, Scheme scheme = {}, Forcing forcing = {});
-  ~Flow();
-  Flow(Flow&&) noexcept;
-  Flow& operator=(Flow&&) noexcept;
 
   /// One step of length tau > 0. A throw leaves the state, what was lost and what breaks as they were.
-  void advance(double tau);
-  void arrive(double time) { state_.time = time; }
+  void advance(double tau) override;
 
   /// Longest stable step of the one-step scheme: 2/omega of the fastest mode, 2 sqrt(alpha H/g) with the smallest depth
   /// H (over markers that are not tips) seen in the last step. Conservative steps are stable beyond it but may not
@@ -55,12 +50,8 @@ class Flow {
   /// Steps that were longer than that: a warning, not an error.
   [[nodiscard]] long steps_beyond_stability() const { return beyond_stability_; }
 
-  [[nodiscard]] double time() const { return state_.time; }
-  [[nodiscard]] long steps() const { return state_.steps; }
   /// Tridiagonal solves so far.
-  [[nodiscard]] long solves() const;
-  [[nodiscard]] const Model& model() const { return *model_; }
-  [[nodiscard]] const mechanics::State& state() const { return state_; }
+  [[nodiscard]] long solves() const { return model_->solves(); }
 
   [[nodiscard]] std::span<const double> x() const { return {state_.q.data(), model_->size()}; }
   [[nodiscard]] std::span<const double> y() const { return {state_.q.data() + model_->size(), model_->size()}; }
@@ -86,23 +77,14 @@ class Flow {
   };
   [[nodiscard]] Crest crest() const;
 
-  [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
-  /// What friction and breaking took since the beginning.
-  [[nodiscard]] Losses lost() const;
-  /// Mass, momentum, energy, volumes since the beginning; what friction and breaking took is booked. Costs several
-  /// passes: `observe` takes a record.
-  void observe() { watch_->record(state_); }
-  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_->invariants(state_); }
-  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
+  /// What friction and breaking took since the beginning; it is booked.
+  [[nodiscard]] Losses lost() const { return {friction_.value(), breaking_.value(), friction_impulse_.value()}; }
 
  private:
   [[nodiscard]] std::vector<double> velocity(std::size_t axis) const;
   void step_and_lose(double tau);
 
-  std::unique_ptr<Model> model_;
-  mechanics::State state_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
-  std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
   CompensatedSum friction_, breaking_, friction_impulse_;
   long beyond_stability_ = 0;
 };

@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -15,22 +16,18 @@ namespace {
 /// A periodic channel needs a bottom that has its period, as far as the markers tell.
 void require_periodic_bottom(const Channel& channel, const std::vector<double>& x, double deepest) {
   const BottomProfile& bottom = *channel.bottom;
-  if (!(x.front() + channel.period <= bottom.end())) {
-    throw std::invalid_argument(
-        fmt::format("bottom ends at x = {:.6g}; allowed: at or beyond x[0] + period = {:.6g} in a periodic channel",
-                    bottom.end(), x.front() + channel.period));
-  }
+  require_that(x.front() + channel.period <= bottom.end(),
+               "bottom ends at x = {:.6g}; allowed: at or beyond x[0] + period = {:.6g} in a periodic channel",
+               bottom.end(), x.front() + channel.period);
   for (const double place : x) {
     const double image = place + channel.period;
     if (image > bottom.end()) break;
     const double here = bottom.elevation(place);
     const double there = bottom.elevation(image);
     constexpr double roundings = 1e-10;
-    if (!(std::abs(there - here) <= roundings * (deepest + std::abs(here)))) {
-      throw std::invalid_argument(
-          fmt::format("bottom is {:.12g} at x = {:.6g} and {:.12g} one period = {:.6g} further; allowed: the same",
-                      here, place, there, channel.period));
-    }
+    require_that(std::abs(there - here) <= roundings * (deepest + std::abs(here)),
+                 "bottom is {:.12g} at x = {:.6g} and {:.12g} one period = {:.6g} further; allowed: the same", here,
+                 place, there, channel.period);
   }
 }
 
@@ -39,11 +36,9 @@ void require_periodic_bottom(const Channel& channel, const std::vector<double>& 
 void Markers::validate(const Channel& channel) const {
   channel.validate();
   const std::size_t n = size();
-  if (n < 3) throw std::invalid_argument(fmt::format("{} markers; allowed: at least 3", n));
-  if (y.size() != n || u.size() != n || v.size() != n) {
-    throw std::invalid_argument(
-        fmt::format("markers: {} x, {} y, {} u, {} v; needed: as many of each", n, y.size(), u.size(), v.size()));
-  }
+  require_that(n >= 3, "{} markers; allowed: at least 3", n);
+  require_that(y.size() == n && u.size() == n && v.size() == n,
+               "markers: {} x, {} y, {} u, {} v; needed: as many of each", n, y.size(), u.size(), v.size());
   // Names are made where they are needed: made for every marker, they were a fifth of the set-up.
   const auto require_finite_at = [](const char* name, std::size_t i, double value) {
     if (!std::isfinite(value)) require_finite(fmt::format("{}[{}]", name, i), value);
@@ -53,20 +48,16 @@ void Markers::validate(const Channel& channel) const {
     require_finite_at("y", i, y[i]);
     require_finite_at("u", i, u[i]);
     require_finite_at("v", i, v[i]);
-    if (i > 0 && !(x[i] > x[i - 1])) {
-      throw std::invalid_argument(
-          fmt::format("x[{}] = {:.17g}; allowed: above x[{}] = {:.17g}, markers ascend", i, x[i], i - 1, x[i - 1]));
-    }
-    if (!(x[i] >= channel.bottom->begin() && x[i] <= channel.bottom->end())) {
-      throw std::invalid_argument(fmt::format("x[{}] = {:.6g}; allowed: [{:.6g}, {:.6g}], where the bottom is given", i,
-                                              x[i], channel.bottom->begin(), channel.bottom->end()));
-    }
+    if (i > 0)
+      require_that(x[i] > x[i - 1], "x[{}] = {:.17g}; allowed: above x[{}] = {:.17g}, markers ascend", i, x[i], i - 1,
+                   x[i - 1]);
+    require_that(x[i] >= channel.bottom->begin() && x[i] <= channel.bottom->end(),
+                 "x[{}] = {:.6g}; allowed: [{:.6g}, {:.6g}], where the bottom is given", i, x[i],
+                 channel.bottom->begin(), channel.bottom->end());
     require_finite_at("slope of the bottom at x", i, channel.bottom->slope(x[i]));
   }
-  if (channel.periodic() && !(x.back() - x.front() < channel.period)) {
-    throw std::invalid_argument(fmt::format("x[{}] = {:.17g}; allowed: below x[0] + period = {:.17g}", n - 1, x.back(),
-                                            x.front() + channel.period));
-  }
+  require_that(!channel.periodic() || x.back() - x.front() < channel.period,
+               "x[{}] = {:.17g}; allowed: below x[0] + period = {:.17g}", n - 1, x.back(), x.front() + channel.period);
   double deepest = 0;
   for (std::size_t i = 0; i < n; ++i) deepest = std::max(deepest, y[i] - channel.bottom->elevation(x[i]));
   if (channel.periodic()) require_periodic_bottom(channel, x, deepest);
@@ -74,16 +65,11 @@ void Markers::validate(const Channel& channel) const {
     const double depth = y[i] - channel.bottom->elevation(x[i]);
     const bool tip =
         !channel.periodic() && ((i == 0 && channel.left == End::tip) || (i == n - 1 && channel.right == End::tip));
-    if (tip && std::abs(depth) > 1e-12 * deepest) {
-      throw std::invalid_argument(
-          fmt::format("y[{}] = {:.17g}; allowed: the bottom's elevation {:.17g} to 1e-12 of the largest depth, it is a "
-                      "tip",
-                      i, y[i], y[i] - depth));
-    }
-    if (!tip && !(depth > 0)) {
-      throw std::invalid_argument(
-          fmt::format("y[{}] = {:.17g}; allowed: above the bottom, {:.17g}", i, y[i], y[i] - depth));
-    }
+    require_that(!tip || std::abs(depth) <= 1e-12 * deepest,
+                 "y[{}] = {:.17g}; allowed: the bottom's elevation {:.17g} to 1e-12 of the largest depth, it is a "
+                 "tip",
+                 i, y[i], y[i] - depth);
+    require_that(tip || depth > 0, "y[{}] = {:.17g}; allowed: above the bottom, {:.17g}", i, y[i], y[i] - depth);
   }
 }
 
@@ -157,10 +143,8 @@ Markers moved_markers(const Channel& channel, std::span<const double> labels,
 Markers solitary_markers(const Channel& channel, double begin, double end, double spacing, SolitaryStart wave) {
   channel.validate();
   require_positive("spacing", spacing);
-  if (!(end - begin > 3 * spacing)) {
-    throw std::invalid_argument(
-        fmt::format("end = {:.6g}; allowed: above begin + 3 spacing = {:.6g}", end, begin + 3 * spacing));
-  }
+  require_that(end - begin > 3 * spacing, "end = {:.6g}; allowed: above begin + 3 spacing = {:.6g}", end,
+               begin + 3 * spacing);
   require_within("crest", wave.crest, begin, end);
   const exact::SerreSolitary solitary(wave.amplitude, wave.depth, channel.gravity, channel.alpha);
   const auto motion = [&](double x) {
@@ -179,10 +163,9 @@ Markers solitary_markers(const Channel& channel, double begin, double end, doubl
   };
   const bool right_tip = !channel.periodic() && channel.right == End::tip;
   const bool left_tip = !channel.periodic() && channel.left == End::tip;
-  if (right_tip && left_tip) {
-    throw std::invalid_argument(
-        "a solitary wave between two tips; allowed: one tip at most, the other end gives way to the wave's volume");
-  }
+  require_that(
+      !(right_tip && left_tip),
+      "a solitary wave between two tips; allowed: one tip at most, the other end gives way to the wave's volume");
   if (right_tip || left_tip) {
     const double shore = right_tip ? end : begin;
     const std::size_t cells = cells_over(end - begin);

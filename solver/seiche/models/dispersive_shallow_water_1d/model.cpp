@@ -7,6 +7,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -47,10 +48,8 @@ void Model::weigh(const Markers& initial) {
     volume[j] += left;
     volume[k] += right;
     rest_volume_.push_back(2 * half * (0.5 * (initial.y[j] + initial.y[k]) - bottom.mean(x0, x1)));
-    if (!(rest_volume_.back() > 0)) {
-      throw std::invalid_argument(
-          fmt::format("volume of cell {} at x = {:.6g} is {:.6g}; allowed: > 0", j, x0, rest_volume_.back()));
-    }
+    require_that(rest_volume_.back() > 0, "volume of cell {} at x = {:.6g} is {:.6g}; allowed: > 0", j, x0,
+                 rest_volume_.back());
   }
   if (channel_.tip_mass == TipMass::consistent && !channel_.periodic()) {
     if (channel_.left == End::tip) volume.front() = rest_volume_.front() / 6;
@@ -58,10 +57,7 @@ void Model::weigh(const Markers& initial) {
   }
   for (std::size_t i = 0; i < n_; ++i) {
     mass_.push_back(channel_.density * volume[i]);
-    if (!(mass_[i] > 0)) {
-      throw std::invalid_argument(
-          fmt::format("mass of marker {} at x = {:.6g} is {:.6g}; allowed: > 0", i, initial.x[i], mass_[i]));
-    }
+    require_that(mass_[i] > 0, "mass of marker {} at x = {:.6g} is {:.6g}; allowed: > 0", i, initial.x[i], mass_[i]);
   }
   inertia_p_ = mass_;
   inertia_r_ = mass_;
@@ -95,9 +91,7 @@ void Model::weigh(const Markers& initial) {
 }
 
 mechanics::State Model::state_of(const Markers& markers) const {
-  if (markers.size() != n_) {
-    throw std::invalid_argument(fmt::format("{} markers; needed: {}", markers.size(), n_));
-  }
+  require_that(markers.size() == n_, "{} markers; needed: {}", markers.size(), n_);
   mechanics::State state;
   state.q = markers.x;
   state.q.insert(state.q.end(), markers.y.begin(), markers.y.end());
@@ -190,14 +184,10 @@ double Model::potential_energy(Input q) const {
 void Model::constraint_values(Input q, Output f) const {
   const double* const y = q.data() + n_;
   const BottomProfile& bottom = *channel_.bottom;
-  try {
-    for (std::size_t j = 0; j < cells_; ++j) {
-      const std::size_t k = j + 1 < n_ ? j + 1 : 0;
-      const double width = cell_width(q, j);
-      f[j] = width * (0.5 * (y[j] + y[k]) - bottom.mean(q[j], q[j] + width)) - rest_volume_[j];
-    }
-  } catch (const OutsideBottom& outside) {
-    throw mechanics::Infeasible(outside.what(), outside.place());
+  for (std::size_t j = 0; j < cells_; ++j) {
+    const std::size_t k = j + 1 < n_ ? j + 1 : 0;
+    const double width = cell_width(q, j);
+    f[j] = width * (0.5 * (y[j] + y[k]) - bottom.mean(q[j], q[j] + width)) - rest_volume_[j];
   }
 }
 

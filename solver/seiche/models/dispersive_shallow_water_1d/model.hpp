@@ -21,11 +21,11 @@
 /// Conserves mass and, on a level bottom without walls, momentum to round-off with every scheme; energy and volumes to
 /// O(tau^2) with A, to round-off with C. A wall marker has one rate, its vertical velocity r (p = 0); a tip has one, p.
 ///
-/// Friction at the bottom and breaking fronts are options of the channel (friction.hpp, breaking.hpp). They act between
+/// Friction at the bottom and breaking fronts are options of the channel (channel.hpp). They act between
 /// the steps, on the rates alone, and what they take is told.
 ///
-/// When not to use it: waves shorter than about two depths (see exact/frank_dispersion.hpp, and gamma in channel.hpp);
-/// bores without breaking, which a conservative model cannot carry; overturning.
+/// When not to use it: waves shorter than about two depths (see exact/lattice_dispersion.hpp, and gamma in
+/// channel.hpp); bores without breaking, which a conservative model cannot carry; overturning.
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3.
 #pragma once
@@ -40,7 +40,6 @@
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/markers.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/rows.hpp"

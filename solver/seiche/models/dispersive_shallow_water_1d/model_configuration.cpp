@@ -31,17 +31,13 @@ bool Model::sample(std::ptrdiff_t block, const double* x, Bed& bed, std::ptrdiff
   const std::span elevation(bed.elevation.row() + begin, count);
   const std::ptrdiff_t end = begin + range.last - range.first;
   const BottomProfile& bottom = *channel_.bottom;
-  try {
-    if (bottom.uniform_slope(places.front(), places.back()) == 0.0) {
-      std::fill(elevation.begin(), elevation.end(), bottom.elevation(places.front()));
-      bed.set_frame(begin, {});  // read by the cells that this block shares with tilted ones
-      bed.set_frame(end - 1, {});
-      return true;
-    }
-    bottom.sample(places, elevation, slope);
-  } catch (const OutsideBottom& outside) {
-    throw mechanics::Infeasible(outside.what(), outside.place());
+  if (bottom.uniform_slope(places.front(), places.back()) == 0.0) {
+    std::fill(elevation.begin(), elevation.end(), bottom.elevation(places.front()));
+    bed.set_frame(begin, {});  // read by the cells that this block shares with tilted ones
+    bed.set_frame(end - 1, {});
+    return true;
   }
+  bottom.sample(places, elevation, slope);
   for (std::size_t i = 0; i < count; ++i) {
     bed.set_frame(begin + static_cast<std::ptrdiff_t>(i), frame_on(channel_.kinetics, channel_.alpha, slope[i]));
   }
@@ -102,14 +98,12 @@ void Model::require_sound() {
   }
   for (std::ptrdiff_t j = 0; j < cells; ++j) {
     if (!(width[j] > 0)) {
-      throw mechanics::Infeasible(fmt::format("markers cross: width of cell {} is {:.6g}", j, width[j]),
-                                  rows_.x.row()[j]);
+      throw mechanics::Infeasible(rows_.x.row()[j], "markers cross: width of cell {} is {:.6g}", j, width[j]);
     }
   }
   for (std::ptrdiff_t i = first; i < last; ++i) {
     if (!(y[i] - bed[i] > 0)) {
-      throw mechanics::Infeasible(fmt::format("no water: depth under marker {} is {:.6g}", i, y[i] - bed[i]),
-                                  rows_.x.row()[i]);
+      throw mechanics::Infeasible(rows_.x.row()[i], "no water: depth under marker {} is {:.6g}", i, y[i] - bed[i]);
     }
   }
 }
@@ -205,13 +199,9 @@ void Model::mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames, 
   char& level = level_[static_cast<std::size_t>(block)];
   if (new_frames) level = sample(block, rows_.x.row(), rows_.bed, range.first, desk.slope);
   double* const bed = rows_.bed.elevation.row();
-  try {
-    const auto [left, right] = std::minmax({q0[first], q1[first], q0[last - 1], q1[last - 1]});
-    if (level != 0 && bottom.uniform_slope(left, right) == 0.0) return;
-    for (std::size_t i = first; i < last; ++i) bed[i] = bottom.mean(q0[i], q1[i]);
-  } catch (const OutsideBottom& outside) {
-    throw mechanics::Infeasible(outside.what(), outside.place());
-  }
+  const auto [left, right] = std::minmax({q0[first], q1[first], q0[last - 1], q1[last - 1]});
+  if (level != 0 && bottom.uniform_slope(left, right) == 0.0) return;
+  for (std::size_t i = first; i < last; ++i) bed[i] = bottom.mean(q0[i], q1[i]);
 }
 
 void Model::predict(Input from, Input u, double h, Output to) const {

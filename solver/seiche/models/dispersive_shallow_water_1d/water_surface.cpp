@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require_that.hpp"
 #include "seiche/shallow_water/dispersive_surface.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
@@ -43,12 +44,10 @@ std::vector<double> surface_of(std::span<const double> x, std::span<const double
 std::vector<double> water_surface(std::span<const double> x, std::span<const double> y, std::span<const double> volume,
                                   double gamma, double period) {
   const std::size_t cells = period > 0 ? x.size() : x.size() - 1;
-  if (x.size() < 3 || y.size() != x.size() || volume.size() != cells) {
-    throw std::invalid_argument(
-        fmt::format("water_surface: {} places, {} elevations and {} volumes; allowed: n, n and "
-                    "n - 1 (n with a period), n at least 3",
-                    x.size(), y.size(), volume.size()));
-  }
+  require_that(x.size() >= 3 && y.size() == x.size() && volume.size() == cells,
+               "water_surface: {} places, {} elevations and {} volumes; allowed: n, n and "
+               "n - 1 (n with a period), n at least 3",
+               x.size(), y.size(), volume.size());
   return surface_of(x, y, volume, period,
                     [=](double water, double width) { return gamma * std::pow(water / width, 2) / width; });
 }

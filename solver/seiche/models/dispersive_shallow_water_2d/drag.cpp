@@ -8,7 +8,8 @@
 
 #include "seiche/lattice/water.hpp"
 #include "seiche/require.hpp"
-#include "seiche/shallow_water/breaking_bore.hpp"
+#include "seiche/require_that.hpp"
+#include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -188,9 +189,8 @@ Drag::Drag(DragSettings settings, const Lattice& lattice, double inertia)
   require_not_negative("shore_rate", settings.shore_rate);
   require_not_negative("lattice_rate", settings.lattice_rate);
   require_not_negative("breaking_slope", settings.breaking_slope);
-  if (settings.shore_rate > 0 && !std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south)) {
-    throw std::invalid_argument("shore_rate without a shoreline on the south side; allowed: 0");
-  }
+  require_that(settings.shore_rate == 0 || std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south),
+               "shore_rate without a shoreline on the south side; allowed: 0");
   if (settings.absorption) {
     for (std::size_t k = 0; k < lattice.shape.nodes(); ++k) {
       absorption_.push_back(settings.absorption({lattice.x[k], lattice.y[k]}));

@@ -19,7 +19,7 @@
 ///
 ///     rate s1^2 s2^2 (s1^2 + s2^2)/2,   s_i = sin(k_i h_i/2).
 ///
-/// Fronts that are too steep break (breaking.hpp).
+/// Fronts that are too steep break.
 ///
 /// A layer that absorbs waves makes all velocities decay, u' = -rate u, at a rate that each column was given at the
 /// beginning: let it grow smoothly from 0 over about a wavelength before a wall, or waves turn back at its edge. On
@@ -57,7 +57,7 @@ inline void push(const InverseMasses& inverse, std::size_t k, Point impulse, mec
 /// surface between two of them is steeper than a slope, and goes on until the Froude number of a bore of its depths
 /// falls below 1.3: what breaks on is the front that overlaps the one before. All within exchange horizontal momentum
 /// like in a viscous fluid, with the viscosity that leaves a bore of the model's equations without waves behind it
-/// (shallow_water/breaking_bore.hpp),
+/// (shallow_water/relations.hpp),
 ///
 /// @f[ \nu = 2 \sqrt{\alpha} \, H \sqrt{g H} \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
 ///
@@ -137,7 +137,7 @@ struct DragSettings {
   double manning = 0;         ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
   double shore_rate = 0;      ///< [1/s]
   double lattice_rate = 0;    ///< of the pattern + - + - [1/s]; a few times the frequency of steep waves
-  double breaking_slope = 0;  ///< of a surface that begins to break (breaking.hpp); 0 for none
+  double breaking_slope = 0;  ///< of a surface that begins to break; 0 for none
   /// Rate of an absorbing layer [1/s] at the first place of a column; empty for none. Not with a moving window.
   std::function<double(Point)> absorption = {};
 };

@@ -1,9 +1,14 @@
 #include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -75,6 +80,197 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
     depth = std::min(depth, std::min(std::min(over.c0, over.c1), std::min(over.c2, over.c3)));
   }
   return {jacobian, depth};
+}
+
+BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
+    : shape_(shape),
+      bottom_(std::move(bottom)),
+      edges_(shape.columns * (shape.rows + 1) + shape.rows * (shape.columns + 1)) {}
+
+BottomVolume::Parts BottomVolume::parts(Places at, std::size_t p, std::size_t q) const {
+  const double width = at.x[q] - at.x[p];
+  const double height = at.y[q] - at.y[p];
+  Parts parts;
+  for (const auto [t, weight] : gauss_points()) {
+    const auto b = bottom_->integral(at.x[p] + t * width, at.y[p] + t * height);
+    parts.value += weight * height * b.value;
+    parts.xp += weight * height * (1 - t) * b.elevation;
+    parts.xq += weight * height * t * b.elevation;
+    parts.yp += weight * height * (1 - t) * b.along_y;
+    parts.yq += weight * height * t * b.along_y;
+    parts.integral += weight * b.value;
+  }
+  return parts;
+}
+
+BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
+  const Parts all = parts(at, p, q);
+  return {.value = all.value, .xp = all.xp, .yp = all.yp - all.integral, .xq = all.xq, .yq = all.yq + all.integral};
+}
+
+BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const {
+  // The middle of the four coordinates, as two nodes.
+  const std::array x{0.5 * (q0.x[p] + q1.x[p]), 0.5 * (q0.x[q] + q1.x[q])};
+  const std::array y{0.5 * (q0.y[p] + q1.y[p]), 0.5 * (q0.y[q] + q1.y[q])};
+  const Parts begin = parts(q0, p, q);
+  const Parts middle = parts({x.data(), y.data()}, 0, 1);
+  const Parts end = parts(q1, p, q);
+  const auto mean = [&](double Parts::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
+  const std::array way{q1.x[p] - q0.x[p], q1.y[p] - q0.y[p], q1.x[q] - q0.x[q], q1.y[q] - q0.y[q]};
+  std::array slope{mean(&Parts::xp), mean(&Parts::yp), mean(&Parts::xq), mean(&Parts::yq)};
+  // What E grows by, less the mean gradient times the way. Both are the same for B and for its difference from B where
+  // a point of the rule is in the middle.
+  const double stretch = way[3] - way[1];
+  double lacking = 0;
+  for (const auto [t, weight] : gauss_points()) {
+    const double dx = 0.5 * std::lerp(way[0], way[2], t);
+    const double dy = 0.5 * std::lerp(way[1], way[3], t);
+    const double place_x = x[0] + t * (x[1] - x[0]);
+    const double place_y = y[0] + t * (y[1] - y[0]);
+    const double after = bottom_->increment(place_x, place_y, dx, dy);
+    const double before = bottom_->increment(place_x, place_y, -dx, -dy);
+    lacking += weight * ((y[1] - y[0]) * (after - before) + stretch / 2 * (after + before));
+    lacking -= weight * stretch * (after + before) / 6;
+  }
+  double square = 0;
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    lacking -= slope[k] * way[k];
+    square += way[k] * way[k];
+  }
+  if (square > 0) {
+    for (std::size_t k = 0; k < way.size(); ++k) slope[k] += lacking / square * way[k];
+  }
+  const double integral = mean(&Parts::integral);
+  return {.value = end.value - begin.value,
+          .xp = slope[0],
+          .yp = slope[1] - integral,
+          .xq = slope[2],
+          .yq = slope[3] + integral};
+}
+
+void BottomVolume::subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients) {
+  const auto between = [&](std::size_t p, std::size_t q) {
+    return q0.x == q1.x ? edge(q0, p, q) : edge_between(q0, q1, p, q);
+  };
+  for (std::size_t j = 0; j <= shape_.rows; ++j) {
+    for (std::size_t i = 0; i <= shape_.columns; ++i) {
+      const std::size_t k = shape_.node(i, j);
+      if (i < shape_.columns) edges_[along_i(i, j)] = between(k, k + 1);
+      if (j < shape_.rows) edges_[along_j(i, j)] = between(k, shape_.node(i, j + 1));
+    }
+  }
+  for (std::size_t j = 0; j < shape_.rows; ++j) {
+    const linear::RowBlocks::Row row = gradients.row(j);
+    for (std::size_t i = 0; i < shape_.columns; ++i) {
+      // Around the cell: 0 -> 1, 1 -> 2, and 3 -> 2, 0 -> 3 backwards.
+      const Edge& south = edges_[along_i(i, j)];
+      const Edge& east = edges_[along_j(i + 1, j)];
+      const Edge& north = edges_[along_i(i, j + 1)];
+      const Edge& west = edges_[along_j(i, j)];
+      const auto subtract = [&](std::size_t corner, double x, double y) {
+        row[3 * corner][i] -= x;
+        row[3 * corner + 1][i] -= y;
+      };
+      subtract(0, south.xp - west.xp, south.yp - west.yp);
+      subtract(1, south.xq + east.xp, south.yq + east.yp);
+      subtract(2, east.xq - north.xq, east.yq - north.yq);
+      subtract(3, -north.xp - west.xq, -north.yp - west.yq);
+    }
+  }
+}
+
+double BottomVolume::volume(Places at, std::size_t cell) const {
+  const auto [c0, c1, c2, c3] = shape_.corners(cell);
+  return edge(at, c0, c1).value + edge(at, c1, c2).value - edge(at, c3, c2).value - edge(at, c0, c3).value;
+}
+
+namespace {
+
+/// A cell's diagonals, from corner 0 to 2 and from 1 to 3: differences of x, y and z.
+struct Diagonals {
+  double x1, y1, z1;
+  double x2, y2, z2;
+
+  [[nodiscard]] double dx() const { return z1 * x2 - z2 * x1; }
+  [[nodiscard]] double dy() const { return z1 * y2 - z2 * y1; }
+  [[nodiscard]] double area() const { return 0.5 * (x1 * y2 - x2 * y1); }
+};
+
+Diagonals diagonals_of(mechanics::Input q, std::size_t nodes, const std::array<std::size_t, 4>& corners) {
+  const auto [c0, c1, c2, c3] = corners;
+  const double* const x = q.data();
+  const double* const y = x + nodes;
+  const double* const z = y + nodes;
+  return {x[c2] - x[c0], y[c2] - y[c0], z[c2] - z[c0], x[c3] - x[c1], y[c3] - y[c1], z[c3] - z[c1]};
+}
+
+Diagonals mean(const Diagonals& a, const Diagonals& b) {
+  return {0.5 * (a.x1 + b.x1), 0.5 * (a.y1 + b.y1), 0.5 * (a.z1 + b.z1),
+          0.5 * (a.x2 + b.x2), 0.5 * (a.y2 + b.y2), 0.5 * (a.z2 + b.z2)};
+}
+
+double cube(double a) {
+  return a * a * a;
+}
+
+/// Derivatives of |D|^2/A^3 with respect to the diagonals between two configurations of a cell.
+Diagonals gradient(const Diagonals& from, const Diagonals& to) {
+  const Diagonals middle = mean(from, to);
+  const double a0 = from.area();
+  const double a1 = to.area();
+  const double inverse = 0.5 * (1 / cube(a0) + 1 / cube(a1));
+  const double divided = -(a0 * a0 + a0 * a1 + a1 * a1) / cube(a0 * a1);  // (1/a1^3 - 1/a0^3)/(a1 - a0)
+  const double square = 0.5 * (from.dx() * from.dx() + from.dy() * from.dy() + to.dx() * to.dx() + to.dy() * to.dy());
+  const double dx = inverse * (from.dx() + to.dx());
+  const double dy = inverse * (from.dy() + to.dy());
+  const double by_area = 0.5 * square * divided;
+  return {.x1 = -middle.z2 * dx + by_area * middle.y2,
+          .y1 = -middle.z2 * dy - by_area * middle.x2,
+          .z1 = dx * middle.x2 + dy * middle.y2,
+          .x2 = middle.z1 * dx - by_area * middle.y1,
+          .y2 = middle.z1 * dy + by_area * middle.x1,
+          .z2 = -dx * middle.x1 - dy * middle.y1};
+}
+
+}  // namespace
+
+DispersionEnergy::DispersionEnergy(plan_lattice::Shape shape, double gamma) : shape_(shape), gamma_(gamma) {
+  require_not_negative("gamma", gamma);
+}
+
+double DispersionEnergy::value(std::span<const double> volumes, mechanics::Input q) const {
+  CompensatedSum sum;
+  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+    const Diagonals at = diagonals_of(q, shape_.nodes(), shape_.corners(cell));
+    sum.add(gamma_ / 8 * volumes[cell] * volumes[cell] * (at.dx() * at.dx() + at.dy() * at.dy()) / cube(at.area()));
+  }
+  return sum.value();
+}
+
+void DispersionEnergy::push(std::span<const double> volumes, mechanics::Input q0, mechanics::Input q1, double gravity,
+                            mechanics::Output forces) const {
+  const std::size_t n = shape_.nodes();
+  double* const fx = forces.data();
+  double* const fy = fx + n;
+  double* const fz = fy + n;
+  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+    const auto corners = shape_.corners(cell);
+    const auto [c0, c1, c2, c3] = corners;
+    const Diagonals slope = gradient(diagonals_of(q0, n, corners), diagonals_of(q1, n, corners));
+    const double weight = gravity * gamma_ / 8 * volumes[cell] * volumes[cell];
+    fx[c0] += weight * slope.x1;
+    fx[c1] += weight * slope.x2;
+    fx[c2] -= weight * slope.x1;
+    fx[c3] -= weight * slope.x2;
+    fy[c0] += weight * slope.y1;
+    fy[c1] += weight * slope.y2;
+    fy[c2] -= weight * slope.y1;
+    fy[c3] -= weight * slope.y2;
+    fz[c0] += weight * slope.z1;
+    fz[c1] += weight * slope.z2;
+    fz[c2] -= weight * slope.z1;
+    fz[c3] -= weight * slope.z2;
+  }
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d

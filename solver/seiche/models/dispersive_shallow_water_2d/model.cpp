@@ -11,6 +11,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -86,10 +87,8 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
     const std::size_t corner = first_node(cell);
     volume_[cell] = cell_volume(places, cell);
     mean_area_ += cell_area(shape(), places, cell) / static_cast<double>(volume_.size());
-    if (!(volume_[cell] > 0)) {
-      throw std::invalid_argument(fmt::format("cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
-                                              lattice_.x[corner], lattice_.y[corner], volume_[cell]));
-    }
+    require_that(volume_[cell] > 0, "cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
+                 lattice_.x[corner], lattice_.y[corner], volume_[cell]);
   }
   east_width_ = lattice_.x[shape().columns] - lattice_.x[shape().columns - 1];
   sum_masses();
@@ -119,19 +118,14 @@ mechanics::State Model::state(const InitialVelocity& velocity) const {
 }
 
 void Model::find_normals(Input q, Normals& normals) const {
-  try {
-    for (std::size_t k = 0; k < n_; ++k) {
-      const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
-      const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-      normals.put(k, {-b.along_x / length, -b.along_y / length, 1 / length});
-      if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
-        throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
-                                                q[k], q[n_ + k], q[2 * n_ + k] - b.elevation),
-                                    q[k]);
-      }
+  for (std::size_t k = 0; k < n_; ++k) {
+    const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
+    const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
+    normals.put(k, {-b.along_x / length, -b.along_y / length, 1 / length});
+    if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
+      throw mechanics::Infeasible(q[k], "a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)", q[k],
+                                  q[n_ + k], q[2 * n_ + k] - b.elevation);
     }
-  } catch (const OutsidePlanBottom& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
   }
 }
 
@@ -148,20 +142,18 @@ void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
   const bool instant = q0.data() == q1.data();
   const Input at = instant ? q0 : middle(q0, q1);
   clear_push();
-  lattice::feasible([&] {
-    // Simpson's mean: exact for gradients of polynomials of degree up to four.
-    if (!instant) measure(q0, 1.0 / 6, false);
-    if (!instant) measure(q1, 1.0 / 6, true);
-    measure(at, instant ? 1 : 4.0 / 6, !instant);
-    if (bottom_) bottom_->subtract_gradients(plan(q0), plan(q1), gradients_);
-    if (shoreline_) shoreline_->push(q0, q1, settings_.gravity, push_);
-    if (dispersion_.active()) dispersion_.push(volume_, q0, q1, settings_.gravity, push_);
-    stand(at);
-    if (shoreline_ && !instant) {
-      shoreline_->tilt_between(q0, q1, normals_);
-      masses_.stand_on(&normals_);
-    }
-  });
+  // Simpson's mean: exact for gradients of polynomials of degree up to four.
+  if (!instant) measure(q0, 1.0 / 6, false);
+  if (!instant) measure(q1, 1.0 / 6, true);
+  measure(at, instant ? 1 : 4.0 / 6, !instant);
+  if (bottom_) bottom_->subtract_gradients(plan(q0), plan(q1), gradients_);
+  if (shoreline_) shoreline_->push(q0, q1, settings_.gravity, push_);
+  if (dispersion_.active()) dispersion_.push(volume_, q0, q1, settings_.gravity, push_);
+  stand(at);
+  if (shoreline_ && !instant) {
+    shoreline_->tilt_between(q0, q1, normals_);
+    masses_.stand_on(&normals_);
+  }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
       const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, when.middle());
@@ -187,10 +179,10 @@ void Model::measure(Input q, double weight, bool add) {
   if (!bottom_ && dry) {
     const Input z = q.last(n_);
     const auto lowest = static_cast<std::size_t>(std::ranges::min_element(z) - z.begin());
-    throw mechanics::Infeasible(fmt::format("the surface touches the bottom: z = {:g} at ({:g}, {:g}) (allowed: above "
-                                            "{:g})",
-                                            z[lowest], q[lowest], q[n_ + lowest], bottom),
-                                q[lowest]);
+    throw mechanics::Infeasible(q[lowest],
+                                "the surface touches the bottom: z = {:g} at ({:g}, {:g}) (allowed: above "
+                                "{:g})",
+                                z[lowest], q[lowest], q[n_ + lowest], bottom);
   }
 }
 

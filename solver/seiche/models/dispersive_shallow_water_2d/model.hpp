@@ -19,15 +19,15 @@
 ///
 /// The class is what mechanics::OneStep and ConservativeStep step: q = (x of all nodes, y, z), u = (u, v, w). Over an
 /// uneven bottom velocities are carried along with the bottom's tangent plane, by the smallest rotation that takes its
-/// normal to the next; along walls by the isometry of what the wall leaves (node_masses.hpp). It is rarely used alone:
+/// normal to the next; along walls by the isometry of what the wall leaves (lattice.hpp). It is rarely used alone:
 /// see flow.hpp.
 ///
 /// Conserves to round-off: mass and momentum (no walls, level bottom) with every scheme, angular momentum about the
 /// vertical with OneStep (all without drag, drag.hpp), energy and volumes with ConservativeStep, also over uneven
 /// bottoms: volumes and potential are polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed
-/// form: exact/plan_dispersion.hpp.
+/// form: exact/lattice_dispersion.hpp.
 ///
-/// Waves may be shorter with improved dispersion (dispersion_energy.hpp); trains of them need what keeps the lattice
+/// Waves may be shorter with improved dispersion (element.hpp); trains of them need what keeps the lattice
 /// from folding, and layers that absorb (drag.hpp).
 ///
 /// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
@@ -47,19 +47,16 @@
 
 #include "seiche/lattice/surface_patches.hpp"
 #include "seiche/lattice/water.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/dispersion_energy.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/drag.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/shoreline.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -72,7 +69,7 @@ using mechanics::Output;
 struct Settings {
   double gravity = 1;        ///< [m/s^2]
   double inertia = 1.0 / 3;  ///< alpha, of the motion normal to the bottom
-  /// Of improved dispersion (dispersion_energy.hpp): 1/15, with inertia 1/3 + 1/15; 0 in Frank's own model.
+  /// Of improved dispersion (element.hpp): 1/15, with inertia 1/3 + 1/15; 0 in Frank's own model.
   double gamma = 0;
   linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured

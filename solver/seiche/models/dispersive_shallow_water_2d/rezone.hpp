@@ -21,7 +21,7 @@
 /// times the distance of their columns: it is drawn back, and with it the nodes of its column, the nearer ones the
 /// more, over so many rows that no cell is pressed by more than 0.3.
 ///
-/// As soon as a node is farther from its place than `drift` of its cells, all are put there (remap.hpp). Where that is
+/// As soon as a node is farther from its place than `drift` of its cells, all are put there. Where that is
 /// not possible the lattice goes on as it is. A lake at rest is left alone.
 ///
 /// Steps in which an edge of a cell would change by more than `strain` are divided, by eight at most. One that cannot
@@ -36,7 +36,7 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
-#include "seiche/plan_lattice/rezoned_places.hpp"
+#include "seiche/plan_lattice/swept_remap.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -147,7 +147,7 @@ class RezonedFlow {
   [[nodiscard]] long halved() const { return halved_; }
   /// Energy that rezoning took in all.
   [[nodiscard]] double lost() const { return lost_; }
-  /// Water that remaps put elsewhere than their lattices swept it, in all (remap.hpp) [m^3].
+  /// Water that remaps put elsewhere than their lattices swept it, in all [m^3].
   [[nodiscard]] double displaced() const { return displaced_; }
 
  private:

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

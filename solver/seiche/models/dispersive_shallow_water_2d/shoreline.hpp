@@ -23,7 +23,7 @@
 
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {

@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "seiche/models/gauss_particles/spline_axis.hpp"
+#include "seiche/models/gauss_particles/lattice.hpp"
 
 namespace seiche::gauss_particles {
 

@@ -21,10 +21,8 @@
 #include <span>
 #include <vector>
 
-#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/model_flow.hpp"
 #include "seiche/mechanics/one_step.hpp"
-#include "seiche/mechanics/projected_step.hpp"
-#include "seiche/mechanics/start.hpp"
 #include "seiche/models/gauss_particles/model.hpp"
 #include "seiche/samples.hpp"
 
@@ -43,57 +41,35 @@ namespace seiche::gauss_particles {
 /// conservative: reflections, second order, energy to round-off. dissipative: Frank's (21) to (23), first order.
 enum class Stepping { conservative, dissipative };
 
-class Flow {
+class Flow : public mechanics::ModelFlow<Model> {
  public:
   using Velocity = std::function<Point(Point place)>;
 
   /// @param velocity  at the beginning, of all particles: exact ones, not projected; empty for rest
   Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocity& velocity = {}, Settings settings = {},
        Forcing forcing = {}, Stepping stepping = Stepping::conservative);
-  /// The steppers keep references to the model: a flow stays where it was made.
-  Flow(const Flow&) = delete;
-  Flow& operator=(const Flow&) = delete;
-  Flow(Flow&&) = delete;
-  Flow& operator=(Flow&&) = delete;
-  ~Flow() = default;
 
   /// One step, 0 < tau <= 2/sqrt(pi g/h) with h the shortest length that the space resolves.
-  void advance(double tau);
-  void arrive(double time) { state_.time = time; }
+  void advance(double tau) override;
 
   /// Longest stable step with the lattice of the last step; infinite without gravity or without a lattice.
   [[nodiscard]] double stable_step() const;
 
-  [[nodiscard]] double time() const { return state_.time; }
-  [[nodiscard]] long steps() const { return state_.steps; }
-  [[nodiscard]] const Model& model() const { return model_; }
-  [[nodiscard]] const mechanics::State& state() const { return state_; }
   /// Places [m] and velocities [m/s] of all particles, markers too, in the order in which they were given.
-  [[nodiscard]] std::span<const double> x() const { return Input(state_.q).first(model_.size()); }
-  [[nodiscard]] std::span<const double> y() const { return Input(state_.q).last(model_.size()); }
-  [[nodiscard]] std::span<const double> u() const { return Input(state_.u).first(model_.size()); }
-  [[nodiscard]] std::span<const double> v() const { return Input(state_.u).last(model_.size()); }
+  [[nodiscard]] std::span<const double> x() const { return Input(state_.q).first(model_->size()); }
+  [[nodiscard]] std::span<const double> y() const { return Input(state_.q).last(model_->size()); }
+  [[nodiscard]] std::span<const double> u() const { return Input(state_.u).first(model_->size()); }
+  [[nodiscard]] std::span<const double> v() const { return Input(state_.u).last(model_->size()); }
   /// Places of the markers, in the order in which they were given.
   [[nodiscard]] std::vector<Point> markers() const;
-
-  /// Kinetic and potential, the latter counted from the first state [J/m].
-  [[nodiscard]] double energy() const;
-  /// Mass, momenta and energy since the beginning; work of forces and loss by the penalty are booked. Costs several
-  /// passes: `observe` takes a record.
-  void observe() { watch_.record(state_); }
-  [[nodiscard]] std::vector<Invariant> invariants() const { return watch_.invariants(state_); }
-  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_.ledger(); }
 
   /// Most particles in free flight, over all steps.
   [[nodiscard]] double most_free_particles() const { return free_.value(); }
 
  private:
-  Model model_;
-  mechanics::State state_;
   Stepping stepping_;
-  mechanics::OneStep<Model> one_step_;
-  mechanics::ProjectedStep<Model> projected_step_;
-  mechanics::InvariantsWatch<Model> watch_;
+  std::unique_ptr<mechanics::OneStep<Model>> one_step_;
+  std::unique_ptr<mechanics::ProjectedStep<Model>> projected_step_;
   double booked_ = 0;
   Largest free_;
 };

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -25,8 +27,7 @@ constexpr int most_sweeps = 200;
 Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings settings, Forcing forcing)
     : particles_(std::move(particles)), space_(std::move(space)), settings_(settings), forcing_(std::move(forcing)) {
   require_particles(particles_);
-  if (!space_)
-    throw std::invalid_argument("no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
+  require_that(space_ != nullptr, "no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
   require_not_negative("gravity", settings_.gravity);
   require_positive("density", settings_.density);
   require_not_negative("penalty", settings_.penalty);
@@ -137,10 +138,10 @@ void Model::project_under_surface(Output u) {
     if (change <= roundoff || (change <= 100 * roundoff && change >= last)) return;
     if (sweep == most_sweeps) {
       throw mechanics::Infeasible(
-          fmt::format("markers under gravity not found in {} iterations: they still move by {:.2g} m; take a shorter "
-                      "step",
-                      most_sweeps, change),
-          places_[surface_->markers().front()]);
+          places_[surface_->markers().front()],
+          "markers under gravity not found in {} iterations: they still move by {:.2g} m; take a shorter "
+          "step",
+          most_sweeps, change);
     }
     last = change;
   }
@@ -188,6 +189,62 @@ double Model::potential_energy(Input q) const {
     sum.add(particles_.mass[k] * settings_.gravity * (q[size() + k] - particles_.y[k]));
   }
   return sum.value();
+}
+
+SurfaceGravity::SurfaceGravity(SurfaceLine line, const Particles& particles, double weight)
+    : period_(line.period), weight_(weight) {
+  require_not_negative("period of the surface", line.period);
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    if (particles.mass[k] == 0) markers_.push_back(k);
+  }
+  require_that(markers_.size() >= 2, "{} markers for a surface; allowed: at least 2", markers_.size());
+}
+
+/// Calls visit(a, b, width, ya, yb) for the pieces of the line.
+template <class Visit>
+void SurfaceGravity::each_piece(std::span<const double> q, Visit&& visit) const {
+  const std::span<const double> x = q.first(q.size() / 2);
+  const std::span<const double> y = q.last(q.size() / 2);
+  for (std::size_t k = 0; k + 1 < markers_.size(); ++k) {
+    const std::size_t a = markers_[k];
+    const std::size_t b = markers_[k + 1];
+    visit(a, b, x[b] - x[a], y[a], y[b]);
+  }
+  if (period_ > 0) {
+    const std::size_t a = markers_.back();
+    const std::size_t b = markers_.front();
+    visit(a, b, x[b] + period_ - x[a], y[a], y[b]);
+  }
+}
+
+double SurfaceGravity::energy(std::span<const double> q) const {
+  CompensatedSum sum;
+  each_piece(q, [&](std::size_t, std::size_t, double width, double ya, double yb) {
+    sum.add(weight_ * width * (ya * ya + ya * yb + yb * yb) / 6);
+  });
+  return sum.value();
+}
+
+void SurfaceGravity::push(std::span<const double> q, double h, std::span<double> impulse) const {
+  const std::size_t n = q.size() / 2;
+  const double factor = h * weight_ / 6;
+  each_piece(q, [&](std::size_t a, std::size_t b, double width, double ya, double yb) {
+    const double squares = ya * ya + ya * yb + yb * yb;
+    impulse[a] += factor * squares;
+    impulse[b] -= factor * squares;
+    impulse[n + a] -= factor * width * (2 * ya + yb);
+    impulse[n + b] -= factor * width * (ya + 2 * yb);
+  });
+}
+
+/// Simpson's rule: dPi/dq is quadratic.
+void SurfaceGravity::push_between(std::span<const double> q0, std::span<const double> q1, double h,
+                                  std::span<double> impulse) {
+  middle_.resize(q0.size());
+  for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
+  push(q0, h / 6, impulse);
+  push(middle_, 4 * h / 6, impulse);
+  push(q1, h / 6, impulse);
 }
 
 }  // namespace seiche::gauss_particles

@@ -31,7 +31,7 @@ void OccupiedCells::sample(const BottomProfile& profile, std::span<const double>
 Bounds OccupiedCells::survey(const Ground& ground, std::span<const double> x, std::span<const double> y) {
   for (const std::span<const double> places : {x, y}) {
     if (const std::size_t bad = mechanics::first_not_finite(places); bad < places.size()) {
-      throw mechanics::Infeasible(fmt::format("particle {} is at ({:g}, {:g})", bad, x[bad], y[bad]), x[bad]);
+      throw mechanics::Infeasible(x[bad], "particle {} is at ({:g}, {:g})", bad, x[bad], y[bad]);
     }
   }
   height_.assign(y.begin(), y.end());
@@ -65,10 +65,8 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x) {
     const double low = axis.wall_below() ? 0 : static_cast<double>(free_margin);
     const double high = axis.wall_above() ? cells : cells - static_cast<double>(free_margin);
     if (!(s >= low && s <= high)) {
-      throw mechanics::Infeasible(
-          fmt::format("particle at {} = {:g}; the lattice with its margin is [{:g}, {:g}]", name, place,
-                      axis.begin() + low * axis.cell(), axis.begin() + high * axis.cell()),
-          at);
+      throw mechanics::Infeasible(at, "particle at {} = {:g}; the lattice with its margin is [{:g}, {:g}]", name, place,
+                                  axis.begin() + low * axis.cell(), axis.begin() + high * axis.cell());
     }
     return s;
   };

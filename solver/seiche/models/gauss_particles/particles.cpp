@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -18,26 +19,18 @@ void Particles::add(double at_x, double at_y, double of_mass) {
 }
 
 void require_particles(const Particles& particles) {
-  if (particles.x.size() != particles.y.size() || particles.x.size() != particles.mass.size()) {
-    throw std::invalid_argument(fmt::format("particles: {} x, {} y, {} masses; allowed: as many of each",
-                                            particles.x.size(), particles.y.size(), particles.mass.size()));
-  }
+  require_that(particles.x.size() == particles.y.size() && particles.x.size() == particles.mass.size(),
+               "particles: {} x, {} y, {} masses; allowed: as many of each", particles.x.size(), particles.y.size(),
+               particles.mass.size());
   bool massive = false;
   for (std::size_t k = 0; k < particles.size(); ++k) {
-    if (!std::isfinite(particles.x[k]) || !std::isfinite(particles.y[k])) {
-      throw std::invalid_argument(
-          fmt::format("particle {} is at ({:g}, {:g}); allowed: finite", k, particles.x[k], particles.y[k]));
-    }
-    if (!(particles.mass[k] >= 0) || !std::isfinite(particles.mass[k])) {
-      throw std::invalid_argument(fmt::format(
-          "mass of particle {} = {:g}; allowed: non-negative and finite, 0 for markers", k, particles.mass[k]));
-    }
+    require_that(std::isfinite(particles.x[k]) && std::isfinite(particles.y[k]),
+                 "particle {} is at ({:g}, {:g}); allowed: finite", k, particles.x[k], particles.y[k]);
+    require_that(particles.mass[k] >= 0 && std::isfinite(particles.mass[k]),
+                 "mass of particle {} = {:g}; allowed: non-negative and finite, 0 for markers", k, particles.mass[k]);
     massive = massive || particles.mass[k] > 0;
   }
-  if (!massive) {
-    throw std::invalid_argument(
-        fmt::format("{} particles, none of them with a mass; allowed: at least one", particles.size()));
-  }
+  require_that(massive, "{} particles, none of them with a mass; allowed: at least one", particles.size());
 }
 
 Particles layer(const Layer& layer) {
@@ -47,7 +40,7 @@ Particles layer(const Layer& layer) {
   require_at_least("rows", static_cast<long>(layer.rows), 1);
   require_positive("density", layer.density);
   require_positive("end - begin", layer.end - layer.begin);
-  if (!layer.surface || !layer.bottom) throw std::invalid_argument("layer without a surface or without a bottom");
+  require_that(layer.surface && layer.bottom, "layer without a surface or without a bottom");
   if (layer.end_corrected) require_at_least("rows, for end-corrected masses,", static_cast<long>(layer.rows), 6);
   constexpr std::array<double, 3> end_weights{13.0 / 12, 7.0 / 8, 25.0 / 24};
   Particles particles;
@@ -56,9 +49,7 @@ Particles layer(const Layer& layer) {
     const double x = layer.begin + width * (static_cast<double>(i) + 0.5);
     const double bottom = layer.bottom(x);
     const double depth = layer.surface(x) - bottom;
-    if (!(depth > 0)) {
-      throw std::invalid_argument(fmt::format("depth = {:g} at x = {:g}; allowed: positive", depth, x));
-    }
+    require_that(depth > 0, "depth = {:g} at x = {:g}; allowed: positive", depth, x);
     const double height = depth / static_cast<double>(layer.rows);
     for (std::size_t j = 0; j < layer.rows; ++j) {
       const std::size_t from_end = std::min(j, layer.rows - 1 - j);

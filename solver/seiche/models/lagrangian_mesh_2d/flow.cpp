@@ -11,6 +11,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -94,7 +95,7 @@ std::vector<double> Flow::elevation_at(std::span<const double> places) const {
 
 void Flow::keep_upright(double drift) {
   require_within("drift", drift, 1e-6, 2);
-  if (model_->forcing().body_force) throw std::invalid_argument("a rezoned mesh with a body force; allowed: none");
+  require_that(!model_->forcing().body_force, "a rezoned mesh with a body force; allowed: none");
   upright_ = std::make_unique<const UprightColumns>(model_->mesh());
   drift_ = drift;
 }

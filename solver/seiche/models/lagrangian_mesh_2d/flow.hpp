@@ -44,14 +44,14 @@ class Flow : public lattice::Flow<Model> {
  public:
   using Velocity = InitialVelocity;
 
-  /// @param velocity  at the beginning; see impulsive_start.hpp for waves that are to run long
+  /// @param velocity  at the beginning; project_to_smooth (mechanics/start.hpp) for waves that are to run long
   /// @param smooth_start  the first velocities of the one-step scheme get the part outside the constraints that keeps
   ///                      its multipliers from alternating (mechanics/start.hpp); not for driven nodes and compositions
   explicit Flow(Mesh mesh, const Velocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
                 Forcing forcing = {}, bool smooth_start = true);
 
   /// From now on the mesh is rezoned (rezone.hpp) as soon as a node is farther from its place than `drift` of its
-  /// cells, and what it carries remapped (remap.hpp); where that is not possible the mesh goes on as it is. The ledger
+  /// cells, and what it carries remapped (rezone.hpp); where that is not possible the mesh goes on as it is. The ledger
   /// counts from the last rezoning on. Throws std::invalid_argument: a drift outside (0, 2], a mesh that is no layer
   /// between straight walls (rezone.hpp), a body force, whose labels would be lost.
   void keep_upright(double drift = 0.2);

@@ -9,6 +9,7 @@
 
 #include "seiche/geometry/curve.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -44,11 +45,8 @@ std::vector<double> equal_columns(const Layer& layer) {
   for (std::size_t k = 0; k < strips; ++k) {
     const double from = layer.begin + width * static_cast<double>(k);
     area.push_back(area.back() + area_between(from, from + width));
-    if (!(area.back() > area[k])) {
-      throw std::invalid_argument(
-          fmt::format("no water between {:g} and {:g}: the elevation must be above -depth = {:g}", from, from + width,
-                      -layer.depth));
-    }
+    require_that(area.back() > area[k], "no water between {:g} and {:g}: the elevation must be above -depth = {:g}",
+                 from, from + width, -layer.depth);
   }
   for (std::size_t i = 1; i < layer.columns; ++i) {
     const double wanted = area.back() * (static_cast<double>(i) / n);

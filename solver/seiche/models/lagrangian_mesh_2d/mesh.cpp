@@ -10,6 +10,7 @@
 
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -26,16 +27,14 @@ std::array<double, 4> corner_triangles(const Mesh& mesh, std::span<const double>
 
 void require_on(std::string_view side, const Wall& wall, const Mesh& mesh, double size, std::size_t first,
                 std::size_t stride, std::size_t count) {
-  if (!wall.curve) throw std::invalid_argument(fmt::format("{} wall has no curve", side));
+  require_that(wall.curve != nullptr, "{} wall has no curve", side);
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t k = first + n * stride;
     const Point node{mesh.x[k], mesh.y[k]};
     const Point foot = wall.curve->position(wall.curve->arc_length_at(node));
     const double distance = std::hypot(node.x - foot.x, node.y - foot.y);
-    if (!(distance <= 1e-12 * size)) {
-      throw std::invalid_argument(fmt::format("node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}",
-                                              node.x, node.y, distance, side, 1e-12 * size));
-    }
+    require_that(distance <= 1e-12 * size, "node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}", node.x,
+                 node.y, distance, side, 1e-12 * size);
   }
 }
 
@@ -44,14 +43,10 @@ void require_side(std::string_view name, const Side& side, const Mesh& mesh, dou
   if (const auto* wall = std::get_if<Wall>(&side)) {
     require_on(name, *wall, mesh, size, first, stride, count);
   } else if (const auto* moving = std::get_if<MovingWall>(&side)) {
-    if (!moving->place || !moving->velocity) {
-      throw std::invalid_argument(fmt::format("{} moving wall needs place and velocity", name));
-    }
-    if (stride == 1) throw std::invalid_argument(fmt::format("a moving wall at the {}; allowed: left or right", name));
+    require_that(moving->place && moving->velocity, "{} moving wall needs place and velocity", name);
+    require_that(stride != 1, "a moving wall at the {}; allowed: left or right", name);
   } else if (const auto* given = std::get_if<PrescribedSide>(&side)) {
-    if (!given->position || !given->velocity) {
-      throw std::invalid_argument(fmt::format("{} prescribed side needs position and velocity", name));
-    }
+    require_that(given->position && given->velocity, "{} prescribed side needs position and velocity", name);
   }
 }
 
@@ -91,15 +86,12 @@ std::array<std::size_t, 4> Mesh::corners(std::size_t cell) const {
 void Mesh::require_valid() const {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
-  if (x.size() != nodes() || y.size() != nodes()) {
-    throw std::invalid_argument(fmt::format("{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)",
-                                            x.size(), y.size(), nodes()));
-  }
+  require_that(x.size() == nodes() && y.size() == nodes(),
+               "{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)", x.size(), y.size(), nodes());
   double size = 0;
   for (std::size_t k = 0; k < nodes(); ++k) {
-    if (!std::isfinite(x[k]) || !std::isfinite(y[k])) {
-      throw std::invalid_argument(fmt::format("node {} is at ({:g}, {:g}); allowed: finite", k, x[k], y[k]));
-    }
+    require_that(std::isfinite(x[k]) && std::isfinite(y[k]), "node {} is at ({:g}, {:g}); allowed: finite", k, x[k],
+                 y[k]);
     size = std::max({size, std::abs(x[k]), std::abs(y[k])});
   }
   for (std::size_t cell = 0; cell < cells(); ++cell) {
@@ -130,6 +122,55 @@ double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<con
     if (mesh.on_joined_sides(cell, c)) triangles[c] = std::numeric_limits<double>::infinity();
   }
   return std::ranges::min(triangles);
+}
+
+SEICHE_SIMD_CLONES
+void Quadrilateral::assemble_row(const lattice::Assembly<Quadrilateral>& row) {
+  lattice::assemble<Quadrilateral, false>(row);
+}
+
+SEICHE_SIMD_CLONES
+void Quadrilateral::rates_of_row(const lattice::Rates<Quadrilateral>& row) {
+  lattice::find_rates(row);
+}
+
+SEICHE_SIMD_CLONES
+void Quadrilateral::react_row(const lattice::Reaction<Quadrilateral>& row) {
+  lattice::react<Quadrilateral, false>(row);
+}
+
+SEICHE_SIMD_CLONES
+void Quadrilateral::kick_row(const lattice::Kick<Quadrilateral>& row) {
+  lattice::kick<Quadrilateral, false>(row);
+}
+
+SEICHE_SIMD_CLONES
+double measure_row(std::size_t columns, const lattice::NodeVectors<Quadrilateral>& r,
+                   linear::RowBlocks::Row diagonals) {
+  const double* __restrict xl = r[0][0];
+  const double* __restrict xu = r[0][1];
+  const double* __restrict yl = r[1][0];
+  const double* __restrict yu = r[1][1];
+  double* __restrict ax = diagonals[0];
+  double* __restrict ay = diagonals[1];
+  double* __restrict bx = diagonals[2];
+  double* __restrict by = diagonals[3];
+  double worst = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : worst)
+  for (std::size_t i = 0; i < columns; ++i) {
+    ax[i] = 0.5 * (xu[i + 1] - xl[i]);
+    ay[i] = 0.5 * (yu[i + 1] - yl[i]);
+    bx[i] = 0.5 * (xu[i] - xl[i + 1]);
+    by[i] = 0.5 * (yu[i] - yl[i + 1]);
+    // Opposite triangles add up to the whole cell.
+    const double twice_area = 4 * (ax[i] * by[i] - bx[i] * ay[i]);
+    const double bottom_x = xl[i + 1] - xl[i];
+    const double bottom_y = yl[i + 1] - yl[i];
+    const double at0 = bottom_x * (yu[i] - yl[i]) - bottom_y * (xu[i] - xl[i]);
+    const double at1 = bottom_x * (yu[i + 1] - yl[i + 1]) - bottom_y * (xu[i + 1] - xl[i + 1]);
+    worst = std::min(worst, std::min(std::min(at0, at1), twice_area - std::max(at0, at1)));
+  }
+  return worst;
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

@@ -13,6 +13,7 @@
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -77,10 +78,8 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
   require_not_negative("gravity", settings.gravity);
   require_not_negative("hourglass", settings.hourglass);
   require_not_negative("corner_barrier", settings.corner_barrier);
-  if (edges_.empty()) throw std::invalid_argument("the mesh has no free side; allowed: at least one");
-  if (std::isnan(settings.lowest_corner) || settings.lowest_corner >= 1) {
-    throw std::invalid_argument(fmt::format("lowest_corner = {:g}; allowed: below 1", settings.lowest_corner));
-  }
+  require_that(!edges_.empty(), "the mesh has no free side; allowed: at least one");
+  require_that(settings.lowest_corner < 1, "lowest_corner = {:g}; allowed: below 1", settings.lowest_corner);
   volume_ = areas_of(mesh_);
   lowest_triangle_ = settings.lowest_corner * std::ranges::max(volume_);
   const bool everywhere = hourglass_.active() || barrier_.active() || forcing_.body_force;
@@ -131,7 +130,7 @@ Input Model::with_driven(Interval when, Input q) {
 void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
   when_ = when;
   clear_push();
-  lattice::feasible([&] { turn_slides(q0, q1); });
+  turn_slides(q0, q1);
   const bool instant = q0.data() == q1.data();
   const Input at = with_driven(when, instant ? q0 : middle(q0, q1));
   measure(at);
@@ -207,12 +206,10 @@ void Model::advance_along(Input from, Input u, double h, Output to, bool by_tang
 }
 
 void Model::move_along(const Slide& slide, double s, std::size_t index, Output q) const {
-  lattice::feasible([&] {
-    const Point position = slide.curve->position(s);
-    q[slide.node] = position.x;
-    q[n_ + slide.node] = position.y;
-    q[2 * n_ + index] = s;
-  });
+  const Point position = slide.curve->position(s);
+  q[slide.node] = position.x;
+  q[n_ + slide.node] = position.y;
+  q[2 * n_ + index] = s;
 }
 
 void Model::enter(Input q, Output u) const {

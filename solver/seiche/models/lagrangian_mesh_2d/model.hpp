@@ -20,7 +20,7 @@
 ///
 /// Conserves mass, and momenta of a free body, to round-off with every scheme; energy to round-off with the one-step
 /// scheme if there is no gravity, energy and areas to round-off always with ConservativeStep, also on curved walls: it
-/// takes chords for tangents. Dispersion in closed form: exact/lagrangian_mesh_dispersion.hpp.
+/// takes chords for tangents. Dispersion in closed form: exact/lattice_dispersion.hpp.
 ///
 /// Node motions (-1)^(i+j) change no area and meet no force: long runs fold the mesh by them. Settings::hourglass adds
 /// a conservative restoring force. A corner that folds is an Infeasible configuration, with its place.
@@ -40,17 +40,15 @@
 #include <vector>
 
 #include "seiche/lattice/water.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/lagrangian_mesh_2d/element.hpp"
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_2d/nodes.hpp"
-#include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -68,7 +66,7 @@ struct Settings {
   /// Vertical inertia of surface nodes times 1 - h2/(3H), h2/H the part of the top row in the depth: dispersion exact
   /// to one more power of k. No angular momentum then.
   bool tuned_surface_inertia = false;
-  /// Stiffness of a repulsion between the sides of a corner that is about to fold (corner_barrier.hpp); 0: none.
+  /// Stiffness of a repulsion between the sides of a corner that is about to fold (nodes.hpp); 0: none.
   double corner_barrier = 0;
   /// Shape of a corner (mesh.hpp) at which the mesh counts as folded, for the largest cell. Areas stay positive, and
   /// the equations solvable, beyond a fold: minus infinity goes on as in the source.
@@ -162,7 +160,7 @@ class Model : public lattice::Water<Quadrilateral, Model> {
 /// Longest stable step of the one-step scheme on a mesh.
 ///
 /// 2/omega of the fastest mode of the undeformed layer with the mesh's mean depth, column width and rows (the closed
-/// dispersion law, exact/lagrangian_mesh_dispersion.hpp), with the hourglass potential's added: a bound, from the safe
+/// dispersion law, exact/lattice_dispersion.hpp), with the hourglass potential's added: a bound, from the safe
 /// side; infinite where there is neither.
 double longest_stable_step(const Model& model);
 

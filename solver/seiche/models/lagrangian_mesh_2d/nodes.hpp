@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -62,6 +63,88 @@ class Nodes {
   std::vector<double> mass_, inertia_y_, wx_, wy_;
   std::vector<Slide> slides_;
   std::vector<Driven> driven_;
+};
+
+/// The edges of the mesh at its free sides: potential energy of the polygon of water (Frank 1994, formula 7), and
+/// pressure on it.
+///
+///     Pi = rho g sum (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6,   from a to b with the water below
+///
+/// Only sides that can move are summed: what fixed sides contribute is constant.
+class FreeEdges {
+ public:
+  explicit FreeEdges(const Mesh& mesh);
+
+  [[nodiscard]] bool empty() const { return strips_.empty(); }
+  /// First node that can belong to a free edge.
+  [[nodiscard]] std::size_t first_node() const { return first_node_; }
+  /// sum (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6 [m^3].
+  [[nodiscard]] double moment(const double* x, const double* y) const;
+  /// Adds -weight times its gradient to the forces.
+  void push_down(const double* x, const double* y, double weight, double* push_x, double* push_y) const;
+  /// Adds weight times the force of a pressure p(x of the edge's middle): half p (dy, -dx) on either end of an edge.
+  void press(const std::function<double(double)>& pressure, const double* x, const double* y, double weight,
+             double* push_x, double* push_y) const;
+
+ private:
+  /// Edges between nodes first, first + stride, ..., passed so that the water is on the right hand.
+  struct Strip {
+    std::ptrdiff_t first;
+    std::ptrdiff_t stride;
+    std::size_t edges;
+  };
+  template <class Edge>
+  void over_edges(const Edge& edge) const {
+    for (const Strip& strip : strips_) {
+      std::ptrdiff_t a = strip.first;
+      for (std::size_t n = 0; n < strip.edges; ++n, a += strip.stride) edge(a, a + strip.stride);
+    }
+  }
+
+  std::vector<Strip> strips_;
+  std::size_t first_node_ = 0;
+};
+
+/// A potential that keeps the corners of cells from folding.
+///
+///     Pi_c = stiffness sum over corners with s < s_0 of V_0^(3/2) (s_0/s - 1)^2,   s_0 = 0.3
+///
+/// s is the shape of a corner (mesh.hpp): twice the triangle at it over the cell's first area V_0. Nothing is felt by
+/// corners above s_0; momenta are kept; energy is not kept to round-off by any scheme while a corner is below, for the
+/// potential is not a polynomial.
+class CornerBarrier {
+ public:
+  /// @param stiffness  [N/m^3], not negative
+  explicit CornerBarrier(double stiffness) : stiffness_(stiffness) {}
+
+  [[nodiscard]] bool active() const { return stiffness_ > 0; }
+  /// Infinite where a corner has folded.
+  [[nodiscard]] double energy(const Mesh& mesh, std::span<const double> first_areas, const double* x,
+                              const double* y) const;
+  /// Adds weight times its forces.
+  void push(const Mesh& mesh, std::span<const double> first_areas, const double* x, const double* y, double weight,
+            std::span<double> push_x, std::span<double> push_y) const;
+
+ private:
+  double stiffness_;
+};
+
+/// A potential that restores what Frank's own model leaves free: node motions (-1)^(i+j) change no area.
+///
+///     Pi_h = (kappa/2) sum over cells of |r0 - r1 + r2 - r3 - initial|^2
+class Hourglass {
+ public:
+  /// @param stiffness  kappa [N/m^2]; 0 for none
+  Hourglass(const Mesh& mesh, double stiffness);
+
+  [[nodiscard]] bool active() const { return stiffness_ > 0; }
+  [[nodiscard]] double energy(const Mesh& mesh, const double* x, const double* y) const;
+  /// Adds weight times its forces.
+  void push(const Mesh& mesh, const double* x, const double* y, double weight, double* push_x, double* push_y) const;
+
+ private:
+  double stiffness_;
+  std::vector<Point> rest_;
 };
 
 }  // namespace seiche::lagrangian_mesh_2d

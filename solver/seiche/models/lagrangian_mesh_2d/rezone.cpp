@@ -11,6 +11,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -41,12 +42,10 @@ double area_between(Point a, Point b, Point c, Point d) {
 UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.columns, .rows = first.rows} {
   require_straight_wall("left", first.sides.left);
   require_straight_wall("right", first.sides.right);
-  if (!std::holds_alternative<Wall>(first.sides.bottom) || !std::holds_alternative<FreeSide>(first.sides.top) ||
-      first.has_joined_sides()) {
-    throw std::invalid_argument(
-        "a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
-        "on into, under a free surface");
-  }
+  require_that(std::holds_alternative<Wall>(first.sides.bottom) && std::holds_alternative<FreeSide>(first.sides.top) &&
+                   !first.has_joined_sides(),
+               "a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
+               "on into, under a free surface");
   require_at_least("columns", static_cast<long>(shape_.columns), 3);
   require_at_least("rows", static_cast<long>(shape_.rows), 3);
   bottom_ = std::get<Wall>(first.sides.bottom).curve;
@@ -155,9 +154,8 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
     area.push_back(cell_area(now.mesh, now.mesh.x, now.mesh.y, cell));
     if (area[cell] > 0 && least_triangle(now.mesh, now.mesh.x, now.mesh.y, cell) > 0) continue;
     const std::size_t corner = was.corners(cell)[0];
-    throw mechanics::Infeasible(
-        fmt::format("cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner], now.mesh.y[corner]),
-        now.mesh.x[corner]);
+    throw mechanics::Infeasible(now.mesh.x[corner], "cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner],
+                                now.mesh.y[corner]);
   }
   const plan_lattice::SweptRemap sweep({.columns = was.columns, .rows = was.rows}, q.first(n), q.subspan(n, n),
                                        now.mesh.x, now.mesh.y, std::vector<double>(n, 0.25));

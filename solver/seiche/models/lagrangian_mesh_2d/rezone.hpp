@@ -20,7 +20,7 @@
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
-#include "seiche/plan_lattice/rezoned_places.hpp"
+#include "seiche/plan_lattice/swept_remap.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 

@@ -4,10 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "seiche/geometry/vector.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
+#include "seiche/simd_clones.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
@@ -23,6 +28,76 @@ constexpr double on_bottom = 1e-12;
 /// Neighbours of a corner along the edges that leave it, in right-handed order.
 constexpr std::array<std::array<std::size_t, 3>, 8> edges{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+using V3 = Vector3;
+
+/// Row and place in it of a corner: 0, 3, 4, 7 on the west side of the cell, 1, 2, 5, 6 on the east side.
+constexpr std::array<std::size_t, 8> row_of{0, 0, 1, 1, 2, 2, 3, 3};
+constexpr std::array<std::size_t, 8> east{0, 1, 1, 0, 0, 1, 1, 0};
+
+SEICHE_INLINE V3 at(const NodeVectors& r, std::size_t corner, std::size_t i) {
+  const std::size_t row = row_of[corner];
+  const std::size_t k = i + east[corner];
+  return {r[0][row][k], r[1][row][k], r[2][row][k]};
+}
+
+template <bool add>
+SEICHE_INLINE void measure(std::size_t columns, const NodeVectors& rows, double factor, RowBlocks::Row gradients) {
+  const NodeVectors r = rows;
+  double* const out = gradients.data;
+  const std::size_t stride = gradients.stride;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < columns; ++i) {
+    // Sums and differences along x on the four edges (0,1), (3,2), (4,5), (7,6).
+    const V3 r0 = at(r, 0, i), r1 = at(r, 1, i), r2 = at(r, 2, i), r3 = at(r, 3, i);
+    const V3 r4 = at(r, 4, i), r5 = at(r, 5, i), r6 = at(r, 6, i), r7 = at(r, 7, i);
+    const V3 t0 = r1 - r0, t1 = r2 - r3, t2 = r5 - r4, t3 = r6 - r7;
+    // Sums first by differences along y and z: they cancel what is common to all corners.
+    const V3 north_low = (r3 - r0) + (r2 - r1);
+    const V3 north_high = (r7 - r4) + (r6 - r5);
+    const V3 up_south = (r4 - r0) + (r5 - r1);
+    const V3 up_north = (r7 - r3) + (r6 - r2);
+    const V3 a = (t0 + t1) + (t2 + t3);
+    const V3 e = (t2 + t3) - (t0 + t1);
+    const V3 f = (t1 - t0) + (t3 - t2);
+    const V3 b = north_low + north_high;
+    const V3 c = up_south + up_north;
+    const V3 d = north_high - north_low;
+    // Modes are eight times those of the formula.
+    const double third = factor / (3 * 64);
+    const double whole = factor / 64;
+    const V3 fa = whole * cross(b, c) + third * cross(f, e);
+    const V3 fb = whole * cross(c, a) + third * cross(d, f);
+    const V3 fc = whole * cross(a, b) + third * cross(e, d);
+    const V3 fd = third * (cross(c, e) + cross(f, b));
+    const V3 fe = third * (cross(d, c) + cross(a, f));
+    const V3 ff = third * (cross(b, d) + cross(e, a));
+    const V3 p = fa - fe, q = fb - fd, s = fa + fe, t = fb + fd;
+    const V3 minus = ff - fc, plus = ff + fc;
+    const auto put = [&](std::size_t corner, V3 g) __attribute__((always_inline)) {
+      double* const gx = out + (3 * corner) * stride + i;
+      double* const gy = out + (3 * corner + 1) * stride + i;
+      double* const gz = out + (3 * corner + 2) * stride + i;
+      if constexpr (add) {
+        *gx += g.x;
+        *gy += g.y;
+        *gz += g.z;
+      } else {
+        *gx = g.x;
+        *gy = g.y;
+        *gz = g.z;
+      }
+    };
+    put(0, minus - (p + q));
+    put(1, (p - q) - plus);
+    put(2, (p + q) + minus);
+    put(3, (q - p) - plus);
+    put(4, plus - (s + t));
+    put(5, (s - t) - minus);
+    put(6, (s + t) + plus);
+    put(7, (t - s) - minus);
+  }
+}
 
 }  // namespace
 
@@ -41,15 +116,11 @@ void Mesh::require_valid() const {
   require_at_least("columns", static_cast<long>(plan.columns), 1);
   require_at_least("rows", static_cast<long>(plan.rows), 1);
   require_at_least("layers", static_cast<long>(layers), 1);
-  if (x.size() != nodes() || y.size() != nodes() || z.size() != nodes()) {
-    throw std::invalid_argument(
-        fmt::format("coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes()));
-  }
+  require_that(x.size() == nodes() && y.size() == nodes() && z.size() == nodes(),
+               "coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes());
   for (std::size_t k = 0; k < nodes(); ++k) {
-    if (!std::isfinite(x[k]) || !std::isfinite(y[k]) || !std::isfinite(z[k])) {
-      throw std::invalid_argument(
-          fmt::format("node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]));
-    }
+    require_that(std::isfinite(x[k]) && std::isfinite(y[k]) && std::isfinite(z[k]),
+                 "node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]);
   }
   require_bottom();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
@@ -73,10 +144,9 @@ void Mesh::require_bottom() const {
                                             bottom ? "that of the bottom" : "that of all others", level));
   }
   if (!bottom) return;
-  if (free_bottom) throw std::invalid_argument("a free bottom and an uneven one; allowed: one of them");
-  if (plan_lattice::any_side<plan_lattice::DrivenSide>(sides)) {
-    throw std::invalid_argument("a driven side over an uneven bottom; allowed: walls, held and free sides");
-  }
+  require_that(!free_bottom, "a free bottom and an uneven one; allowed: one of them");
+  require_that(!plan_lattice::any_side<plan_lattice::DrivenSide>(sides),
+               "a driven side over an uneven bottom; allowed: walls, held and free sides");
 }
 
 double hexahedron_volume(const CellCorners& r) {
@@ -111,6 +181,57 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
   const auto nodes = mesh.corners(cell);
   for (std::size_t a = 0; a < 8; ++a) r[a] = {x[nodes[a]], y[nodes[a]], z[nodes[a]]};
   return r;
+}
+
+SEICHE_SIMD_CLONES
+void measure_row(std::size_t columns, const NodeVectors& r, RowBlocks::Row gradients) {
+  measure<false>(columns, r, 1, gradients);
+}
+
+SEICHE_SIMD_CLONES
+void add_measured_row(std::size_t columns, const NodeVectors& r, double factor, RowBlocks::Row gradients) {
+  measure<true>(columns, r, factor, gradients);
+}
+
+SEICHE_SIMD_CLONES
+double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
+  const NodeVectors r = rows;
+  double folded = 0;
+#pragma omp simd reduction(+ : folded)
+  for (std::size_t i = 0; i < columns; ++i) {
+    const V3 r0 = at(r, 0, i), r1 = at(r, 1, i), r2 = at(r, 2, i), r3 = at(r, 3, i);
+    const V3 r4 = at(r, 4, i), r5 = at(r, 5, i), r6 = at(r, 6, i), r7 = at(r, 7, i);
+    const V3 x0 = r1 - r0, x1 = r2 - r3, x2 = r5 - r4, x3 = r6 - r7;
+    const V3 y0 = r3 - r0, y1 = r2 - r1, y2 = r7 - r4, y3 = r6 - r5;
+    const V3 z0 = r4 - r0, z1 = r5 - r1, z2 = r6 - r2, z3 = r7 - r3;
+    // Written so that a volume that is not a number counts.
+    const double low = (dot(x0, cross(y0, z0)) > 0 ? 0.0 : 1.0) + (dot(x0, cross(y1, z1)) > 0 ? 0.0 : 1.0) +
+                       (dot(x1, cross(y1, z2)) > 0 ? 0.0 : 1.0) + (dot(x1, cross(y0, z3)) > 0 ? 0.0 : 1.0);
+    const double high = (dot(x2, cross(y2, z0)) > 0 ? 0.0 : 1.0) + (dot(x2, cross(y3, z1)) > 0 ? 0.0 : 1.0) +
+                        (dot(x3, cross(y3, z2)) > 0 ? 0.0 : 1.0) + (dot(x3, cross(y2, z3)) > 0 ? 0.0 : 1.0);
+    folded += low + high;
+  }
+  return folded;
+}
+
+SEICHE_SIMD_CLONES
+void Hexahedron::assemble_row(const lattice::Assembly<Hexahedron>& row) {
+  lattice::assemble<Hexahedron, false>(row);
+}
+
+SEICHE_SIMD_CLONES
+void Hexahedron::rates_of_row(const lattice::Rates<Hexahedron>& row) {
+  lattice::find_rates(row);
+}
+
+SEICHE_SIMD_CLONES
+void Hexahedron::react_row(const lattice::Reaction<Hexahedron>& row) {
+  lattice::react<Hexahedron, false>(row);
+}
+
+SEICHE_SIMD_CLONES
+void Hexahedron::kick_row(const lattice::Kick<Hexahedron>& row) {
+  lattice::kick<Hexahedron, false>(row);
 }
 
 }  // namespace seiche::lagrangian_mesh_3d

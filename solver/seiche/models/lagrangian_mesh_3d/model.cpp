@@ -107,7 +107,7 @@ void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
   when_ = when;
   const bool instant = q0.data() == q1.data();
   const Input at = instant ? q0 : middle(q0, q1);
-  lattice::feasible([&] { bottom_.turn(q0.first(n_), q0.subspan(n_, n_), q1.first(n_), q1.subspan(n_, n_)); });
+  bottom_.turn(q0.first(n_), q0.subspan(n_, n_), q1.first(n_), q1.subspan(n_, n_));
   measure(at);
   clear_push();
   // Simpson's mean of the gradient of a quartic, which is cubic, is exact.

@@ -20,7 +20,7 @@
 /// ConservativeStep conserves energy, volumes and linear momentum, for V_s is cubic and Pi quartic along a step, so
 /// that their mean gradients are known exactly; not angular momentum.
 ///
-/// Over an uneven bottom the nodes of level 0 slide on it (bottom.hpp); the bottom does not enter Pi, or they would
+/// Over an uneven bottom the nodes of level 0 slide on it (nodes.hpp); the bottom does not enter Pi, or they would
 /// feel a force that is not there. The smooth start of the one-step scheme does not know how the bottom is curved.
 ///
 /// When not to use it: waves that overturn; shorelines; waves shorter than about seven depths with one layer
@@ -41,14 +41,13 @@
 
 #include "seiche/lattice/surface_patches.hpp"
 #include "seiche/lattice/water.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/lagrangian_mesh_3d/element.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_3d/nodes.hpp"
 

@@ -45,7 +45,7 @@ class Bottom {
 
   /// 0 over a level bottom.
   [[nodiscard]] std::size_t nodes() const { return freedom_.size(); }
-  /// Gradients where the nodes are, or their means over straight ways. Throws OutsidePlanBottom.
+  /// Gradients where the nodes are, or their means over straight ways. Throws Infeasible.
   void turn(std::span<const double> x0, std::span<const double> y0, std::span<const double> x1,
             std::span<const double> y1);
   /// P - m m^T (xx, yy, zz, xy, xz, yz): what the bottom and the sides leave of a velocity or a force.

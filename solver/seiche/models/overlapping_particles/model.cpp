@@ -65,18 +65,17 @@ mechanics::State Model::state(const VelocityAt& velocity, double time) const {
 void Model::require_places(Input q) const {
   if (const std::size_t bad = mechanics::first_not_finite(q); bad < q.size()) {
     const std::size_t k = bad % size();
-    throw mechanics::Infeasible(
-        fmt::format("particle {} is at ({:g}, {:g}); allowed: finite places", k, at(q, k).x, at(q, k).y),
-        particles_.x[k]);
+    throw mechanics::Infeasible(particles_.x[k], "particle {} is at ({:g}, {:g}); allowed: finite places", k,
+                                at(q, k).x, at(q, k).y);
   }
   if (walls_.empty()) return;
   for (std::size_t k = 0; k < size(); ++k) {
     const Point r = at(q, k);
     if (const int wall = walls_.behind(r); wall >= 0) {
-      throw mechanics::Infeasible(fmt::format("particle {} at ({:g}, {:g}) is {:g} from wall {}; allowed: positive, "
-                                              "on the side of the water",
-                                              k, r.x, r.y, walls_.distance(wall, r), wall),
-                                  r.x);
+      throw mechanics::Infeasible(r.x,
+                                  "particle {} at ({:g}, {:g}) is {:g} from wall {}; allowed: positive, "
+                                  "on the side of the water",
+                                  k, r.x, r.y, walls_.distance(wall, r), wall);
     }
   }
 }
@@ -134,17 +133,16 @@ void Model::measure(Input q) {
       gradient_[first].y += particles_.mass[k] * (back.y - own.y);
     }
     if (nearest < one_place * kernel_.support()) {
-      throw mechanics::Infeasible(
-          fmt::format("particles {} and {} are at one place, ({:g}, {:g}); allowed: apart by at "
-                      "least {:g}",
-                      k, nearest_to, rk.x, rk.y, one_place * kernel_.support()),
-          rk.x);
+      throw mechanics::Infeasible(rk.x,
+                                  "particles {} and {} are at one place, ({:g}, {:g}); allowed: apart by at "
+                                  "least {:g}",
+                                  k, nearest_to, rk.x, rk.y, one_place * kernel_.support());
     }
     if (overlaps == 0 && !stabilised) {
-      throw mechanics::Infeasible(fmt::format("singular configuration: particle {} at ({:g}, {:g}) is in no other "
-                                              "control volume; set stabilisation > 0, or a support above {:g}",
-                                              k, rk.x, rk.y, settings_.support),
-                                  rk.x);
+      throw mechanics::Infeasible(rk.x,
+                                  "singular configuration: particle {} at ({:g}, {:g}) is in no other "
+                                  "control volume; set stabilisation > 0, or a support above {:g}",
+                                  k, rk.x, rk.y, settings_.support);
     }
     double all = 0;
     for (std::size_t e = first + 1; e < last; ++e) {
@@ -191,11 +189,11 @@ void Model::assemble_and_factor() {
 
 void Model::throw_singular(double pivots) const {
   throw mechanics::Infeasible(
-      fmt::format("singular configuration: multipliers without forces, as of two particles alone or of a lattice that "
-                  "fills a box (smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set "
-                  "stabilisation > 0, or a support above {:g}",
-                  pivots, smallest_pivot, settings_.support),
-      particles_.x[0]);
+      particles_.x[0],
+      "singular configuration: multipliers without forces, as of two particles alone or of a lattice that "
+      "fills a box (smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set "
+      "stabilisation > 0, or a support above {:g}",
+      pivots, smallest_pivot, settings_.support);
 }
 
 void Model::advance(Input from, Input u, double h, Output to) const {
@@ -203,8 +201,7 @@ void Model::advance(Input from, Input u, double h, Output to) const {
     for (std::size_t k = 0; k < size(); ++k) {
       const Point r{from[k] + h * u[k], from[size() + k] + h * u[size() + k]};
       if (const int wall = walls_.behind(r); wall >= 0) {
-        throw mechanics::Infeasible(fmt::format("particle {} goes through wall {} at ({:g}, {:g})", k, wall, r.x, r.y),
-                                    r.x);
+        throw mechanics::Infeasible(r.x, "particle {} goes through wall {} at ({:g}, {:g})", k, wall, r.x, r.y);
       }
     }
   }

@@ -12,8 +12,8 @@
 ///
 /// The source says neither where the volumes are nor how the mass is spread: centred on the particles they are links
 /// between particles, invariant to translation and rotation, and a free surface is nothing special. Phi: particles.hpp;
-/// plane walls by mirror images: walls.hpp. Smooth multipliers would be a pressure, p = -rho^2 lambda_k/m_k; what one
-/// step gives is chequered by hundreds of times as much.
+/// plane walls by mirror images: particles.hpp. Smooth multipliers would be a pressure, p = -rho^2 lambda_k/m_k; what
+/// one step gives is chequered by hundreds of times as much.
 ///
 /// Neighbours are found on a uniform grid of cells. A = G W G^T couples particles up to 2 S apart, some 60 in a row;
 /// sparse Cholesky, analysed anew when the pattern changed.
@@ -47,13 +47,12 @@
 #include <span>
 #include <vector>
 
-#include "seiche/linear/ring_solver.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/overlapping_particles/neighbourhoods.hpp"
 #include "seiche/models/overlapping_particles/particles.hpp"
-#include "seiche/models/overlapping_particles/walls.hpp"
 
 namespace seiche::overlapping_particles {
 
@@ -74,8 +73,8 @@ using VelocityAt = std::function<Point(Point place)>;
 
 class Model : public mechanics::PointMasses<Model> {
  public:
-  /// Throws std::invalid_argument (particles.hpp, walls.hpp): settings out of range, particles at one place, behind a
-  /// wall, or without a neighbour.
+  /// Throws std::invalid_argument (particles.hpp): settings out of range, particles at one place, behind
+  /// a wall, or without a neighbour.
   explicit Model(Particles particles, Settings settings = {});
 
   static constexpr bool warm_start = true;

@@ -11,15 +11,14 @@
 #include <vector>
 
 #include "seiche/geometry/curve.hpp"
-#include "seiche/models/overlapping_particles/walls.hpp"
+#include "seiche/models/overlapping_particles/particles.hpp"
 
 namespace seiche::overlapping_particles {
 
-// Particles sorted into the cells of a uniform grid, to find those near a place.
-//
-// Cells are as wide as the reach of a search, which then visits three by three of them; wider where that would make
-// many more cells than particles. Sorted by counting; particles of a cell keep their order.
-
+/// Particles sorted into the cells of a uniform grid, to find those near a place.
+///
+/// Cells are as wide as the reach of a search, which then visits three by three of them; wider where that would make
+/// many more cells than particles. Sorted by counting; particles of a cell keep their order.
 class CellGrid {
  public:
   /// @param reach  of searches, positive. Places must be finite.

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::overlapping_particles {
 
@@ -54,11 +56,9 @@ constexpr double rim = 1e-12;
 }  // namespace
 
 void Particles::require_valid() const {
-  if (y.size() != size() || mass.size() != size()) {
-    throw std::invalid_argument(
-        fmt::format("particles: {} x, {} y and {} masses; allowed: as many of each", size(), y.size(), mass.size()));
-  }
-  if (size() < 3) throw std::invalid_argument(fmt::format("{} particles; allowed: at least 3", size()));
+  require_that(y.size() == size() && mass.size() == size(),
+               "particles: {} x, {} y and {} masses; allowed: as many of each", size(), y.size(), mass.size());
+  require_that(size() >= 3, "{} particles; allowed: at least 3", size());
   require_positive("spacing", spacing);
   for (std::size_t k = 0; k < size(); ++k) {
     require_finite(fmt::format("x of particle {}", k), x[k]);
@@ -75,10 +75,8 @@ Particles staggered(const Rows& rows) {
   require_positive("upper.y - lower.y", rows.upper.y - rows.lower.y);
   const double height = h * std::numbers::sqrt3 / 2;
   const double places = (rows.upper.x - rows.lower.x) / h * ((rows.upper.y - rows.lower.y) / height);
-  if (!(places <= most_places)) {
-    throw std::invalid_argument(
-        fmt::format("spacing = {:g} makes {:g} places; allowed: at most {:g}", h, places, most_places));
-  }
+  require_that(places <= most_places, "spacing = {:g} makes {:g} places; allowed: at most {:g}", h, places,
+               most_places);
   Particles particles{.x = {}, .y = {}, .mass = {}, .spacing = h};
   const auto first = std::lround(std::ceil((rows.lower.y - rows.through.y) / height - rim));
   const auto last = std::lround(std::floor((rows.upper.y - rows.through.y) / height + rim));
@@ -113,6 +111,73 @@ Particles staggered_disc(double radius, double spacing, double density) {
   const double share = density * std::numbers::pi * radius * radius / static_cast<double>(particles.size());
   particles.mass.assign(particles.size(), share);
   return particles;
+}
+
+namespace {
+
+/// Of unit normals, for walls that are given by rounded numbers.
+constexpr double aligned = 1e-12;
+
+double product(Point a, Point b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+Image reflection(const Wall& wall, int number) {
+  const auto [nx, ny] = wall.normal;
+  const double twice = 2 * product(wall.through, wall.normal);
+  return {1 - 2 * nx * nx, -2 * nx * ny, 1 - 2 * ny * ny, {twice * nx, twice * ny}, number, number};
+}
+
+/// About walls at right angles: the same in either order.
+Image both(const Image& a, const Image& b) {
+  return {-1, 0, -1, {a.offset.x + b.offset.x, a.offset.y + b.offset.y}, a.one, b.one};
+}
+
+}  // namespace
+
+Walls::Walls(std::vector<Wall> walls, double reach) : walls_(std::move(walls)) {
+  int number = 0;
+  for (Wall& wall : walls_) {
+    require_finite(fmt::format("through.x of wall {}", number), wall.through.x);
+    require_finite(fmt::format("through.y of wall {}", number), wall.through.y);
+    const double length = std::hypot(wall.normal.x, wall.normal.y);
+    require_positive(fmt::format("length of the normal of wall {}", number), length);
+    wall.normal = {wall.normal.x / length, wall.normal.y / length};
+    images_.push_back(reflection(wall, number++));
+  }
+  for (int one = 0; one < number; ++one) {
+    for (int other = one + 1; other < number; ++other) {
+      const Point n = walls_[static_cast<std::size_t>(one)].normal;
+      const Point m = walls_[static_cast<std::size_t>(other)].normal;
+      if (std::abs(product(n, m)) < aligned) {
+        images_.push_back(both(images_[static_cast<std::size_t>(one)], images_[static_cast<std::size_t>(other)]));
+      } else if (product(n, m) < -1 + aligned) {
+        require_apart(one, other, reach);
+      } else {
+        throw std::invalid_argument(fmt::format(
+            "walls {} and {} have normals ({:g}, {:g}) and ({:g}, {:g}); allowed: opposite, or at right angles", one,
+            other, n.x, n.y, m.x, m.y));
+      }
+    }
+  }
+}
+
+void Walls::require_apart(int one, int other, double reach) const {
+  const double gap = distance(one, walls_[static_cast<std::size_t>(other)].through);
+  require_that(gap >= reach, "walls {} and {} are {:g} apart; allowed: at least the support {:g}", one, other, gap,
+               reach);
+}
+
+double Walls::distance(int wall, Point r) const {
+  const Wall& w = walls_[static_cast<std::size_t>(wall)];
+  return product({r.x - w.through.x, r.y - w.through.y}, w.normal);
+}
+
+int Walls::behind(Point r) const {
+  for (int wall = 0; wall < static_cast<int>(walls_.size()); ++wall) {
+    if (!(distance(wall, r) > 0)) return wall;
+  }
+  return -1;
 }
 
 }  // namespace seiche::overlapping_particles

@@ -96,7 +96,7 @@ SEICHE_INLINE Flux hll(double g, double hl, double ul, double hr, double ur) {
           (sr * thrust_l - sl * thrust_r + sl * sr * (qr - ql)) * inverse};
 }
 
-/// Half the generalised minmod slope (limited_slope.hpp) without a branch, so that loops vectorise.
+/// Half the generalised minmod slope (relations.hpp) without a branch, so that loops vectorise.
 SEICHE_INLINE double half_slope(double before, double here, double after, double theta) {
   const double backward = here - before;
   const double forward = after - here;

@@ -11,6 +11,7 @@
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/shallow_water_finite_volume/faces.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::shallow_water_finite_volume {
 namespace {
@@ -215,13 +216,9 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
     const double celerity = shallow_water::celerity(settings.gravity, side.state.depth);
     fastest_inflow_ = std::max(fastest_inflow_, std::abs(side.state.velocity) + celerity);
   }
-  if (discharge.size() != n_) {
-    throw std::invalid_argument(fmt::format("discharge has {} cells: must have {} like depth", discharge.size(), n_));
-  }
-  if (bed && settings.scheme != Scheme::muscl_hll) {
-    throw std::invalid_argument(
-        fmt::format("bed: scheme {} takes a flat bed only, use muscl_hll", name(settings.scheme)));
-  }
+  require_that(discharge.size() == n_, "discharge has {} cells: must have {} like depth", discharge.size(), n_);
+  require_that(!bed || settings.scheme == Scheme::muscl_hll, "bed: scheme {} takes a flat bed only, use muscl_hll",
+               name(settings.scheme));
   for (Cells* cells : {&now_, &next_}) {
     for (auto* row : {&cells->depth, &cells->discharge, &cells->velocity, &cells->celerity}) {
       row->resize(n_ + 2 * ghosts);
@@ -231,10 +228,8 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
   for (std::size_t i = 0; i < n_; ++i) {
     require_not_negative("depth", depth[i]);
     require_finite("discharge", discharge[i]);
-    if (depth[i] == 0 && discharge[i] != 0) {
-      throw std::invalid_argument(
-          fmt::format("discharge = {:.17g} is out of range: must be 0 where depth is 0", discharge[i]));
-    }
+    require_that(depth[i] != 0 || discharge[i] == 0, "discharge = {:.17g} is out of range: must be 0 where depth is 0",
+                 discharge[i]);
     now.h[i] = depth[i];
     now.q[i] = discharge[i];
     now.u[i] = depth[i] > settings.dry_depth ? discharge[i] / depth[i] : 0;

@@ -7,6 +7,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_particles {
@@ -32,9 +33,7 @@ AsWritten::AsWritten(const Particles& initial, Ends ends, double gravity)
   initial.validate();
   require_positive("gravity", gravity);
   for (const End* end : {&ends_.left, &ends_.right}) {
-    if (std::holds_alternative<Open>(*end)) {
-      throw std::invalid_argument("end of a row as written; allowed: Wall, Piston, Free, Vacuum");
-    }
+    require_that(!std::holds_alternative<Open>(*end), "end of a row as written; allowed: Wall, Piston, Free, Vacuum");
   }
   impulse_.add(momentum());
 }

@@ -27,7 +27,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
-#include "seiche/models/shallow_water_particles/settings.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
 
 namespace seiche::shallow_water_particles {
 

@@ -9,6 +9,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -49,7 +50,7 @@ void ParticleFlow::validate() const {
   for (const bool right : {false, true}) {
     const Side s = side(right);
     if (const auto* piston = std::get_if<Piston>(&end(s))) {
-      if (!piston->velocity) throw std::invalid_argument("piston: a velocity as a function of time must be given");
+      require_that(piston->velocity != nullptr, "piston: a velocity as a function of time must be given");
       require_finite("piston velocity", piston->velocity(0));
     }
     refuse_vacuum(s, 0);

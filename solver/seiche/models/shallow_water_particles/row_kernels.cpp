@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "seiche/models/shallow_water_particles/edges.hpp"
+#include "seiche/models/shallow_water_particles/reconstruction.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_particles {

@@ -12,6 +12,7 @@
 #include "seiche/geometry/dirichlet_cells.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::variable_mass {
@@ -49,10 +50,8 @@ Surface::Surface(const Mesh& mesh) : outline_(mesh.outline) {
   const auto free = [&](std::ptrdiff_t e) { return mesh.held[index(node(e))].one == Held::by_none; };
   for (std::ptrdiff_t e = 0; e < n; ++e) {
     if (free(e) || !free(e + 1)) continue;
-    if (!nodes_.empty()) {
-      throw std::invalid_argument(
-          fmt::format("two free stretches of the outline, at nodes {} and {}; allowed: one", nodes_.back(), node(e)));
-    }
+    require_that(nodes_.empty(), "two free stretches of the outline, at nodes {} and {}; allowed: one",
+                 nodes_.empty() ? 0 : nodes_.back(), node(e));
     for (std::ptrdiff_t s = e;; ++s) {
       nodes_.push_back(node(s));
       if (s > e && !free(s)) break;
@@ -74,8 +73,7 @@ void Surface::require_single_valued(Places at) const {
   for (std::size_t s = 1; s < nodes_.size(); ++s) {
     if (!(at[nodes_[s]].x > at[nodes_[s - 1]].x)) {
       const Point r = at[nodes_[s]];
-      throw mechanics::Infeasible(
-          fmt::format("the surface goes back in x at node {} at ({:g}, {:g})", nodes_[s], r.x, r.y), r.x);
+      throw mechanics::Infeasible(r.x, "the surface goes back in x at node {} at ({:g}, {:g})", nodes_[s], r.x, r.y);
     }
   }
 }
@@ -191,12 +189,10 @@ ControlVelocity::ControlVelocity(const Mesh& rest, Control control)
     : control_(control), rest_(valid(rest)), surface_(rest), freedom_(freedoms(rest)), controlled_(rest.nodes(), true) {
   require_not_negative("rate", control.rate);
   require_not_negative("surface_rate", control.surface_rate);
-  if (!surface_.exists() && (lifts() || control.surface_rate > 0)) {
-    throw std::invalid_argument(
-        fmt::format("the mesh has no surface between two walls; allowed: control none or centroid with surface_rate = "
-                    "0, not {:g}",
-                    control.surface_rate));
-  }
+  require_that(surface_.exists() || !(lifts() || control.surface_rate > 0),
+               "the mesh has no surface between two walls; allowed: control none or centroid with surface_rate = "
+               "0, not {:g}",
+               control.surface_rate);
   for (const int k : rest.outline) {
     const auto node = static_cast<std::size_t>(k);
     if (rest.held[node].one == Held::by_none) controlled_[node] = false;

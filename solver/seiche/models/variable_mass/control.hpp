@@ -20,9 +20,9 @@
 #include <string_view>
 #include <vector>
 
-#include "seiche/free_lagrangian/cell_pressure.hpp"
+#include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/free_lagrangian/mesh.hpp"
-#include "seiche/geometry/moving_triangulation.hpp"
+#include "seiche/geometry/triangulation.hpp"
 
 namespace seiche::variable_mass {
 

@@ -1,5 +1,5 @@
 /// Sums of what corrects the rates now and then, for one kind of lanes: density diffusion, density filter, particle
-/// shifting, walls' pressures (formulas in corrections.hpp); included by pair_sums.hpp.
+/// shifting, walls' pressures (formulas in right_hand_side.hpp); included by pair_sums.hpp.
 #pragma once
 
 #include "seiche/models/wcsph/lanes.hpp"

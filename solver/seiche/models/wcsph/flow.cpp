@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -13,6 +16,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -44,10 +48,8 @@ void check_period(const Settings& settings, double smoothing_length) {
   const double shortest = 3 * support * smoothing_length * (1 + skin);
   for (const auto& [name, period] :
        {std::pair{"period.x", settings.period.x}, std::pair{"period.z", settings.period.z}}) {
-    if (period < shortest) {
-      throw std::invalid_argument(
-          fmt::format("{} = {:.17g} is out of range: must be at least three supports, {:g}", name, period, shortest));
-    }
+    require_that(period >= shortest, "{} = {:.17g} is out of range: must be at least three supports, {:g}", name,
+                 period, shortest);
   }
 }
 
@@ -90,12 +92,38 @@ Particles checked(Particles particles, const Settings& settings, double spacing,
   return particles;
 }
 
+template <class... Values>
+std::vector<double> numbers(Values... values) {
+  return {static_cast<double>(values)...};
+}
+
+/// Of a parameter of Flow::parameters().
+std::string name_of(std::size_t parameter) {
+  std::istringstream names(
+      "spacing kernel smoothing gravity density sound_speed xsph filter_every density_diffusion "
+      "particle_shifting walls courant period.x period.z viscosity alpha "
+      "kinematic_viscosity smagorinsky isotropic paddles");
+  std::string name;
+  for (std::size_t k = 0; k <= parameter; ++k) {
+    if (!(names >> name)) return "hinge, pose or rate of a paddle";
+  }
+  return name;
+}
+
+/// What of particles never changes, by identity.
+auto lasting(const Particles& p) {
+  std::vector<std::tuple<std::int32_t, Kind, std::int32_t, double>> all;
+  for (std::size_t i = 0; i < p.size(); ++i) all.emplace_back(p.identity[i], p.kind[i], p.body[i], p.mass[i]);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 }  // namespace
 
 Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<Paddle> paddles)
     : settings_(settings),
       spacing_(spacing),
-      fluid_(settings.density, settings.sound_speed, settings.exponent),
+      fluid_(settings.density, settings.sound_speed),
       smoothing_(settings.smoothing * spacing),
       paddles_(std::move(paddles)),
       particles_(checked(std::move(particles), settings, spacing, paddles_)),
@@ -125,12 +153,11 @@ Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<P
 void Flow::check_start() const {
   if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity)) {
     const double highest = viscous_courant * smoothing_ * settings_.sound_speed / (shortest_step * settings_.courant);
-    if (laminar->kinematic_viscosity > highest) {
-      throw std::invalid_argument(fmt::format(
-          "kinematic viscosity nu0 = {:.17g} m^2/s is out of range: must be in [0, {:g}], or a stable step, 0.125 "
-          "h^2/nu0, is below a thousandth of the acoustic one",
-          laminar->kinematic_viscosity, highest));
-    }
+    require_that(
+        laminar->kinematic_viscosity <= highest,
+        "kinematic viscosity nu0 = {:.17g} m^2/s is out of range: must be in [0, {:g}], or a stable step, 0.125 "
+        "h^2/nu0, is below a thousandth of the acoustic one",
+        laminar->kinematic_viscosity, highest);
   }
   check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }
@@ -277,6 +304,88 @@ long Flow::outside(double left, double right, double bottom, double top) const {
     if (p.kind[i] == Kind::fluid && !inside) ++count;
   }
   return count;
+}
+
+std::vector<double> Flow::parameters(double time) const {
+  // All settings that there are: with one more this does not compile.
+  const auto& [kernel, smoothing, gravity, density, sound_speed, viscosity, xsph, filter_every, diffusion, shifting,
+               walls, courant, period] = settings_;
+  const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
+  const auto* given = std::get_if<LaminarSps>(&viscosity);
+  const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
+  std::vector<double> all =
+      numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, xsph, filter_every, diffusion, shifting,
+              walls, courant, period.x, period.z, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
+              sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
+  const PaddlePoses at = paddles_at(time);
+  for (std::size_t k = 0; k < paddles_.size(); ++k) {
+    for (const double value : numbers(paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement,
+                                      at.pose[k].angle, at.rate[k].displacement, at.rate[k].angle))
+      all.push_back(value);
+  }
+  return all;
+}
+
+FlowState Flow::state() const {
+  return {.parameters = parameters(time_),
+          .particles = particles_,
+          .reference_x = reference_x_,
+          .reference_z = reference_z_,
+          .listed = {stage_.base().x, stage_.base().z, stage_.base().density, listed_reserve_},
+          .half_travel = half_travel_,
+          .time = time_,
+          .steps = steps_,
+          .extremes = extremes_};
+}
+
+void Flow::check_state(const FlowState& state) const {
+  require_not_negative("time of the state", state.time);
+  const std::vector<double> mine = parameters(state.time);
+  const auto& theirs = state.parameters;
+  if (const auto found = std::mismatch(mine.begin(), mine.end(), theirs.begin(), theirs.end());
+      found.first != mine.end()) {
+    throw std::invalid_argument(fmt::format("state of a flow with {} = {}: must be {}, as of this one",
+                                            name_of(static_cast<std::size_t>(found.first - mine.begin())),
+                                            found.second == theirs.end() ? std::nan("") : *found.second, *found.first));
+  }
+  check_particles(state.particles, paddles_);
+  const std::size_t n = particles_.size();
+  require_that(lasting(state.particles) == lasting(particles_),
+               "state of {} particles: must be the {} of this flow, of their kind and mass", state.particles.size(), n);
+  const auto& [x, z, density, reserve] = state.listed;
+  require_that(x.size() == n && z.size() == n && density.size() == n &&
+                   state.reference_x.size() == reference_x_.size() && state.reference_z.size() == reference_z_.size(),
+               "state with other arrays than of {} particles: must be as state() gave it", n);
+}
+
+void Flow::resume(const FlowState& state) {
+  check_state(state);
+  const FlowState before = this->state();
+  try {
+    adopt(state);
+  } catch (...) {
+    adopt(before);
+    throw;
+  }
+}
+
+void Flow::adopt(const FlowState& state) {
+  particles_ = state.particles;
+  reference_x_ = state.reference_x;
+  reference_z_ = state.reference_z;
+  time_ = state.time;
+  steps_ = state.steps;
+  // Lists as they were, of the places then; what is in order stays in order.
+  particles_.x = state.listed.x;
+  particles_.z = state.listed.z;
+  particles_.density = state.listed.density;
+  require_that(sort(state.listed.reserve), "state of a flow of other settings: its particles are in another order");
+  particles_.x = state.particles.x;
+  particles_.z = state.particles.z;
+  particles_.density = state.particles.density;
+  level_known_ = false;
+  half_travel_ = state.half_travel;
+  extremes_ = state.extremes;
 }
 
 }  // namespace seiche::wcsph

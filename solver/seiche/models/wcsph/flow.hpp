@@ -8,7 +8,7 @@
 ///     \tag{6} @f]
 ///
 /// with Pi_ab the artificial viscosity or, in its place, laminar viscosity and the stress of unresolved eddies (4), the
-/// equation of state of equation_of_state.hpp, h_ab the mean of both smoothing lengths, and the explicit midpoint rule
+/// equation of state of settings.hpp, h_ab the mean of both smoothing lengths, and the explicit midpoint rule
 /// (7), (8). Walls are dynamic particles: they obey (2) and (5) and stand where they are, or go with a paddle. Mass is
 /// constant; momentum of a free body is conserved to round-off; angular momentum and energy by the equations in
 /// continuous time, by the steps to their order.
@@ -24,7 +24,7 @@
 /// WallPressure::extrapolated and density diffusion; vortices at Reynolds numbers above
 /// about 30 without particle shifting.
 ///
-/// References: Monaghan (1994), cited in equation_of_state.hpp; Dalrymple and Rogers, Numerical modeling of water waves
+/// References: Monaghan (1994), cited in settings.hpp; Dalrymple and Rogers, Numerical modeling of water waves
 /// with the SPH method, Coastal Eng. 53 (2006) 141; Lo and Shao, Simulation of near-shore solitary wave mechanics by an
 /// incompressible SPH method, Appl. Ocean Res. 24 (2002) 275 (SPS); Colagrossi and Landrini (2003) J. Comput. Phys. 191
 /// (density filter).
@@ -36,8 +36,6 @@
 #include <vector>
 
 #include "seiche/model.hpp"
-#include "seiche/models/wcsph/corrections.hpp"
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/right_hand_side.hpp"
@@ -92,7 +90,7 @@ class Flow {
   /// where it is below 1e-3 of the acoustic one.
   [[nodiscard]] double stable_step();
 
-  /// Everything that decides how it goes on; see flow_state.hpp.
+  /// Everything that decides how it goes on.
   [[nodiscard]] FlowState state() const;
   /// Goes on from the state of a Flow that was made of the same particles, settings and paddles: the same bytes as
   /// that one would have given. Throws std::invalid_argument, with the parameter and both its values, where it was of
@@ -161,6 +159,26 @@ class Flow {
   double time_ = 0;
   long steps_ = 0;
   bool level_known_ = false;  ///< whether rates_ are those of the present state
+};
+
+// All that decides how a Flow goes on, to the last bit: to be kept, and given to Flow::resume() of a Flow that was
+// made of the same particles, settings and paddles.
+
+struct FlowState {
+  /// What the flow was made of besides its particles: settings, spacing, and paddles by their poses at `time`.
+  std::vector<double> parameters;
+  Particles particles;                           ///< in the order of the last sorting
+  std::vector<double> reference_x, reference_z;  ///< of what paddles carry, in the pose {0, 0}; empty without paddles
+  /// What the candidate lists were made of at the last sorting. Sums run in the order of the lists: made of later
+  /// places they would differ by rounding.
+  struct Listed {
+    std::vector<double> x, z, density;
+    double reserve = 0;  ///< [m]
+  } listed;
+  double half_travel = 0;  ///< what half a step is going to use of the reserve, by the last one [m]
+  double time = 0;
+  long steps = 0;
+  Extremes extremes;
 };
 
 }  // namespace seiche::wcsph

@@ -58,7 +58,7 @@ struct WallMeans {
   double pressure, lever_x, lever_z;
 };
 
-/// Moments of corrections.hpp, all over the same factor of the kernel; m0, mx, mz carry masses in place of volumes.
+/// Moments of right_hand_side.hpp, all over the same factor of the kernel; m0, mx, mz carry masses in place of volumes.
 struct FilterMoments {
   double a00, ax, az, axx, axz, azz, m0, mx, mz;
   double neighbours;  ///< the particle itself left out

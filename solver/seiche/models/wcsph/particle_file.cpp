@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 #include "seiche/io/atomic_file.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -60,14 +62,10 @@ ParticleFile::~ParticleFile() = default;
 void ParticleFile::frame(double time, const Particles& particles, std::span<const double> pressure) {
   require_finite("time", time);
   std::vector<io::XdmfFrame>& frames = series_->frames;
-  if (!frames.empty() && time <= frames.back().time) {
-    throw std::invalid_argument(
-        fmt::format("time = {:.17g} of a frame: must be later than {:.17g}, the last one's", time, frames.back().time));
-  }
+  const double last = frames.empty() ? -std::numeric_limits<double>::infinity() : frames.back().time;
+  require_that(time > last, "time = {:.17g} of a frame: must be later than {:.17g}, the last one's", time, last);
   const std::size_t count = particles.size();
-  if (pressure.size() != count) {
-    throw std::invalid_argument(fmt::format("{} pressures for {} particles: must be as many", pressure.size(), count));
-  }
+  require_that(pressure.size() == count, "{} pressures for {} particles: must be as many", pressure.size(), count);
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),

@@ -10,8 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -32,7 +33,7 @@ struct WallRows {
 class SceneBuilder {
  public:
   SceneBuilder(double spacing, Lattice lattice, const Settings& settings)
-      : fluid_(settings.density, settings.sound_speed, settings.exponent),
+      : fluid_(settings.density, settings.sound_speed),
         gravity_(settings.gravity),
         cell_mass_(settings.density * spacing * spacing),
         particle_area_(area_per_particle(lattice)),
@@ -49,11 +50,9 @@ class SceneBuilder {
     require_positive(name, length);
     const double steps = length / scene.spacing;
     const double rounded = std::round(steps);
-    if (!(rounded >= static_cast<double>(least) && rounded <= most_cells)) {
-      throw std::invalid_argument(
-          fmt::format("{} = {:g} is {:g} spacings of {:g}: must be at least {} and at most {:g}", name, length, steps,
-                      scene.spacing, least, most_cells));
-    }
+    require_that(rounded >= static_cast<double>(least) && rounded <= most_cells,
+                 "{} = {:g} is {:g} spacings of {:g}: must be at least {} and at most {:g}", name, length, steps,
+                 scene.spacing, least, most_cells);
     if (std::abs(steps - rounded) > whole_number_tolerance * rounded) {
       scene.warnings.push_back(fmt::format("{} = {:.12g} is {:.12g} spacings: rounded to {:.12g}", name, length, steps,
                                            rounded * scene.spacing));
@@ -108,10 +107,8 @@ class SceneBuilder {
   /// The same in columns from number `first` on, with a surface of its own.
   void water_at_rest(long first, long columns, long rows, bool hydrostatic_start) {
     const double cells = static_cast<double>(columns) * static_cast<double>(rows);
-    if (cells > most_cells) {
-      throw std::invalid_argument(fmt::format("{} x {} cells of water at spacing = {:g}: must be at most {:g}", columns,
-                                              rows, scene.spacing, most_cells));
-    }
+    require_that(cells <= most_cells, "{} x {} cells of water at spacing = {:g}: must be at most {:g}", columns, rows,
+                 scene.spacing, most_cells);
     const double level = length(rows);
     for (const Place& place : rectangle(lattice_, scene.spacing, length(first), 0, columns, rows)) {
       fluid(place, particle_area_, hydrostatic(hydrostatic_start ? level - place.z : 0));
@@ -173,11 +170,9 @@ class Depth {
 
   [[nodiscard]] double at(double x) const {
     const double elevation = layer_.elevation ? layer_.elevation(x) : 0;
-    if (!(std::isfinite(elevation) && elevation > -layer_.depth)) {
-      throw std::invalid_argument(
-          fmt::format("elevation = {:g} at x = {:g} is out of range: must be finite and above {:g}, the bottom",
-                      elevation, x, -layer_.depth));
-    }
+    require_that(std::isfinite(elevation) && elevation > -layer_.depth,
+                 "elevation = {:g} at x = {:g} is out of range: must be finite and above {:g}, the bottom", elevation,
+                 x, -layer_.depth);
     return layer_.depth + elevation;
   }
   /// Mean over the strip of a line, by Gauss's rule of three points.

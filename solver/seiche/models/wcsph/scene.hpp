@@ -25,7 +25,6 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/wcsph/lattice.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 

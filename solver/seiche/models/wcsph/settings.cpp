@@ -51,7 +51,6 @@ void validate(const Settings& settings) {
   require_not_negative("gravity", settings.gravity);
   require_positive("density", settings.density);
   require_positive("sound_speed", settings.sound_speed);
-  require_within("exponent", settings.exponent, 1, 100);
   std::visit([](const auto& viscosity) { validate_viscosity(viscosity); }, settings.viscosity);
   require_within("xsph", settings.xsph, 0, 1);
   require_at_least("filter_every", settings.filter_every, 0);
@@ -59,6 +58,40 @@ void validate(const Settings& settings) {
   require_within("courant", settings.courant, 1e-6, 1);
   validate_period("period.x", settings.period.x);
   validate_period("period.z", settings.period.z);
+}
+
+TaitFluid::TaitFluid(double density, double sound_speed) : density_(density), sound_speed_(sound_speed) {
+  require_positive("density", density);
+  require_positive("sound_speed", sound_speed);
+  stiffness_ = density * sound_speed * sound_speed / exponent;
+}
+
+double TaitFluid::pressure(double density) const {
+  return stiffness_ * (std::pow(density / density_, exponent) - 1);
+}
+
+double TaitFluid::density_at(double pressure) const {
+  return density_ * std::pow(1 + pressure / stiffness_, 1 / exponent);
+}
+
+double TaitFluid::sound_speed(double density) const {
+  return sound_speed_ * std::pow(density / density_, 0.5 * (exponent - 1));
+}
+
+double TaitFluid::elastic_energy(double density) const {
+  const double s = density / density_;
+  // The three terms cancel to (s-1)^2 near s = 1: the same with s = 1 + d, each bracket small by itself.
+  const double d = s - 1;
+  const double n = exponent - 1;
+  return stiffness_ / density_ * (std::expm1(n * std::log1p(d)) / n - d / s);
+}
+
+double TaitFluid::hydrostatic_density(double gravity, double depth) const {
+  require_finite("gravity", gravity);
+  require_finite("depth", depth);
+  const double base = 1 + density_ * gravity * depth / stiffness_;
+  require_within("hydrostatic base 1 + rho_0 g depth/B", base, 0, 2);
+  return density_ * std::pow(base, 1 / exponent);
 }
 
 }  // namespace seiche::wcsph

@@ -20,15 +20,11 @@ SEICHE_SIMD_CLONES void derive_seventh(const double* density, std::size_t count,
   }
 }
 
-/// h of each density, by the law of derive_seventh()'s s or of other exponents.
-SEICHE_SIMD_CLONES void smoothing_lengths(const double* density, std::size_t count, double reference, bool seventh,
-                                          double h, double* smoothing) {
+/// h of each density.
+SEICHE_SIMD_CLONES void smoothing_lengths(const double* density, std::size_t count, double reference, double h,
+                                          double* smoothing) {
   const double inverse = 1 / reference;
-  if (seventh) {
-    for (std::size_t k = 0; k < count; ++k) smoothing[k] = h / std::sqrt(density[k] * inverse);
-  } else {
-    for (std::size_t k = 0; k < count; ++k) smoothing[k] = h * std::sqrt(reference / density[k]);
-  }
+  for (std::size_t k = 0; k < count; ++k) smoothing[k] = h / std::sqrt(density[k] * inverse);
 }
 
 void copy(const Particles& particles, std::size_t first, std::size_t count, StateBlock& block) {
@@ -68,20 +64,13 @@ void Stage::adopt(const Particles& particles, std::span<const Image> images) {
 }
 
 void Stage::smoothing_of(const double* density, std::size_t count, double* smoothing) const {
-  smoothing_lengths(density, count, fluid_.reference_density(), fluid_.exponent() == 7, smoothing_, smoothing);
+  smoothing_lengths(density, count, fluid_.reference_density(), smoothing_, smoothing);
 }
 
 Stage::Derived Stage::derived(const double* density, std::size_t count) const {
   Derived derived;
-  if (fluid_.exponent() == 7) {
-    derive_seventh(density, count, fluid_.reference_density(), fluid_.stiffness(),
-                   sound_scale_ * fluid_.reference_sound_speed(), derived.pressure.data(), derived.sound.data());
-  } else {
-    for (std::size_t k = 0; k < count; ++k) {
-      derived.pressure[k] = fluid_.pressure(density[k]) / (density[k] * density[k]);
-      derived.sound[k] = sound_scale_ * fluid_.sound_speed(density[k]);
-    }
-  }
+  derive_seventh(density, count, fluid_.reference_density(), fluid_.stiffness(),
+                 sound_scale_ * fluid_.reference_sound_speed(), derived.pressure.data(), derived.sound.data());
   smoothing_of(density, count, derived.smoothing.data());
   return derived;
 }

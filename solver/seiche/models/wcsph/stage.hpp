@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
+#include "seiche/models/wcsph/settings.hpp"
 
 namespace seiche::wcsph {
 

@@ -1,4 +1,4 @@
-#include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -15,7 +16,7 @@ std::vector<StreamFunction> linear_fields() {
 }
 
 PolynomialSpace::PolynomialSpace(std::vector<StreamFunction> basis) : basis_(std::move(basis)) {
-  if (basis_.empty()) throw std::invalid_argument("no stream function; allowed: at least one");
+  require_that(!basis_.empty(), "no stream function; allowed: at least one");
   for (const StreamFunction& function : basis_) {
     for (const Monomial& term : function) {
       require_finite("coefficient of a stream function", term.coefficient);
@@ -44,9 +45,8 @@ void PolynomialSpace::place(mechanics::Interval, std::span<const double> x, std:
   factors_.compute(root_mass_.asDiagonal() * fields_);
   facts_ = {.unknowns = basis_.size()};
   if (factors_.rank() < count) {
-    throw mechanics::Infeasible(
-        fmt::format("{} fields, of which {} are independent on the {} particles", count, factors_.rank(), n),
-        x.empty() ? 0 : x[0]);
+    throw mechanics::Infeasible(x.empty() ? 0 : x[0], "{} fields, of which {} are independent on the {} particles",
+                                count, factors_.rank(), n);
   }
 }
 

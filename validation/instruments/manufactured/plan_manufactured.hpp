@@ -28,7 +28,7 @@
 
 #include "seiche/exact/reference_solution.hpp"
 
-namespace seiche::exact {
+namespace seiche::validation {
 
 class PlanManufactured {
  public:
@@ -67,11 +67,11 @@ class PlanManufactured {
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] double period() const { return 2 * std::numbers::pi / parameters_.frequency; }  ///< [s]
 
-  [[nodiscard]] double uncertainty() const { return 100 * epsilon; }
-  [[nodiscard]] SelfTest self_test() const;
+  [[nodiscard]] double uncertainty() const { return 100 * exact::epsilon; }
+  [[nodiscard]] exact::SelfTest self_test() const;
 
  private:
   Parameters parameters_;
 };
 
-}  // namespace seiche::exact
+}  // namespace seiche::validation

@@ -1,4 +1,4 @@
-#include "seiche/plan_lattice/rezoned_places.hpp"
+#include "seiche/plan_lattice/swept_remap.hpp"
 
 #include <algorithm>
 #include <cmath>

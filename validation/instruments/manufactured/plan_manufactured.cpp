@@ -1,4 +1,4 @@
-#include "seiche/exact/plan_manufactured.hpp"
+#include "validation/instruments/manufactured/plan_manufactured.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +10,10 @@
 
 #include <boost/math/differentiation/finite_difference.hpp>
 
-#include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
-namespace seiche::exact {
+namespace seiche::validation {
 
 namespace {
 
@@ -164,7 +163,7 @@ PlanManufactured::Label PlanManufactured::label(double x, double y, double t) co
 }
 
 /// The derivatives are those of the returned values alone, in variables in which they vary over unit distance.
-SelfTest PlanManufactured::self_test() const {
+exact::SelfTest PlanManufactured::self_test() const {
   const Parameters& p = parameters_;
   const double k = std::numbers::pi / p.length;
   const double closest = 1 - 2.3 * std::abs(p.amplitude) * k;  // lower bound of J
@@ -231,6 +230,7 @@ SelfTest PlanManufactured::self_test() const {
       10 * std::abs(std::sin(k * p.length) * p.amplitude * k) * (1 / std::numbers::pi + wall_force);
   // Eighth-order differences over h = (551 eps)^(1/9) = 0.037 scales: weights of 2.1/h in sum, 1.17/h in the root of
   // the sum of their squares.
+  constexpr double epsilon = exact::epsilon;
   const double limit = 8 * epsilon * p.length / label_scale * 2.1 / 0.037;
   const double noise = 4 * epsilon * std::sqrt(4) * 1.17 / 0.037;
   const double tilt = noise * p.length / label_scale * strain / closest;
@@ -249,41 +249,4 @@ SelfTest PlanManufactured::self_test() const {
            "the same of lambda H - g H^2/2 over its scale, and of x and y times its gradient"}};
 }
 
-ExactSolution plan_manufactured_entry() {
-  return Entry<PlanManufactured>{
-      .name = "plan_manufactured",
-      .title = "Manufactured motion for the Green-Naghdi equations in a square basin, with its body force",
-      .citation =
-          "manufactured: Roache, Code verification by the method of manufactured solutions, J. Fluids Eng. 124 (2002) "
-          "4; model: Green and Naghdi, J. Fluid Mech. 78 (1976) 237; Miles and Salmon, J. Fluid Mech. 157 (1985) 519",
-      .formula =
-          "x = X + A sin kX cos kY cos(w t + 1/2), y = Y + A (0.7 cos kX sin kY cos(w t + 1) + 0.3 cos 2kX sin 2kY sin "
-          "w t), H = d/J, b = x_tt + g grad H + (alpha/H) grad(H^2 D^2 H)",
-      .parameters = {{"amplitude", "m", 0.15, -1e6, 1e6, "of the motion, at most 0.3 length/pi"},
-                     depth_parameter(1, 1e6),
-                     gravity_parameter(),
-                     {"length", "m", std::numbers::pi, 1e-9, 1e6, "side of the basin"},
-                     {"frequency", "1/s", 1.3, 1e-9, 1e6, "angular frequency of the motion"},
-                     {"alpha", "1", 1.0 / 3, 1e-6, 10, "factor of the vertical kinetic energy, 1/3 for Green-Naghdi"}},
-      .inputs = {{"label_x", "m", 0.5, "label X of the column of water"},
-                 {"label_y", "m", 0.5, "label Y of the column of water"},
-                 time_t},
-      .outputs = {{"x", "m", "place"},
-                  {"y", "m", "place"},
-                  {"u", "m/s", "horizontal velocity along x"},
-                  {"v", "m/s", "horizontal velocity along y"},
-                  depth_h,
-                  {"h_rate", "m/s", "rate of the depth at the label"},
-                  {"lambda", "m^2/s^2", "multiplier of the volume, g h at rest"},
-                  {"bx", "m/s^2", "body force per unit mass along x"},
-                  {"by", "m/s^2", "body force per unit mass along y"}},
-      .scalars = {{"period", "s", "period of the motion", &PlanManufactured::period}},
-      .make = made_by([](auto... given) { return PlanManufactured({given...}); }, "gravity", "depth", "length",
-                      "amplitude", "frequency", "alpha"),
-      .row = [](const PlanManufactured& flow, At at) {
-        const auto [x, y, u, v, depth, depth_rate, lambda, bx, by] = flow.at(at[0], at[1], at[2]);
-        return Row{x, y, u, v, depth, depth_rate, lambda, bx, by};
-      }};
-}
-
-}  // namespace seiche::exact
+}  // namespace seiche::validation
