@@ -48,7 +48,6 @@ struct Axes {
   std::string title;
   bool log_x = false;
   bool log_y = false;
-  bool polar = false;  ///< x is a direction in degrees, counter-clockwise from the right, and y the radius
   bool equal_aspect = false;
   std::optional<double> x_min, x_max, y_min, y_max, z_min, z_max;
   View view = {};

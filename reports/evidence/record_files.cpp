@@ -44,7 +44,6 @@ void write_panel(io::Hdf5File& file, const std::string& path, const Panel& panel
   file.attribute(path, "log_y", axes.log_y ? 1 : 0);
   file.attribute(path, "aspect", std::string_view(axes.equal_aspect ? "equal" : "auto"));
   if (!axes.z.empty()) file.attribute(path, "z_label", axes.z);
-  if (axes.polar) file.attribute(path, "polar", 1);
   const std::array<std::pair<const char*, const std::optional<double>*>, 9> numbers{
       {{"x_min", &axes.x_min},
        {"x_max", &axes.x_max},

@@ -1,10 +1,6 @@
 """Solvers beside each other: for every case that scored somebody else's result, error, cost and order.
 
-The order is that of the shown quantity in the ladder of sizes that was scored. Runs with several cells may also be
-records of several names, as in interFoam-16 and interFoam-32: where the numbers are those of the cells to one length,
-what stands before them is the solver (interFoam-2206 and interFoam-2312 are two), and the order is the slope of
-log(error) over log(cell), by least squares. It says how far the error falls with the cells that were used, not what it
-would do in the limit.
+The order is that of the shown quantity in the series of sizes that was scored (`--sizes`).
 
 `python3 -m render.league FOLDER... SOLVER=VERSION...` prints the results of folders of records as the table
 reports/record/solvers.csv, from which the report shows, and `seiche score` ranks by, what is not in the evidence.
@@ -27,45 +23,35 @@ STORED = files.RECORD / "solvers.csv"
 COLUMNS = ("case", "settings", "quantity", "solver", "version", "cell", "error", "order", "seconds", "met", "claims", "machine",
            "date")
 
-SAME_LENGTH = 0.05      # relative difference of number times cell: a cell is stated with two digits
-
 
 @dataclasses.dataclass
 class Run:
     """One record as a row."""
     record: object
-    solver: str
     cell: float | None
     error: float | None
-    order: float | None = None
+    order: float | None
 
 
 @dataclasses.dataclass
 class Table:
-    """One case: its runs, our own first, then by solver and from coarse to fine."""
+    """One case: its runs, our own first, then by solver."""
     case: object
     quantity: str
     runs: list
     costs: object = None        # costs.Costs, where somebody scored several sizes
 
 
-def solvers_of(records):
-    """The solver of each record: interFoam of interFoam-16 and interFoam-32 where number times cell is the same."""
-    split = [None if record.own else re.fullmatch(r"(.+)[-_](\d+)", record.solver) for record in records]
-    lengths = collections.defaultdict(list)
-    for record, parts in zip(records, split):
-        if parts:
-            lengths[parts[1]].append(int(parts[2]) * (record.measurements.get("cell_size") or math.nan))
-    sizes = {stem for stem, found in lengths.items()
-             if all(abs(length - found[0]) <= SAME_LENGTH * found[0] for length in found)}
-    return [record.by if record.own else parts[1] if parts and parts[1] in sizes else record.solver
-            for record, parts in zip(records, split)]
+def measured(record):
+    """Its measurements; of an experiment the difference that its readings share, for a curve holds the gate's time too."""
+    shared = [] if isinstance(record.claims, str) else [claim for claim in record.claims if claim.id == "agreement"]
+    return {"readings_relative_l1": shared[0].measured} if shared else record.measurements
 
 
 def error_names(scored):
     """What the error is, the pattern of the measurements that say it, and the quantity: the first that all have."""
     for pattern, words in ERRORS.items():
-        found = [[name for name in record.measurements if re.fullmatch(pattern, name)] for record in scored]
+        found = [[name for name in measured(record) if re.fullmatch(pattern, name)] for record in scored]
         if all(found):
             first = re.fullmatch(pattern, found[0][0])
             stem = first[1] if first.re.groups else None
@@ -76,8 +62,8 @@ def error_names(scored):
 
 def of_quantity(record, pattern, stem):
     """Its errors, one per gauge or time."""
-    found = {name: re.fullmatch(pattern, name) for name in record.measurements}
-    return [record.measurements[name] for name, match in found.items() if match and (stem is None or match[1] == stem)]
+    return [value for name, value in measured(record).items()
+            if (match := re.fullmatch(pattern, name)) and (stem is None or match[1] == stem)]
 
 
 def error_of(record, pattern, stem):
@@ -86,30 +72,11 @@ def error_of(record, pattern, stem):
     return max(map(abs, values)) if values and all(value is not None for value in values) else None
 
 
-def order_of(runs):
-    """Of the runs; None for fewer than two sizes, or an error that is zero."""
-    points = [(math.log(run.cell), math.log(run.error)) for run in runs if run.cell and run.error]
-    mean_x, mean_y = (sum(p[k] for p in points) / max(len(points), 1) for k in (0, 1))
-    spread = sum((x - mean_x) ** 2 for x, _ in points)
-    return sum((x - mean_x) * (y - mean_y) for x, y in points) / spread if spread > 0 else None
-
-
 def table(case):
-    scored = [record for record in case.records if not record.own]
-    words, pattern, quantity = error_names(scored)
-    runs = [Run(record, solver, record.measurements.get("cell_size"), error_of(record, pattern, quantity),
-                record.measurements.get(f"ladder_order_{quantity}"))
-            for record, solver in zip(case.records, solvers_of(case.records))]
-    by_solver = collections.OrderedDict()
-    for run in runs:
-        by_solver.setdefault(run.solver, []).append(run)
-    ordered = []
-    for members in by_solver.values():
-        members.sort(key=lambda run: -(run.cell or math.inf))
-        if all(run.order is None for run in members):
-            members[-1].order = order_of(members)
-        ordered += members
-    return Table(case, words, ordered, costs.survey(case.records))
+    words, pattern, quantity = error_names([record for record in case.records if not record.own])
+    runs = [Run(record, record.measurements.get("cell_size"), error_of(record, pattern, quantity),
+                record.measurements.get(f"ladder_order_{quantity}")) for record in case.records]
+    return Table(case, words, runs, costs.survey(case.records))
 
 
 def survey(cases, kept=None):
@@ -141,15 +108,11 @@ def _number(text):
 
 
 def rows_of(record, versions):
-    """A row for every quantity with a relative error: of a curve in L1, the largest over gauges and instants; of an
-    experiment the difference that its readings share."""
+    """A row for every quantity with a relative error: of a curve in L1, the largest over gauges and instants."""
     errors = collections.defaultdict(list)
-    for name, value in record.measurements.items():
+    for name, value in measured(record).items():
         if found := re.fullmatch(r"(\w+?)_relative_(?:l1|error)(?:_.+)?", name):
             errors[found[1]].append(math.inf if value is None else abs(value))
-    shared = [claim.measured for claim in record.claims if claim.id == "agreement"]
-    if shared:
-        errors = {"readings": shared}
     solver = record.solver
     settings = ""
     if record.own:      # of its own discretisation are the parameters, not of the problem

@@ -12,8 +12,8 @@ in each cell gives the same front. Tier `full`: five spacings from $a/18$ to $a/
 **What is compared.** The front with the points of the wider column, $a = 5.715$ cm: as it stands, and with one shift
 of the time origin, for the columns were let go by melting a diaphragm of waxed paper, which delays the start by a time
 that was not measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be
-repeated from the text; the curve of OpenFOAM's interFoam (`examples/solvers/openfoam`) takes its place, which has no
-artificial viscosity to hold the column back.
+repeated from the text: OpenFOAM's interFoam (`examples/solvers/openfoam`), which has no artificial viscosity to hold
+the column back, takes its place.
 
 **What to look at.** As it stands the computed front is ahead, by 7 to 10 per cent with the publication's spacing
 $a/50$, as a column must be that nothing delays. Shifted, it goes through the points. Artificial viscosity goes with the

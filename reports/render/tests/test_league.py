@@ -23,29 +23,11 @@ class League(unittest.TestCase):
         loaded = [records.Record(f"{k}.json", one) for k, one in enumerate(raw)]
         return league.survey([records.Case("wave", loaded)])
 
-    def test_order_is_the_slope_over_the_cells(self):
-        one, = self.table(record("wave"), *(scored(f"boxes-{n}", 1 / n, 3 / n**2) for n in (20, 10, 40)))
-        self.assertEqual([run.record.solver for run in one.runs], ["seiche", "boxes-10", "boxes-20", "boxes-40"])
-        self.assertEqual([run.order for run in one.runs[:-1]], [None] * 3)
-        self.assertAlmostEqual(one.runs[-1].order, 2)
-
-    def test_order_of_a_ladder_goes_before_the_slope(self):
+    def test_order_is_that_of_the_quantity_shown(self):
         ladder = {"ladder_order_R": 1.0, "ladder_order_eta": 1.5, "ladder_order_u": 2.0}
-        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("boxes-20", 0.05, 0.2, measurements=ladder))
-        self.assertEqual([run.order for run in one.runs], [None, 1.5], "that of the quantity shown")
-
-    def test_a_run_without_a_cell_hides_no_order(self):
-        ladder = scored("boxes", 0.1, 0.25, measurements={"ladder_order_eta": 1.5})
-        again = scored("boxes", None, 0.2, tier="full")
-        one, = self.table(ladder, again)
-        self.assertEqual([run.order for run in one.runs], [None, 1.5])
-        one, = self.table(scored("boxes", 0.1, 0.2), scored("boxes", 0.05, 0.1), again)
-        self.assertAlmostEqual(one.runs[-1].order, 1)
-
-    def test_a_version_is_no_number_of_cells(self):
-        one, = self.table(scored("interFoam-2206", 0.1, 0.25), scored("interFoam-2312", 0.05, 0.2))
-        self.assertEqual([(run.solver, run.order) for run in one.runs],
-                         [("interFoam-2206", None), ("interFoam-2312", None)])
+        one, = self.table(record("wave"), scored("boxes", 0.05, 0.2, measurements=ladder), scored("circles", None, 0.2))
+        self.assertEqual([(run.record.solver, run.order) for run in one.runs],
+                         [("seiche", None), ("boxes", 1.5), ("circles", None)])
 
     def test_error_is_that_of_the_worst_time(self):
         one, = self.table(scored("boxes", 0.1, 0.25))
@@ -54,10 +36,6 @@ class League(unittest.TestCase):
     def test_a_solver_without_the_measurement_has_no_error(self):
         one, = self.table(scored("boxes", 0.1, 0.25), scored("circles", 0.1, 0.5, measurements={"eta_relative_l1_t_2": None}))
         self.assertEqual([run.error for run in one.runs], [0.25, None])
-
-    def test_one_run_and_an_exact_one_have_no_order(self):
-        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("circles-10", 0.1, 0.0), scored("circles-20", 0.05, 0.0))
-        self.assertEqual([run.order for run in one.runs], [None] * 3)
 
     def test_a_stored_result_is_what_the_record_said(self):
         rows = [row for one in (scored("boxes", 0.1, 0.25, measurements={"ladder_order_eta": 1.5}), scored("circles", 0.2, 0.5))
