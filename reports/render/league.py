@@ -17,7 +17,8 @@ import types
 from render import costs, files, records
 
 # Measurements that say how far a result is off, the first that all share; a suffix names the gauge or the time.
-ERRORS = {r"rms_shifted": "rms of the front, shifted", r"(\w+?)_relative_l1(_.+)?": "relative L1 error of {}",
+ERRORS = {r"rms_shifted": "rms of the front, shifted", r"(readings)_relative_l1": "relative difference that all {} share",
+          r"(\w+?)_relative_l1(_.+)?": "relative L1 error of {}",
           r"(\w+?)_relative_l2(_.+)?": "relative L2 error of {}", r"(\w+?)_relative_error(_.+)?": "relative error of {}"}
 STORED = files.RECORD / "solvers.csv"
 COLUMNS = ("case", "settings", "quantity", "solver", "version", "cell", "error", "order", "seconds", "met", "claims", "machine",
@@ -118,8 +119,8 @@ def rows_of(record, versions):
     if record.own:      # of its own discretisation are the parameters, not of the problem
         solver = " ".join(["seiche", *(str(p["value"]) for name, p in record.parameters.items() if name == "scheme")])
     else:
-        settings = ";".join(f"{name}={p['value']:g}" if isinstance(p["value"], float) else f"{name}={p['value']}"
-                            for name, p in sorted(record.parameters.items()) if p["value"] != p["default"])
+        settings = ";".join(f"{name}={_setting(p['value'])}" for name, p in sorted(record.parameters.items())
+                            if p["value"] != p["default"])
     told = record.provenance
     cell = record.measurements.get("cell_size", record.parameters.get("cell", {}).get("value"))
     for quantity, values in sorted(errors.items()):
@@ -129,6 +130,11 @@ def rows_of(record, versions):
             _digits(record.measurements.get(f"ladder_order_{quantity}")), _digits(record.wall_time),
             sum(claim.verdict == "pass" for claim in record.claims), len(record.claims), told["processor"],
             told["date"][:10])))
+
+
+def _setting(value):
+    """As `seiche score` writes it, which looks for results with the settings of its own."""
+    return str(value).lower() if isinstance(value, bool) else str(value).removesuffix(".0")
 
 
 def _digits(number):

@@ -335,7 +335,7 @@ def at_random(options, judge, record):
     compiled = {number: change for number in range(options.count) if (change := next(drawn(number), None)) and
                 change.file.endswith((".cpp", ".hpp"))} if many else {}
     if compiled:
-        together = Together(compiled, ROOT / "build/mutants" / seed)
+        together = Together(compiled, ROOT / "build/mutants" / f"{seed}-{record.commit}")
         trials = Trials(judge, together, judge.scratch, options.jobs)
         trying = [number for number in to_do if number in together.inside]
         with ThreadPoolExecutor(options.jobs) as workers:

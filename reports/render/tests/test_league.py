@@ -51,6 +51,12 @@ class League(unittest.TestCase):
         self.assertEqual([(run.record.by, run.cell, run.error, run.order) for run in one.runs],
                          [("circles", 0.1, 0.1, None), ("boxes 2.1", 0.1, 0.25, 1.5)], "a solver's own record takes its place")
 
+    def test_settings_are_written_as_the_command_writes_them(self):
+        parameters = {name: {"value": value, "default": None}
+                      for name, value in {"depth": 0.6343140641800991, "open": True, "time": 8.0}.items()}
+        row, = league.rows_of(records.Record("0.json", scored("boxes", 0.1, 0.25, parameters=parameters)), {})
+        self.assertEqual(row["settings"], "depth=0.6343140641800991;open=true;time=8")
+
     def test_page_is_made_where_others_are(self):
         with tempfile.TemporaryDirectory() as folder:
             out = reported(folder, record("wave"))

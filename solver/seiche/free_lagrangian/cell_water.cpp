@@ -22,10 +22,6 @@ double mean_square(double a, double b) {
   return (a * a + a * b + b * b) / 6;
 }
 
-// Of the mean diagonal, for the factor alone: without a free surface a constant pressure has no force either.
-constexpr double shift = 1e-12;
-constexpr double smallest_pivot = 1e-10;  // over the largest: below, A is singular
-
 Triangulation triangulated(const Mesh& mesh) {
   mesh.require_valid();
   return triangulate_polygon(mesh.places(), mesh.outline);
@@ -205,24 +201,14 @@ void CellPressure::factor(std::span<const Mobility> mobility) {
     const double smooth = p == 0 ? 1 : q == 0 ? -1 / neighbours : 1 / (neighbours * neighbours);
     return dot(one, other) + stiffness_ * smooth;
   });
-  const bool may_be_singular = stabilisation_ == 0;
-  try {
-    // With a shift a singular matrix would look regular: its smallest pivot grows with the number of nodes.
-    solver_.factor(matrix_, may_be_singular ? 0 : shift * mean);
-  } catch (const linear::NotPositiveDefinite&) {
-    if (may_be_singular) throw_singular(0);
-    throw;
-  }
-  if (may_be_singular && !(solver_.pivot_ratio() >= smallest_pivot)) throw_singular(solver_.pivot_ratio());
-}
-
-void CellPressure::throw_singular(double pivots) const {
+  const auto pivots = solver_.factor_or_singular(matrix_, mean, stabilisation_ != 0);
+  if (!pivots) return;
   throw mechanics::Infeasible(
       triangulation_.nodes()[0].x,
       "singular configuration: pressures without forces, as on lattices symmetric about their nodes "
       "(smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set stabilisation > "
       "0, or stagger the rows",
-      pivots, smallest_pivot);
+      *pivots, linear::RingSolver::smallest_pivot);
 }
 
 void CellPressure::rates(std::span<const double> u, std::span<double> w) const {

@@ -91,7 +91,6 @@ class CellPressure {
   [[nodiscard]] const linear::RingMatrix& matrix() const { return matrix_; }
 
  private:
-  [[noreturn]] void throw_singular(double pivots) const;
   [[nodiscard]] std::size_t nodes() const { return triangulation_.nodes().x.size(); }
 
   double stabilisation_;

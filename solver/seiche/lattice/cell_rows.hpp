@@ -27,6 +27,14 @@ constexpr std::size_t corner_at(int px, int py, int pz) {
   return static_cast<std::size_t>(4 * pz + (py == 0 ? px : 3 - px));
 }
 
+/// Of an element in space that keeps its gradients as they are, number 3 corner + axis.
+struct StoredGradients {
+  template <std::size_t corner, std::size_t axis>
+  SEICHE_INLINE static double gradient(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
+    return s[static_cast<std::ptrdiff_t>(3 * corner + axis) * stride + i];
+  }
+};
+
 /// Rows of nodes around a row of cells, (j, l), (j+1, l), (j, l+1), (j+1, l+1), and of cells around a row of nodes,
 /// (j-1, l-1), (j, l-1), (j-1, l), (j, l): in the plane two, without l.
 template <class E>

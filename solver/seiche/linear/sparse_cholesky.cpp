@@ -283,6 +283,19 @@ void RingSolver::factor(const RingMatrix& a, double shift) {
   ++factorisations_;
 }
 
+std::optional<double> RingSolver::factor_or_singular(const RingMatrix& a, double mean, bool stabilised) {
+  constexpr double shift = 1e-12;  // for the factor alone: without a free surface a constant pressure has no force
+  try {
+    // With a shift a singular matrix would look regular: its smallest pivot grows with the number of rows.
+    factor(a, stabilised ? shift * mean : 0);
+  } catch (const NotPositiveDefinite&) {
+    if (stabilised) throw;
+    return 0;
+  }
+  if (stabilised || pivot_ratio() >= smallest_pivot) return {};
+  return pivot_ratio();
+}
+
 void RingSolver::solve(std::span<const double> right_hand_side, std::span<double> x) {
   constexpr int refinements = 2;
   residual_.resize(x.size());

@@ -113,6 +113,11 @@ class RingSolver {
   /// @param a      must stay as it is until the last solution for it. Throws NotPositiveDefinite
   /// @param shift  added to the diagonal of what is factorised
   void factor(const RingMatrix& a, double shift);
+  /// Pressures' matrix, of which no more than a stabilised one is known to be regular.
+  /// @param mean  of its diagonal
+  /// @return nothing; of a singular matrix the smallest pivot over the largest, below `smallest_pivot`
+  [[nodiscard]] std::optional<double> factor_or_singular(const RingMatrix& a, double mean, bool stabilised);
+  static constexpr double smallest_pivot = 1e-10;
   void solve(std::span<const double> right_hand_side, std::span<double> x);
 
   /// Smallest pivot over the largest.

@@ -15,14 +15,9 @@
 
 namespace seiche::dispersive_shallow_water_2d {
 
-/// Gradients are kept as they are, number 3 corner + axis.
-struct Column {
+struct Column : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 4, stored = 12, mobilities = 6, momenta = 2, turns = 1;
 
-  template <std::size_t corner, std::size_t axis>
-  SEICHE_INLINE static double gradient(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
-    return s[static_cast<std::ptrdiff_t>(3 * corner + axis) * stride + i];
-  }
   static void assemble_row(const lattice::Assembly<Column>& row);
   static void rates_of_row(const lattice::Rates<Column>& row);
   static void react_row(const lattice::Reaction<Column>& row);

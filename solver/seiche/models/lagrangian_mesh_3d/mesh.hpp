@@ -78,14 +78,9 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
 //     A = b x c + f x e/3   B = c x a + d x f/3   C = a x b + e x d/3
 //     D = c x e + f x b     E = d x c + a x f     F = b x d + e x a
 
-/// Gradients are kept as they are, number 3 corner + axis.
-struct Hexahedron {
+struct Hexahedron : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 8, stored = 24, mobilities = 3, momenta = 3, turns = 3;
 
-  template <std::size_t corner, std::size_t axis>
-  SEICHE_INLINE static double gradient(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
-    return s[static_cast<std::ptrdiff_t>(3 * corner + axis) * stride + i];
-  }
   static void assemble_row(const lattice::Assembly<Hexahedron>& row);
   static void rates_of_row(const lattice::Rates<Hexahedron>& row);
   static void react_row(const lattice::Reaction<Hexahedron>& row);

@@ -15,9 +15,7 @@ namespace seiche::overlapping_particles {
 
 namespace {
 
-constexpr double shift = 1e-12;           // of the mean diagonal, for the factor of a stabilised matrix
-constexpr double smallest_pivot = 1e-10;  // over the largest: below, A is singular
-constexpr double one_place = 1e-12;       // of S: particles nearer than that are at one place
+constexpr double one_place = 1e-12;  // of S: particles nearer than that are at one place
 
 Particles valid(Particles particles) {
   particles.require_valid();
@@ -177,23 +175,14 @@ void Model::assemble_and_factor() {
         (gradient_[one].x * gradient_[other].x + gradient_[one].y * gradient_[other].y) / particles_.mass[k];
     return may_be_singular ? product : product + stiffness_ * unevenness_[one] * unevenness_[other];
   });
-  try {
-    // With a shift a singular matrix would look regular.
-    solver_.factor(matrix_, may_be_singular ? 0 : shift * mean);
-  } catch (const linear::NotPositiveDefinite&) {
-    if (may_be_singular) throw_singular(0);
-    throw;
-  }
-  if (may_be_singular && !(solver_.pivot_ratio() >= smallest_pivot)) throw_singular(solver_.pivot_ratio());
-}
-
-void Model::throw_singular(double pivots) const {
+  const auto pivots = solver_.factor_or_singular(matrix_, mean, !may_be_singular);
+  if (!pivots) return;
   throw mechanics::Infeasible(
       particles_.x[0],
       "singular configuration: multipliers without forces, as of two particles alone or of a lattice that "
       "fills a box (smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set "
       "stabilisation > 0, or a support above {:g}",
-      pivots, smallest_pivot, settings_.support);
+      *pivots, linear::RingSolver::smallest_pivot, settings_.support);
 }
 
 void Model::advance(Input from, Input u, double h, Output to) const {

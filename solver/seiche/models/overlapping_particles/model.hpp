@@ -123,7 +123,6 @@ class Model : public mechanics::PointMasses<Model> {
   void sum_masses(Input q, Output f) const;
   void measure(Input q);
   void assemble_and_factor();
-  [[noreturn]] void throw_singular(double pivots) const;
 
   Particles particles_;
   Settings settings_;
