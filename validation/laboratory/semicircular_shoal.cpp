@@ -97,14 +97,15 @@ Experiment experiment(const Values& values) {
     if (period < 3 || harmonic != 2) part.readings.push_back(when_highest(harmonic, window, Kind::place));
     part.readings.push_back(misfit(harmonic, window));
   }
-  return {.source = source,
-          .parts = {part},
-          .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
-          .ceiling = 0.3,
-          .ceiling_reason = "the incident amplitude is known to a tenth, and the case says so in its title",
-          .compute = compute,
-          .model = basin_model,
-          .coarsenings = {1, 2}};
+  Experiment one{.source = source,
+                 .parts = {part},
+                 .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
+                 .ceiling = 0.3,
+                 .ceiling_reason = "the incident amplitude is known to a tenth, and the case says so in its title",
+                 .model = basin_model,
+                 .coarsenings = {1, 1.5, 2}};
+  if (values.tier() != Tier::quick) one.compute = compute;
+  return one;
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ Case semicircular_shoal() {
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", {0.14, 0.075, 0.1}, "m", {0.05, 0.15}, "of the columns")};
+                  real("spacing", 0.075, "m", {0.05, 0.15}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
   return c;
 }
