@@ -26,11 +26,17 @@ using namespace seiche::verification;
 /// How many members of a family are drawn. Solutions that integrate a motion or solve for a surface take up to seconds
 /// each: few of them, and some only in longer runs.
 long members_of(const ExactSolution& solution) {
-  static const std::map<std::string, double> slow{{"overturning_wave", 0.1}, {"pressure_forced_wave", 3},
-                                                  {"released_column", 4},    {"wavemaker_start", 4},
-                                                  {"solitary_runup", 2},     {"slope_runup", 1},
-                                                  {"wall_runup", 1},         {"wall_load", 1},
-                                                  {"standing", 10},          {"stokes", 20},
+  static const std::map<std::string, double> slow{{"overturning_wave", 0.1},
+                                                  {"pressure_forced_wave", 3},
+                                                  {"focused_group", 1},
+                                                  {"released_column", 4},
+                                                  {"wavemaker_start", 4},
+                                                  {"solitary_runup", 2},
+                                                  {"slope_runup", 1},
+                                                  {"wall_runup", 1},
+                                                  {"wall_load", 1},
+                                                  {"standing", 10},
+                                                  {"stokes", 20},
                                                   {"solitary", 20}};
   const auto found = slow.find(solution.name);
   return std::lround(
@@ -123,9 +129,9 @@ Outcome outcome(const ExactSolution& solution, const std::map<std::string, doubl
 
 /// The catalogue without the solutions that take longest, or these alone.
 void try_members(bool longest) {
-  static const std::set<std::string> takes_long{"slope_runup",          "wall_runup",      "wall_load",
-                                                "pressure_forced_wave", "released_column", "wavemaker_start",
-                                                "solitary_runup"};
+  static const std::set<std::string> takes_long{"slope_runup",          "wall_runup",    "wall_load",
+                                                "pressure_forced_wave", "focused_group", "released_column",
+                                                "wavemaker_start",      "solitary_runup"};
   Check check(
       "exact_corners", "Exact solutions at the corners of their ranges",
       "A declared range is a promise. The parameters of every solution of the catalogue are drawn: an end of the "

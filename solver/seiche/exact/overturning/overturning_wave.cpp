@@ -11,6 +11,7 @@
 #include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact {
 
@@ -150,6 +151,89 @@ SelfTest PressureForcedWave::self_test() const {
 
 namespace {
 
+const FocusedGroup::Parameters& checked(const FocusedGroup::Parameters& p) {
+  require_computable(p);
+  require_not_negative("focus", p.focus);
+  require_within("first", p.first, 1, p.last);
+  require_within("last", p.last, p.first, static_cast<double>(p.markers) / 8);
+  require_positive("amplitude", p.amplitude);
+  require_within("amplitude", p.amplitude, 0, std::min(p.wavelength / (2 * std::numbers::pi * p.last), 0.99 * p.depth));
+  return p;
+}
+
+/// In scaled units.
+FocusedGroup::Linear modes_at(int first, int last, double amplitude, double depth, double x, double y, double since) {
+  FocusedGroup::Linear sum;
+  double rate = 0;  // of the potential
+  for (int n = first; n <= last; ++n) {
+    const double a = amplitude / (last - first + 1);
+    const double w = std::sqrt(n * std::tanh(n * depth));
+    // cosh n(y + h)/cosh nh and sinh n(y + h)/cosh nh without overflow in deep water.
+    const double up = std::exp(n * y) / (1 + std::exp(-2 * n * depth));
+    const double down = std::exp(-n * (y + 2 * depth)) / (1 + std::exp(-2 * n * depth));
+    const double potential = -a / w * std::sin(w * since);
+    sum.elevation += a * std::cos(n * x) * std::cos(w * since);
+    sum.potential += potential * (up + down) * std::cos(n * x);
+    rate -= a * std::cos(w * since) * (up + down) * std::cos(n * x);
+    sum.velocity.u -= n * potential * (up + down) * std::sin(n * x);
+    sum.velocity.v += n * potential * (up - down) * std::cos(n * x);
+    sum.discharge -= potential * (up - down) * std::sin(n * x);
+  }
+  sum.pressure = -rate - 0.5 * (sum.velocity.u * sum.velocity.u + sum.velocity.v * sum.velocity.v) - y;
+  return sum;
+}
+
+}  // namespace
+
+FocusedGroup::FocusedGroup(const Parameters& parameters)
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+  const auto& p = parameters_;
+  const double depth = p.depth / length();
+  const auto start = [&](double x, double y) {
+    return modes_at(p.first, p.last, p.amplitude / length(), depth, x, y, -p.focus / time_unit());
+  };
+  const double longest = 2 * std::numbers::pi / std::sqrt(p.first * std::tanh(p.first * depth)) * time_unit();
+  const double last_time = p.last_time > 0 ? p.last_time : p.focus > 0 ? p.focus : longest;
+  auto motion =
+      std::make_shared<ow::Evolution>(ow::from_functions(
+                                          p.markers, [&](double x) { return start(x, 0).elevation; },
+                                          [&](double x) { return start(x, start(x, 0).elevation).potential; }),
+                                      depth, p.tolerance);
+  motion->advance_to(last_time / time_unit());
+  keep(std::move(motion), last_time, [](double tangent) { return 0.25 * tangent; });
+}
+
+FocusedGroup::Linear FocusedGroup::linear(double x, double y, double t) const {
+  const auto& p = parameters_;
+  const auto scaled = modes_at(p.first, p.last, p.amplitude / length(), p.depth / length(), x / length(), y / length(),
+                               (t - p.focus) / time_unit());
+  return {scaled.elevation * length(),
+          scaled.potential * length() * velocity(),
+          {scaled.velocity.u * velocity(), scaled.velocity.v * velocity()},
+          scaled.pressure * velocity() * velocity(),
+          scaled.discharge * length() * velocity()};
+}
+
+double FocusedGroup::uncertainty(double t) const {
+  return change_by_coarsening(*this, parameters_, t) / parameters_.amplitude;
+}
+
+SelfTest FocusedGroup::self_test() const {
+  // The energy is that of the modes: the root of the sum of their squares is its amplitude.
+  const double energetic = parameters_.amplitude / std::sqrt(parameters_.last - parameters_.first + 1.0);
+  SelfTest identities = balances(energetic, parameters_.tolerance, std::nullopt);
+  const Profile now = profile(well_resolved_until());
+  Worst apart;
+  for (std::size_t j = 1; j < now.y.size(); ++j) apart.add(now.y[j] - now.y[now.y.size() - j]);
+  // Of a tank and its mirror image the impulse is zero from the start.
+  identities.back() = {"the surface is its own mirror image at the walls", apart.value() / parameters_.amplitude,
+                       epsilon * static_cast<double>(parameters_.markers) * std::sqrt(static_cast<double>(steps())),
+                       "a rounding of each of a marker's sums over all markers, in each step another"};
+  return identities;
+}
+
+namespace {
+
 /// A surface that may overturn, and how many points of it are asked for.
 template <class Wave>
 struct Profiled : Wave {
@@ -243,6 +327,31 @@ ExactSolution pressure_forced_wave_entry() {
         [](const PressureForcedWave& w) { return w.action(w.end_time()).work; }}},
       made_by([](auto... given) { return PressureForcedWave::Parameters{given...}; }, "amplitude", "wavelength",
               "depth", "gravity", "pressure", "markers", "last_time"));
+}
+
+ExactSolution focused_group_entry() {
+  return surface_entry<FocusedGroup>(
+      "focused_group", "A group of waves comes to a focus at the wall of a tank: fully nonlinear potential flow",
+      "Baldock, Swan & Taylor, A laboratory study of nonlinear surface waves on water, Phil. Trans. R. Soc. Lond. A "
+      "354 "
+      "(1996) 649; Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A "
+      "350 (1976) 1",
+      "dz/dt = conj f, dphi/dt = |f|^2/2 - g y, z_s f = phi_s + i psi_s with psi_s from Cauchy's integral; linear "
+      "theory of the modes at t = 0: eta = sum a cos nkx cos w_n(t - focus), w_n^2 = g n k tanh nkh, between walls at "
+      "x = 0 and half a wavelength",
+      {{"amplitude", "m", 0.1, 1e-9, 1e6, "of the crest at the focus by linear theory"},
+       {"wavelength", "m", 12, 1e-9, 1e9, "twice the length of the tank"},
+       depth_parameter(1, infinite),
+       gravity_parameter(),
+       {"first", "1", 2, 1, 100, "mode of the longest waves: so many in a wavelength"},
+       {"last", "1", 7, 1, 100, "mode of the shortest waves"},
+       {"focus", "s", 0, 0, 1e9, "when the crests meet at the wall by linear theory; 0: they start at rest there"},
+       {"markers", "1", 256, 64, 4096, "markers per wavelength, even"},
+       {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: the focus, or one period of the longest waves"}},
+      {{"energy", "m^4/s^2", "kinetic and potential, per wavelength at the start, density 1",
+        [](const FocusedGroup& w) { return w.integrals(0).kinetic_energy + w.integrals(0).potential_energy; }}},
+      made_by([](auto... given) { return FocusedGroup::Parameters{given...}; }, "amplitude", "wavelength", "depth",
+              "gravity", "first", "last", "focus", "markers", "last_time"));
 }
 
 }  // namespace seiche::exact

@@ -34,6 +34,22 @@
 /// Reference: Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350
 /// (1976) 1. The amplitude of the pressure is the user's: 0.1 is fitted to the times of the frames of Frank (1994),
 /// figure 10, which does not print one.
+///
+/// A group of waves that comes to a focus at a wall: fully nonlinear potential flow in a tank of constant depth.
+///
+/// Between walls at x = 0 and half a wavelength, modes n = first .. last of equal amplitude a start with the surface
+/// and the potential that linear theory gives them at t = 0 (k = 2 pi/wavelength, w_n^2 = g n k tanh n k h):
+///
+///     eta = sum a cos n k x cos w_n(t - focus),    a = amplitude/(last - first + 1),
+///     phi = -sum (a g/w_n) cosh n k(y + h)/cosh n k h cos n k x sin w_n(t - focus),   on the surface y = eta.
+///
+/// By linear theory all crests meet at the wall x = 0 at t = focus, `amplitude` high. The tank and its mirror image are
+/// the period of the computed motion. focus = 0 starts at rest; one mode is a standing wave.
+///
+/// When not to use it: groups steep enough to break, or to throw a jet up the wall.
+///
+/// Reference: Baldock, Swan & Taylor, A laboratory study of nonlinear surface waves on water, Phil. Trans. R. Soc.
+/// Lond. A 354 (1996) 649 (groups of equal amplitudes).
 #pragma once
 
 #include <cmath>
@@ -112,6 +128,45 @@ class PressureForcedWave : public overturning::MovingSurface {
 
   Parameters parameters_;
   std::optional<double> kinetic_energy_;  ///< of the Stokes wave, per wavelength [m^4/s^2]
+};
+
+class FocusedGroup : public overturning::MovingSurface {
+ public:
+  struct Parameters {
+    double amplitude = 0.1;     ///< of the crest at the focus by linear theory [m]; steepness amplitude k last < 1
+    double wavelength = 12;     ///< twice the length of the tank [m]
+    double depth = 1;           ///< [m]; infinite for deep water
+    double gravity = 9.81;      ///< [m/s^2]
+    int first = 2, last = 7;    ///< modes, whole waves in `wavelength`; 1 <= first <= last <= markers/8
+    double focus = 0;           ///< [s]; not negative
+    std::size_t markers = 256;  ///< even, at least 64
+    double last_time = 0;       ///< [s]; 0: the focus, or one period of the longest mode if that is 0
+    double tolerance = 2e-11;   ///< of a time step, in units of 1/k
+  };
+
+  /// Computes the motion until last_time or until it ends by itself. Throws std::invalid_argument.
+  explicit FocusedGroup(const Parameters& parameters);
+
+  /// Linear theory, anywhere in the water, at any time; the motion starts with it at t = 0.
+  struct Linear {
+    double elevation = 0;  ///< [m], of y at any height
+    double potential = 0;  ///< [m^2/s]
+    Velocity velocity;     ///< [m/s]
+    double pressure = 0;   ///< over the density, -phi_t - |grad phi|^2/2 - g y [m^2/s^2]
+    double discharge = 0;  ///< of the water below y, towards +x [m^2/s]
+  };
+  [[nodiscard]] Linear linear(double x, double y, double t) const;
+  [[nodiscard]] double amplitude() const { return parameters_.amplitude; }
+  [[nodiscard]] double focus() const { return parameters_.focus; }
+
+  /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
+  /// relative to the amplitude. Takes as long as that computation.
+  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
+  [[nodiscard]] double uncertainty(double t) const;
+  [[nodiscard]] SelfTest self_test() const;
+
+ private:
+  Parameters parameters_;
 };
 
 }  // namespace seiche::exact

@@ -1,0 +1,240 @@
+/*
+Do models hold a sea of several waves together? A group of waves runs through a tank and comes to a focus at its wall,
+by six models, beside the fully nonlinear potential flow.
+
+**Set-up.** Depth, gravity and density are 1; the tank is six depths long. Six modes of equal amplitude, from six depths
+long to 1.7, start with the surface and velocities of linear theory so that all crests would meet at the wall $x = 0$ at
+the time `focus`. Laboratories make such groups since Baldock, Swan and Taylor (1996). The exact flow starts with the
+same surface and potential, and is computed from Cauchy's integral with spectral accuracy (`seiche exact
+focused_group`).
+
+**What is compared.** Elevations along the tank at the focus, when every error of a phase counts: the root mean square
+over the height of the focus by linear theory. Each model is followed for half as long again.
+
+**What to look at.** How far linear theory itself is off tells what is nonlinear: a model further off than that has lost
+more than it has gained. The dispersive model has the wrong speed for waves as long as two depths, as its dispersion law
+says beforehand. Free particles and mesh have every wave arrive in time.
+
+**When it is no test.** Of breaking: the group is not steep enough. Of runs of many waves: the way is some three
+periods.
+*/
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/lattice_dispersion.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/side_by_side/tank_wave.hpp"
+
+namespace seiche::validation::cases::wave_group_models {
+namespace {
+
+using exact::FocusedGroup;
+
+const std::string source = "potential flow by Cauchy's integral; Frank, Discrete models of incompressible fluid (1994)";
+const Named particles{"particles", "Gauss particles"};
+const Named mesh{"mesh", "the Lagrangian mesh"};
+
+constexpr double length = 6;
+constexpr int first = 2, last = 7;  // modes: half waves between the walls
+
+double wavenumber(int mode) {
+  return std::numbers::pi * mode / length;
+}
+
+FocusedGroup group_of(const Values& values) {
+  return FocusedGroup({.amplitude = values.real("amplitude"),
+                       .wavelength = 2 * length,
+                       .depth = 1,
+                       .gravity = 1,
+                       .first = first,
+                       .last = last,
+                       .focus = values.real("focus"),
+                       .last_time = 1.5 * values.real("focus")});
+}
+
+/// Elevation of the exact surface, between points of it that are close together.
+class Elevation {
+ public:
+  explicit Elevation(FocusedGroup group) : group_(std::move(group)) {}
+
+  double operator()(double x, double t) {
+    auto [place, missing] = profiles_.try_emplace(t);
+    if (missing) place->second = group_.profile(t, 4001);
+    const auto& [time, xs, ys, potential, u, v] = place->second;
+    const auto right = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(xs, x) - xs.begin(), 1, std::ssize(xs) - 1);
+    return std::lerp(ys[right - 1], ys[right], (x - xs[right - 1]) / (xs[right] - xs[right - 1]));
+  }
+
+ private:
+  FocusedGroup group_;
+  std::map<double, FocusedGroup::Profile> profiles_;
+};
+
+TankWave tank_of(const FocusedGroup& group, double amplitude) {
+  return {.length = length,
+          .water = {.period = 2 * length,
+                    .highest = 3 * amplitude,
+                    .elevation = [group](double x) { return group.linear(x, 0, 0).elevation; },
+                    .velocity =
+                        [group](Point at) {
+                          const auto v = group.linear(at.x, at.y, 0).velocity;
+                          return Point{v.u, v.v};
+                        },
+                    .pressure = [group](Point at) { return group.linear(at.x, at.y, 0).pressure; }},
+          .speed = 1,
+          .amplitude = amplitude,
+          .surface = [exact = std::make_shared<Elevation>(group)](double x, double t) { return (*exact)(x, t); },
+          .part =
+              [](double) {
+                return TankWave::Part{0, length};
+              }};
+}
+
+/// Markers that move with the mean velocity over the depth, of cells of equal volume.
+dispersive_shallow_water_1d::Flow dispersive_of(const FocusedGroup& group, double spacing) {
+  using namespace dispersive_shallow_water_1d;
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+  const auto motion = [&](double x) {
+    const double elevation = group.linear(x, 0, 0).elevation;
+    const auto discharge = [&](double at) { return group.linear(at, group.linear(at, 0, 0).elevation, 0).discharge; };
+    const double velocity = discharge(x) / (1 + elevation);
+    constexpr double h = 1e-5;
+    const auto mean = [&](double at) { return discharge(at) / (1 + group.linear(at, 0, 0).elevation); };
+    return SurfaceMotion{elevation, velocity, -(1 + elevation) * (mean(x + h) - mean(x - h)) / (2 * h)};
+  };
+  const auto excess = [&](double x) {
+    double sum = 0;
+    for (int mode = first; mode <= last; ++mode) {
+      const double k = wavenumber(mode);
+      const double w = std::sqrt(k * std::tanh(k));
+      sum += std::sin(k * x) / k * std::cos(w * group.focus());
+    }
+    return sum * group.amplitude() / (last - first + 1);
+  };
+  const auto cells = static_cast<std::size_t>(std::lround(length / spacing));
+  return Flow(channel, moved_markers(channel, equal_labels(channel, 0, length, cells), motion, excess, 0));
+}
+
+Trial trial_of(const Values& values) {
+  const FocusedGroup group = group_of(values);
+  const auto start = group.integrals(0);
+  return {.end = values.real("focus"),
+          .last = 1.5 * values.real("focus"),
+          .looks = 6,
+          .useless = 1,
+          .useless_in_words = "the surface is off by the height of the focus",
+          .energy_scale = (start.kinetic_energy + start.potential_energy) / 2,
+          .reference_uncertainty = group.uncertainty(values.real("focus"))};
+}
+
+/// Of linear waves of other frequencies, started alike, from the true ones at the focus.
+double rms_of_law(const Values& values, const std::function<double(double k)>& frequency) {
+  double squares = 0;
+  for (int mode = first; mode <= last; ++mode) {
+    const double k = wavenumber(mode);
+    const double turn = std::sqrt(k * std::tanh(k)) * values.real("focus");
+    const double ratio = frequency(k) / std::sqrt(k * std::tanh(k));
+    const double arrives = std::cos(ratio * turn) * std::cos(turn) + std::sin(ratio * turn) * std::sin(turn) / ratio;
+    squares += std::pow((arrives - 1) / (last - first + 1), 2);
+  }
+  return std::sqrt(squares / 2);
+}
+
+struct Results {
+  Contest contest;
+  double linear = 0;  ///< rms of linear theory from the exact surface at the focus, over the amplitude
+  double crest = 0;   ///< of the exact surface at the wall at the focus, over that of linear theory
+};
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const auto at_focus = all.at("the finest, at the focus");
+  for (const Named& model : {particles, mesh}) {
+    at_focus.from("potential flow by Cauchy's integral, spectral")
+        .check(
+            model.id + "-beside-linear",
+            fmt::format("The surface error is below a quarter of that of linear theory: {}.", model.name),
+            "rms error of the surface over that of linear theory",
+            [id = model.id](const Results& r) { return r.contest.of(id).finest().error / r.linear; },
+            Bound{.limit = 0.25,
+                  .reason = "what linear theory misses is what the group is nonlinear by: below a quarter of it a "
+                            "model tells it four times finer than without"});
+  }
+  const Claims<Contest> claims = at_focus.of(&Results::contest);
+  const double spacing = 1 / static_cast<double>(values.integer("markers"));
+  const exact::FrankDispersion law(1, 1, spacing);
+  const double apart = rms_of_law(values, [&](double k) {
+    return exact::discrete_frequency(law.frequency(k), 0.25 * spacing, exact::TimeScheme::one_step);
+  });
+  claims_of(claims, "dispersive")
+      .from("Frank (1994), formula (13); linear waves")
+      .check(
+          "dispersive-law",
+          "The surface error of the dispersive model agrees within a tenth with that of linear waves of its "
+          "dispersion law.",
+          "rms error of the surface over the amplitude", error_of_finest,
+          Bound{.limit = 0.1 * apart,
+                .reason = "the law says how late each wave is at the focus; linear theory's own error, a twenty-fifth "
+                          "of the amplitude, is a tenth of it",
+                .expected = apart});
+  claim_energy(claims_of(claims, "particles"), particles,
+               values.real("focus") * static_cast<double>(values.integer("particles")) / 0.15, 2,
+               "one rounding per step of the kinetic and of the potential energy",
+               "Frank (1994), chapter 6; exact for every space and step");
+  for (const Named& model : {particles, mesh}) {
+    claim_lasts(claims_of(claims, model.id), model, trial_of(values).last, source);
+  }
+}
+
+Results compute(const Run& run) {
+  const FocusedGroup group = group_of(run);
+  const double amplitude = run.real("amplitude"), focus = run.real("focus");
+  const TankWave tank = tank_of(group, amplitude);
+  Mean linear;
+  for (int k = 0; k <= 600; ++k) {
+    const double x = length * k / 600;
+    linear.add((group.linear(x, 0, focus).elevation - tank.surface(x, focus)) / amplitude, 1);
+  }
+  return {contest(run,
+                  tank_contenders(
+                      tank, [&](double spacing) { return dispersive_of(group, spacing); }, tank_sizes(run)),
+                  trial_of(run)),
+          linear.rms(), tank.surface(0, focus) / amplitude};
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  r.contest.show(exhibit, {.size = "depth", .error = "amplitude", .time = "sqrt(depth/g)"});
+  exhibit.measure("linear_theory_rms", r.linear);
+  exhibit.measure("crest_at_the_wall", r.crest);
+}
+
+}  // namespace
+
+Case wave_group_models() {
+  Case c;
+  c.title = "Model comparison: a wave group comes to a focus at a wall";
+  c.source =
+      "T. E. Baldock, C. Swan, P. H. Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; M. S. Longuet-Higgins, E. D. "
+      "Cokelet, Proc. R. Soc. Lond. A 350 (1976) 1";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("amplitude", 0.1, "depth", {0.001, 0.2}, "of the crest at the focus by linear theory"),
+      real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "when the crests meet at the wall"),
+      integer("particles", {4, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
+      integer("mesh", {16, 32, 32}, {8, 96}, "rows of the Lagrangian mesh, finest of four"),
+      integer("cells", {8, 16, 16}, {8, 48}, "rows of Dirichlet cells and variable masses, the finest"),
+      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
+      integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
+  };
+  c.study = Study(claims, compute, show, source);
+  return c;
+}
+
+}  // namespace seiche::validation::cases::wave_group_models
