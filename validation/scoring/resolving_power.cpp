@@ -396,7 +396,7 @@ std::string told_by(const std::vector<Resolved>& rows, const std::string& table,
   }
   if (told.empty() && untold.empty()) return {};
   return fmt::format(
-      "{} {}{}{}", quantity, told.empty() ? "" : "detects ", fmt::join(told, ", "),
+      "{}: {}{}{}", quantity.empty() ? "all" : quantity, told.empty() ? "" : "detects ", fmt::join(told, ", "),
       untold.empty() ? "" : fmt::format("{}does not detect {}", told.empty() ? "" : "; ", fmt::join(untold, ", ")));
 }
 
