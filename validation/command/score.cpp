@@ -136,7 +136,7 @@ int print_power(const Case& one, const Values& values, const std::vector<WantedT
         wanted, [](const WantedTable& table) { return table.reference_role == evidence::Role::exact; });
     fmt::print("{}\n", nlohmann::ordered_json{{"exact", exact}, {"changes", json}}.dump(1));
   } else {
-    fmt::print("{}:{}\n", one.name, validation::told_by(rows, "", ""));
+    fmt::print("{}: {}\n", one.name, validation::told_by(rows, "", ""));
     print_shapes("");
     for (const WantedTable& table : wanted) {
       fmt::print("{}\n", table.name);
