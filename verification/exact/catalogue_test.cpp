@@ -84,22 +84,6 @@ TEST_CASE("the costliest exact solutions do so too", "[exact][full]") {
   for (const std::string& name : costliest) evaluates(check, exact::find_solution(name));
 }
 
-TEST_CASE("the shallow-water entries answer like their classes", "[exact]") {
-  const auto value = [](const char* name, double x, double t) {
-    const exact::ExactSolution& solution = exact::find_solution(name);
-    const std::vector<double> at = solution.inputs.size() == 1 ? std::vector{x} : std::vector{x, t};
-    const auto outputs = solution.evaluator().eval(at);
-    CHECK(outputs.size() == solution.outputs.size());
-    return outputs.front();
-  };
-  CHECK(std::abs(value("riemann", 0, 1) - 4.0 / 9.0) < 1e-15);
-  CHECK(std::abs(value("bore_reflection", 9.99, 2.6) - 1.45167616) < 5e-9);
-  CHECK(value("simple_wave", 6, 0) == 1.2);
-  CHECK(std::abs(value("steady_bump", 0, 0) - 0.4137357305845031) < 1e-15);
-  CHECK(std::abs(value("macdonald", 500, 0) - 1.112299103123052) < 1e-14);
-  CHECK(value("thacker", 1.5, 0) == 0.5);
-}
-
 TEST_CASE("a wave given by its period or by its height is the wave of that wavelength and stroke", "[exact]") {
   // Depth and gravity of any two values that are not near each other. Rounding: of a wavenumber, a few epsilon by its
   // iteration; of a phase below ten radians, ten times as much.
