@@ -58,7 +58,20 @@ SteadyBump::SteadyBump(double gravity, double discharge, double outflow_depth, B
     return;
   }
   regime_ = Regime::with_jump;
-  place_jump(outflow_depth);
+  const auto momentum = [&](double h) { return discharge_ * discharge_ / h + 0.5 * gravity_ * h * h; };
+  const auto imbalance = [&](double x) {
+    const double drop = drop_from_crest(x);
+    return momentum(depth_from_excess(drop, Branch::supercritical)) -
+           momentum(depth_from_excess(std::max(drop + downstream_excess_, 0.0), Branch::subcritical));
+  };
+  // The downstream flow reaches up to where it would be critical; the jump lies between there and the bump's foot.
+  const double highest = bump_.crest + bump_.half_width * std::sqrt(-downstream_excess_ / bump_.height);
+  const double foot = bump_.crest + bump_.half_width;
+  require_that(imbalance(foot) <= 0,
+               "outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
+               "with a jump on it",
+               outflow_depth);
+  jump_ = root_at_end(imbalance, highest, foot);
 }
 
 double SteadyBump::drop_from_crest(double x) const {
@@ -83,23 +96,6 @@ double SteadyBump::depth_from_excess(double excess, Branch branch) const {
   if (branch == Branch::subcritical) return e / 3 * (1 + 2 * std::cos(a));
   const double half = std::sin(0.5 * a);
   return e / 3 * (2 * half * half + std::numbers::sqrt3 * std::sin(a));
-}
-
-void SteadyBump::place_jump(double outflow_depth) {
-  const auto momentum = [&](double h) { return discharge_ * discharge_ / h + 0.5 * gravity_ * h * h; };
-  const auto imbalance = [&](double x) {
-    const double drop = drop_from_crest(x);
-    return momentum(depth_from_excess(drop, Branch::supercritical)) -
-           momentum(depth_from_excess(std::max(drop + downstream_excess_, 0.0), Branch::subcritical));
-  };
-  // The downstream flow reaches up to where it would be critical; the jump lies between there and the bump's foot.
-  const double highest = bump_.crest + bump_.half_width * std::sqrt(-downstream_excess_ / bump_.height);
-  const double foot = bump_.crest + bump_.half_width;
-  require_that(imbalance(foot) <= 0,
-               "outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
-               "with a jump on it",
-               outflow_depth);
-  jump_ = root_at_end(imbalance, highest, foot);
 }
 
 sw::State SteadyBump::at(double x, double /*t*/) const {

@@ -91,7 +91,6 @@ class SteadyBump {
   enum class Branch { subcritical, supercritical };
   [[nodiscard]] double depth_from_excess(double excess, Branch branch) const;
   [[nodiscard]] double drop_from_crest(double x) const;
-  void place_jump(double outflow_depth);
 
   double gravity_, discharge_;
   Bump bump_;

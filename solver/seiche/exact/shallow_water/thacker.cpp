@@ -83,7 +83,7 @@ ThackerBowl::ThackerBowl(double gravity, double radius, double depth, double fac
   require_all_positive({{"gravity", gravity}, {"radius", radius}, {"depth", depth}});
 }
 
-double ThackerBowl::paraboloid(double x, double y) const {
+double ThackerBowl::bed(double x, double y) const {
   const double r = std::hypot(x, y) / radius_;
   return depth_ * (r - 1) * (r + 1);
 }
@@ -175,7 +175,7 @@ BowlState ThackerPlanarBowl::at(double x, double y, double t) const {
   require_finite("x", x);
   require_finite("y", y);
   const PlanePoint c = centre(t);
-  const double depth = -paraboloid(x - c.x, y - c.y);
+  const double depth = -bed(x - c.x, y - c.y);
   if (!(depth > 0)) return {};
   return {depth, -frequency_ * c.y, frequency_ * c.x};
 }
