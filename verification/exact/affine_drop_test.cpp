@@ -5,7 +5,6 @@
 
 #include "seiche/exact/affine_drop.hpp"
 #include "seiche/samples.hpp"
-#include "verification/digits_table.hpp"
 #include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
@@ -58,12 +57,6 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
       "surface. The quadrature of the symmetric case and the integration of the general one check each other.",
       source);
   const StretchingDrop circle(1, 1, 1);
-  check_table(check, "patch", "semi-axis at 0.5, 1, 1.5 and 2",
-              {{circle.semi_axis(0.5), "1.594763"},
-               {circle.semi_axis(1), "2.275516"},
-               {circle.semi_axis(1.5), "2.974855"},
-               {circle.semi_axis(2), "3.678985"}},
-              "Monaghan, J. Comput. Phys. 110 (1994) 399");
   self_test_holds(check, "circle", circle);
   self_test_holds(check, "long", StretchingDrop(3, 0.2, -2.5, 1000));
   const AffineDrop turning = turning_drop();
@@ -75,28 +68,22 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
            {4, 0.3, "fourth-order differences of a smooth path"}}},
          [&](double span) { return momentum_residual(turning, 1000, 1, span); });
 
-  Worst surface;
+  Worst surface, outline;
   for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
     const DropInstant instant = turning.at(t);
+    const auto [long_axis, short_axis, tilt] = instant.outline();
     for (double angle = 0; angle < 6.3; angle += 0.3) {
-      const Eigen::Vector2d point = instant.deformation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      const Eigen::Vector2d on_circle(std::cos(angle), std::sin(angle));
+      const Eigen::Vector2d point = instant.deformation * on_circle;
       surface.add(instant.pressure(point.x(), point.y()) / instant.central_pressure);
+      const Eigen::Vector2d of_axes =
+          Eigen::Rotation2Dd(tilt) * on_circle.cwiseProduct(Eigen::Vector2d(long_axis, short_axis));
+      outline.add((instant.deformation.inverse() * of_axes).squaredNorm() - 1);
     }
   }
   check.that("surface", "The pressure vanishes on the surface.", "pressure there over the pressure in the centre",
              {surface.value()},
              Roundoff{16, 16, "two products with A and its inverse; condition number of A up to 16"});
-
-  Worst outline;
-  for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
-    const DropInstant instant = turning.at(t);
-    const auto [long_axis, short_axis, tilt] = instant.outline();
-    for (double angle = 0; angle < 6.3; angle += 0.3) {
-      const Eigen::Vector2d point =
-          Eigen::Rotation2Dd(tilt) * Eigen::Vector2d(long_axis * std::cos(angle), short_axis * std::sin(angle));
-      outline.add((instant.deformation.inverse() * point).squaredNorm() - 1);
-    }
-  }
   check.that(
       "outline", "The ellipse of the stated axes and tilt is the surface.", "|X|^2 - 1 of its points",
       {outline.value()},
@@ -126,8 +113,6 @@ TEST_CASE("points outside the drop and impossible drops are refused", "[exact]")
   CHECK_THROWS_WITH(ellipse.pressure(0, 0.75), Catch::Contains("y = 0.75"));
   CHECK_THROWS_AS(ellipse.pressure(nan, 0), std::invalid_argument);
   CHECK_THROWS_AS(StretchingDrop(2, 0.5, 1).carried(0, 0.6, 1), OutsideFluid);
-  CHECK_THROWS_AS(StretchingDrop(0, 1, 1), std::invalid_argument);
-  CHECK_THROWS_AS(StretchingDrop(1, 1, 0), std::invalid_argument);
   CHECK_THROWS_AS(StretchingDrop(1, 1, 1).time_of(-1), std::invalid_argument);
   Eigen::Matrix2d growing = Eigen::Matrix2d::Identity();
   CHECK_THROWS_AS(AffineDrop(Eigen::Matrix2d::Identity(), growing), std::invalid_argument);

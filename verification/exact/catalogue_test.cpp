@@ -2,7 +2,6 @@
 #include <cctype>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "seiche/exact/catalogue.hpp"
@@ -82,68 +81,6 @@ TEST_CASE("every exact solution evaluates at its defaults and keeps its own iden
 TEST_CASE("the costliest exact solutions do so too", "[exact][full]") {
   Check check = self_tests();
   for (const std::string& name : costliest) evaluates(check, exact::find_solution(name));
-}
-
-TEST_CASE("the shallow-water entries answer like their classes", "[exact]") {
-  const auto value = [](const char* name, double x, double t) {
-    const exact::ExactSolution& solution = exact::find_solution(name);
-    const std::vector<double> at = solution.inputs.size() == 1 ? std::vector{x} : std::vector{x, t};
-    const auto outputs = solution.evaluator().eval(at);
-    CHECK(outputs.size() == solution.outputs.size());
-    return outputs.front();
-  };
-  CHECK(std::abs(value("riemann", 0, 1) - 4.0 / 9.0) < 1e-15);
-  CHECK(std::abs(value("bore_reflection", 9.99, 2.6) - 1.45167616) < 5e-9);
-  CHECK(value("simple_wave", 6, 0) == 1.2);
-  CHECK(std::abs(value("steady_bump", 0, 0) - 0.4137357305845031) < 1e-15);
-  CHECK(std::abs(value("macdonald", 500, 0) - 1.112299103123052) < 1e-14);
-  CHECK(value("thacker", 1.5, 0) == 0.5);
-}
-
-TEST_CASE("a wave given by its period or by its height is the wave of that wavelength and stroke", "[exact]") {
-  // Depth and gravity of any two values that are not near each other. Rounding: of a wavenumber, a few epsilon by its
-  // iteration; of a phase below ten radians, ten times as much.
-  const double depth = 2.3, gravity = 9.81, rounding = 1e-13;
-  int ways = 0;
-  for (const exact::ExactSolution& solution : exact::catalogue()) {
-    const auto has = [&](const std::string& name) {
-      return std::any_of(solution.parameters.begin(), solution.parameters.end(),
-                         [&](const exact::Parameter& p) { return p.name == name; });
-    };
-    if (!has("period") || !has("wavelength")) continue;
-    INFO(solution.name);
-    const auto wave = [&](std::map<std::string, double> given) {
-      given.merge(
-          std::map<std::string, double>{{"depth", depth}, {"gravity", gravity}, {"period", 0}, {"wavelength", 0}});
-      return solution.evaluator(given);
-    };
-    const auto number = [&](const exact::Evaluator& evaluator, const std::string& name) {
-      const auto at = std::find_if(solution.scalars.begin(), solution.scalars.end(),
-                                   [&](const exact::Quantity& q) { return q.name == name; });
-      return evaluator.scalars().at(static_cast<std::size_t>(at - solution.scalars.begin()));
-    };
-    const auto same = [&](const exact::Evaluator& a, const exact::Evaluator& b) {
-      std::vector<double> point;
-      for (const auto& input : solution.inputs) point.push_back(input.name == "y" ? -0.5 : 0.7);
-      const auto compare = [&](const std::vector<double>& one, const std::vector<double>& other) {
-        REQUIRE(one.size() == other.size());
-        for (std::size_t k = 0; k < one.size(); ++k)
-          CHECK(one[k] == Approx(other[k]).epsilon(rounding).margin(rounding));
-      };
-      compare(a.scalars(), b.scalars());
-      compare(a.eval(point), b.eval(point));
-      ++ways;
-    };
-    const exact::Evaluator by_length = wave({{"wavelength", 7}});
-    const double k = number(by_length, "wavenumber"), omega = 2 * std::numbers::pi / number(by_length, "period");
-    CHECK(k == Approx(2 * std::numbers::pi / 7).epsilon(rounding));
-    CHECK(omega * omega == Approx(gravity * k * std::tanh(k * depth)).epsilon(rounding));
-    same(by_length, wave({{"period", number(by_length, "period")}}));
-    if (has("height") && has("stroke")) {
-      same(by_length, wave({{"wavelength", 7}, {"height", number(by_length, "wave_height")}, {"stroke", 0}}));
-    }
-  }
-  CHECK(ways >= 3);
 }
 
 }  // namespace catalogue_test

@@ -6,6 +6,7 @@
 
 #include "seiche/samples.hpp"
 #include "validation/instruments/manufactured/dispersive_manufactured.hpp"
+#include "verification/exact/spectral_derivative.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace dispersive_manufactured_test {
@@ -24,20 +25,6 @@ Parameters in_frame(bool green_naghdi) {
   Parameters parameters;
   parameters.green_naghdi = green_naghdi;
   return parameters;
-}
-
-/// Derivative of periodic values at equal spacing, exact for the harmonics that the points resolve.
-Eigen::ArrayXd spectral_derivative(const Eigen::ArrayXd& f, double period) {
-  const Eigen::Index n = f.size();
-  Eigen::ArrayXd result = Eigen::ArrayXd::Zero(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      if (i == j) continue;
-      const double sign = (i - j) % 2 == 0 ? 1 : -1;
-      result[i] += sign * pi / period / std::tan(pi * static_cast<double>(i - j) / static_cast<double>(n)) * f[j];
-    }
-  }
-  return result;
 }
 
 /// Both sides of the limit equations in Eulerian form at one instant, from the formulas of the motion and from the
@@ -110,7 +97,7 @@ class Snapshot {
 
  private:
   [[nodiscard]] Eigen::ArrayXd along(const Eigen::ArrayXd& f) const {
-    return spectral_derivative(f, par_.length) / jacobian_;
+    return (spectral_derivative(f.size(), par_.length) * f.matrix()).array() / jacobian_;
   }
 
   Parameters par_;

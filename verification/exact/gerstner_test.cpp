@@ -145,9 +145,6 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   self_test_holds(check, "trochoid", wave);
   CHECK_THROWS_AS(wave.position({0, -0.09}, 0), exact::OutsideFluid);
   CHECK_THROWS_AS(wave.label(0, wave.elevation(0, 0) + 1e-9, 0), exact::OutsideFluid);
-  CHECK_THROWS_AS(GerstnerWave(3, gravity, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(GerstnerWave(0, gravity), std::invalid_argument);
-  CHECK_THROWS_AS(GerstnerWave(3, std::nan("")), std::invalid_argument);
   draw(check);
 }
 

@@ -7,6 +7,7 @@
 
 #include "seiche/samples.hpp"
 #include "validation/instruments/manufactured/plan_manufactured.hpp"
+#include "verification/exact/spectral_derivative.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace plan_manufactured_test {
@@ -21,23 +22,11 @@ constexpr Eigen::Index period_points = 48;  // over [0, 2 L) either way, where t
 const std::string source =
     "Green and Naghdi, J. Fluid Mech. 78 (1976) 237; Miles and Salmon, J. Fluid Mech. 157 (1985) 519";
 
-/// Derivative of periodic values at equal spacing, exact for the harmonics that the points resolve.
-Eigen::MatrixXd spectral_derivative(double period) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(period_points, period_points);
-  for (Eigen::Index i = 0; i < period_points; ++i) {
-    for (Eigen::Index j = 0; j < period_points; ++j) {
-      if (i == j) continue;
-      const double sign = (i - j) % 2 == 0 ? 1 : -1;
-      result(i, j) = sign * pi / period / std::tan(pi * static_cast<double>(i - j) / period_points);
-    }
-  }
-  return result;
-}
-
 /// The Green-Naghdi equations in Eulerian form at one instant, from the formulas of the motion alone.
 class Snapshot {
  public:
-  Snapshot(const PlanManufactured::Parameters& p, double t) : derivative_(spectral_derivative(2 * p.length)) {
+  Snapshot(const PlanManufactured::Parameters& p, double t)
+      : derivative_(spectral_derivative(period_points, 2 * p.length)) {
     const Field shape = Field::Zero(period_points, period_points);
     Field x = shape;
     Field y = shape;

@@ -5,13 +5,12 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "seiche/exact/solitary_runup.hpp"
-#include "verification/digits_table.hpp"
+#include "verification/check.hpp"
 
 namespace runup_law_test {
 
 using namespace seiche;
 using namespace seiche::verification;
-using exact::HallWatts;
 using exact::SolitaryRunup;
 
 constexpr double pi = std::numbers::pi;
@@ -44,8 +43,7 @@ TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exac
               "Synolakis' integral becomes a sum: $R = C(s) \\sqrt{\\cot\\beta}\\, a^{5/4}$, $C(s) = \\frac{16}{3} "
               "\\Gamma(\\frac52) \\sqrt\\pi (2/\\pi)^{5/2} (3/4)^{5/4}\\, \\mathrm{Re}\\, e^{-i\\pi/4} \\sum (2m + 1 + "
               "i s)^{-5/2}$, $s = (t - 2 X_0)/\\alpha$. Its maximum is the law's coefficient. The wave breaks on the "
-              "way up where $X_0^2 R'' = g$: the second derivative of the same sum gives the breaking amplitude. Hall "
-              "and Watts' correlation on gentle slopes, 5 to 12 degrees, against 30-digit arithmetic.",
+              "way up where $X_0^2 R'' = g$: the second derivative of the same sum gives the breaking amplitude.",
               source);
   const std::complex<double> turned = std::polar(1.0, -0.25 * pi);
   const double highest =
@@ -60,11 +58,6 @@ TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exac
   check.that("breaking", "The coefficient of the breaking law is that at which the series' curvature reaches gravity.",
              "breaking amplitude over d (cot beta)^(-10/9)", {wave.breaking_amplitude() * std::pow(20.0, 10.0 / 9)},
              Bound{5e-5, "half a unit of the last of four printed decimals", std::pow(curvature, -4.0 / 9)});
-  check_table(check, "gentle", "run-up of Hall and Watts' correlation for slopes tan 10 deg and 1:10",
-              {{HallWatts(1, std::tan(pi / 18)).runup(0.1), "0.31722478171009206"},
-               {HallWatts(1, std::tan(pi / 18)).runup(0.3), "0.98904449435373994"},
-               {HallWatts(1, 0.1).runup(0.2), "0.60003649246490262"}},
-              "Hall and Watts (1953)");
 }
 
 }  // namespace runup_law_test

@@ -6,6 +6,8 @@
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "verification/difference.hpp"
 #include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
@@ -15,6 +17,8 @@ namespace serre_cnoidal_test {
 using namespace seiche;
 using exact::SerreCnoidal;
 using namespace seiche::verification;
+using validation::each;
+using validation::evenly;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Serre, Houille Blanche 8 (1953) 374; El, Grimshaw and Smyth, Phys. Fluids 18 (2006) 027104";
@@ -60,12 +64,9 @@ void draw(Check& check) {
                     .panel({.x = "x/depth", .y = "elevation/height"});
   for (const double height : {0.02, 0.1, 0.4}) {
     const SerreCnoidal wave(height, 10, 1, 1);
-    std::vector<double> x, y;
-    for (int i = -200; i <= 200; ++i) {
-      x.push_back(0.025 * i);
-      y.push_back(wave.elevation(x.back()) / height);
-    }
-    panel.line("height " + std::to_string(height).substr(0, 4), x, y, Role::exact);
+    const std::vector<double> x = evenly(-5, 5, 401);
+    panel.line("height " + std::to_string(height).substr(0, 4), x,
+               each(x, [&](double at) { return wave.elevation(at) / height; }), Role::exact);
   }
 }
 
@@ -112,10 +113,6 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
                    "still water: twice, for shape and depth"});
   self_test_holds(check, "steep", wave);
   self_test_holds(check, "train", train);
-  CHECK_THROWS_AS(SerreCnoidal(0.2, 2 * pi, 1, 0), std::invalid_argument);
-  CHECK_THROWS_AS(SerreCnoidal(0.2, 80, 1, 1), std::invalid_argument);
-  CHECK_THROWS_AS(SerreCnoidal(1.1, 2 * pi, 1, 1), std::invalid_argument);
-  CHECK_THROWS_AS(SerreCnoidal(std::nan(""), 2 * pi, 1, 1), std::invalid_argument);
   draw(check);
 }
 

@@ -66,7 +66,6 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
              {wave.breaking_time()},
              Bound{1e-6, "grid of 1e-3 misses the extremum by (1e-3)^2/8 of its curvature", -1 / (3 * steepest.value()),
                    true});
-  CHECK_THROWS_AS(wave.at(6, wave.breaking_time()), std::invalid_argument);
   CHECK_NOTHROW(wave.at(6, 0.999 * wave.breaking_time()));
 }
 

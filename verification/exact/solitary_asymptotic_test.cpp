@@ -83,11 +83,6 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
   self_test_holds(check, "laitone", LaitoneSolitary(0.3, 2, 9.81));
   self_test_holds(check, "grimshaw", GrimshawSolitary(0.3, 2, 9.81));
   CHECK(std::abs(wave.elevation(3, 2) - wave.elevation(3 - 2 * wave.speed())) == 0);
-  CHECK_THROWS_AS(BoussinesqSolitary(0), std::invalid_argument);
-  CHECK_THROWS_AS(LaitoneSolitary(0.84), std::invalid_argument);
-  CHECK_THROWS_AS(GrimshawSolitary(0.1, -1), std::invalid_argument);
-  CHECK_THROWS_AS(SerreSolitary(0.1, 1, 1, 0), std::invalid_argument);
-  CHECK_THROWS_AS(GrimshawSolitary(std::nan("")), std::invalid_argument);
   CHECK_NOTHROW(SerreSolitary(3));
 }
 

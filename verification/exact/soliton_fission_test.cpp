@@ -1,6 +1,5 @@
 // Solitary waves behind a change of depth: depths known from the literature, limits, refusals.
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "seiche/exact/mach_reflection.hpp"
@@ -43,13 +42,6 @@ TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths
       .that("sum-of-levels", "At a step onto half the depth each wave's rate of decay is one less than that before.",
             "sqrt(a_1/a_0)/h - sqrt(a_2/a_0)/h", {(std::sqrt(step.amplitude(1)) - std::sqrt(step.amplitude(2))) / 0.5},
             Roundoff{10, 4.0, "roots of squares", 1.0});
-}
-
-TEST_CASE("depths that are no shelf's are refused by name", "[exact]") {
-  for (const double depth : {0.0, 1.2, std::numeric_limits<double>::quiet_NaN()}) {
-    CHECK_THROWS_WITH(SolitonFission(depth), Catch::Contains("depth"));
-  }
-  CHECK_THROWS_AS(SolitonFission(0.5).amplitude(0), std::invalid_argument);
 }
 
 }  // namespace soliton_fission_test

@@ -6,6 +6,8 @@
 #include <functional>
 #include <utility>
 
+#include "seiche/exact/entry.hpp"
+
 namespace seiche::verification {
 
 /// Place and value of the maximum of the polynomial through nine waves around `middle`, `spacing` apart.
@@ -27,13 +29,8 @@ inline std::pair<double, double> wave_maximum(const std::function<double(double)
     return sum;
   };
   // The root of the derivative: the quantity itself is flat to round-off over a width of its square root.
-  double low = -1;
-  double high = 1;
-  for (int step = 0; step < 60; ++step) {
-    const double centre = 0.5 * (low + high);
-    (polynomial(centre, 1) > 0 ? low : high) = centre;
-  }
-  return {middle + reach * spacing * low, polynomial(low, 0)};
+  const double top = exact::root([&](double t) { return polynomial(t, 1); }, -1, 1);
+  return {middle + reach * spacing * top, polynomial(top, 0)};
 }
 
 }  // namespace seiche::verification

@@ -69,12 +69,6 @@ double volume_by_quadrature(const CellCorners& r) {
   return sum;
 }
 
-double largest_of(std::span<const double> values) {
-  Worst largest;
-  for (const double value : values) largest.add(value);
-  return largest.value();
-}
-
 TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces",
           "[geometry]") {
   Check check("hexahedron_volume", "Volume of a hexahedron",
@@ -141,7 +135,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
     differences[s] = (volumes[s] - differences[s]) / (2 * h) - h * h * hexahedron_volume(moving) - rates[s];
   }
   check.that("volumes", "Rates of the volumes are their derivatives.", "largest difference of rates",
-             {largest_of(differences)},
+             {seiche::worst(differences)},
              Roundoff{100, 0.5 / h, "volumes up to 0.5 rounded in some 100 operations, over the displacement"});
   std::vector<double> kick(state.u.size(), 0.0);
   model.kick(1, kick);
@@ -169,8 +163,8 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   model.matrix().multiply_and_dot(x, product);
   for (std::size_t s = 0; s < cells; ++s) differences[s] = product.data()[s] - rates[s];
   check.that("matrix", "The assembled matrix is J W J^T, at a wall with a bend too.", "largest difference of A mu",
-             {largest_of(differences)},
-             Roundoff{27 * 24, largest_of(rates),
+             {seiche::worst(differences)},
+             Roundoff{27 * 24, seiche::worst(rates),
                       "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
 }
 

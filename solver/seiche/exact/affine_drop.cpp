@@ -82,8 +82,7 @@ DropInstant::Ellipse DropInstant::outline() const {
 
 AffineDrop::AffineDrop(const Matrix2d& deformation, const Matrix2d& velocity_gradient, double density)
     : deformation_(deformation), rate_(velocity_gradient * deformation), density_(density) {
-  require_positive("density", density);
-  require_positive("determinant of the deformation", deformation.determinant());
+  require_all_positive({{"density", density}, {"determinant of the deformation", deformation.determinant()}});
   strength_ = velocity_gradient.norm();
   require_finite("norm of the velocity gradient", strength_);
   require_within("trace of the velocity gradient", velocity_gradient.trace(), -1e-14 * strength_, 1e-14 * strength_);
@@ -180,10 +179,10 @@ double stretch(double sigma) {
 
 StretchingDrop::StretchingDrop(double semi_axis, double other_axis, double strain_rate, double density)
     : density_(density) {
-  require_positive("semi_axis", semi_axis);
-  require_positive("other_axis", other_axis);
-  require_positive("magnitude of the strain_rate", std::abs(strain_rate));
-  require_positive("density", density);
+  require_all_positive({{"semi_axis", semi_axis},
+                        {"other_axis", other_axis},
+                        {"magnitude of the strain_rate", std::abs(strain_rate)},
+                        {"density", density}});
   mean_axis_ = std::sqrt(semi_axis) * std::sqrt(other_axis);
   start_ = 0.5 * (semi_axis - other_axis) / mean_axis_;
   invariant_ = strain_rate * strain_rate * (semi_axis * semi_axis + other_axis * other_axis);

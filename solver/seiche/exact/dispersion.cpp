@@ -90,9 +90,7 @@ SelfTest AiryDispersion::self_test() const {
 
 RationalDispersion::RationalDispersion(double gravity, double depth, double numerator, double denominator)
     : gravity_(gravity), depth_(depth), numerator_(numerator), denominator_(denominator) {
-  require_positive("gravity", gravity);
-  require_positive("depth", depth);
-  require_positive("denominator", denominator);
+  require_all_positive({{"gravity", gravity}, {"depth", depth}, {"denominator", denominator}});
   require_within("numerator", numerator, 0, denominator);
 }
 

@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -138,6 +140,11 @@ inline const Quantity velocity_v{"v", "m/s", "vertical velocity"};
 inline const Quantity mean_velocity_u{"u", "m/s", "horizontal velocity, mean over the depth"};
 inline const Quantity pressure_p{"p", "m^2/s^2", "pressure over density"};
 inline const Quantity depth_h{"h", "m", "depth"};
+
+/// Each of the numbers by its name, in this order.
+inline void require_all_positive(std::initializer_list<std::pair<std::string_view, double>> named) {
+  for (const auto& [name, value] : named) require_positive(name, value);
+}
 
 /// Relative departure of a value from the one expected, for self-tests.
 inline double departure(double value, double expected) {

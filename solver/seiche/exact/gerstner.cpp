@@ -24,8 +24,7 @@ constexpr int newton_digits = 53;
 }  // namespace
 
 GerstnerWave::GerstnerWave(double wavelength, double gravity, double top) : gravity_(gravity), top_(top) {
-  require_positive("wavelength", wavelength);
-  require_positive("gravity", gravity);
+  require_all_positive({{"wavelength", wavelength}, {"gravity", gravity}});
   require_within("top", top, -std::numeric_limits<double>::max(), 0);
   wavenumber_ = 2 * pi / wavelength;
   frequency_ = std::sqrt(gravity * wavenumber_);

@@ -97,10 +97,7 @@ PlanSymbol plan_symbol(double kx, double ky, double hx, double hy) {
 
 FrankDispersion::FrankDispersion(double gravity, double depth, double spacing, Parameters parameters)
     : gravity_(gravity), depth_(depth), spacing_(spacing), parameters_(parameters) {
-  require_positive("gravity", gravity);
-  require_positive("depth", depth);
-  require_positive("spacing", spacing);
-  require_positive("alpha", parameters.alpha);
+  require_all_positive({{"gravity", gravity}, {"depth", depth}, {"spacing", spacing}, {"alpha", parameters.alpha}});
   require_finite("beta", parameters.beta);
   require_finite("gamma", parameters.gamma);
   // The potential energy is linear in cos k s: positive at k s = pi is positive everywhere.
@@ -109,9 +106,7 @@ FrankDispersion::FrankDispersion(double gravity, double depth, double spacing, P
 }
 
 FrankDispersion FrankDispersion::tuned(double gravity, double depth, double spacing, double time_step) {
-  require_positive("gravity", gravity);
-  require_positive("depth", depth);
-  require_positive("spacing", spacing);
+  require_all_positive({{"gravity", gravity}, {"depth", depth}, {"spacing", spacing}});
   require_not_negative("time_step", time_step);
   const double h2 = spacing * spacing / (depth * depth);
   const double tau2 = time_step * time_step * gravity / depth;
@@ -166,8 +161,7 @@ SelfTest FrankDispersion::self_test() const {
 }
 
 double discrete_frequency(double omega, double time_step, TimeScheme scheme) {
-  require_positive("frequency", omega);
-  require_positive("time_step", time_step);
+  require_all_positive({{"frequency", omega}, {"time_step", time_step}});
   const double half = 0.5 * omega * time_step;
   if (scheme == TimeScheme::conservative) return 2 * std::atan(half) / time_step;
   require_that(half <= 1,
@@ -178,11 +172,8 @@ double discrete_frequency(double omega, double time_step, TimeScheme scheme) {
 
 PlanDispersion::PlanDispersion(double gravity, double depth, double spacing_x, double spacing_y, double alpha)
     : gravity_(gravity), depth_(depth), spacing_x_(spacing_x), spacing_y_(spacing_y), alpha_(alpha) {
-  require_positive("gravity", gravity);
-  require_positive("depth", depth);
-  require_positive("spacing_x", spacing_x);
-  require_positive("spacing_y", spacing_y);
-  require_positive("alpha", alpha);
+  require_all_positive(
+      {{"gravity", gravity}, {"depth", depth}, {"spacing_x", spacing_x}, {"spacing_y", spacing_y}, {"alpha", alpha}});
 }
 
 double PlanDispersion::frequency(double kx, double ky) const {
@@ -223,10 +214,7 @@ SelfTest PlanDispersion::self_test() const {
 HexahedralDispersion::HexahedralDispersion(double gravity, double depth, double spacing_x, double spacing_y,
                                            std::size_t layers, SurfaceInertia inertia)
     : gravity_(gravity), depth_(depth), spacing_x_(spacing_x), spacing_y_(spacing_y), layers_(layers) {
-  require_positive("gravity", gravity);
-  require_positive("depth", depth);
-  require_positive("spacing_x", spacing_x);
-  require_positive("spacing_y", spacing_y);
+  require_all_positive({{"gravity", gravity}, {"depth", depth}, {"spacing_x", spacing_x}, {"spacing_y", spacing_y}});
   require_at_least("layers", static_cast<long>(layers), 1);
   inertia_ = 0.5 - (inertia == SurfaceInertia::tuned ? 1 / (6 * static_cast<double>(layers)) : 0.0);
 }

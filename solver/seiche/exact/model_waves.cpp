@@ -90,20 +90,17 @@ EllipticParameter parameter_of(double height, double wavelength, double depth) {
                "wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height "
                "and depth are solitary",
                wavelength, longest + wavelength);
-  std::uintmax_t evaluations = 200;
-  const auto close = [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; };
   const double middle = longer(EllipticParameter::of(0.5));
-  if (middle > 0) {
-    // The third root is below 0 where m is half the height over the depth.
-    const auto [low, high] =
-        boost::math::tools::toms748_solve([&](double m) { return longer(EllipticParameter::of(m)); },
-                                          0.5 * height / depth, 0.5, -wavelength, middle, close, evaluations);
-    return EllipticParameter::of(0.5 * (low + high));
-  }
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      [&](double complement) { return longer(EllipticParameter::without(complement)); }, least_complement, 0.5, longest,
-      middle, close, evaluations);
-  return EllipticParameter::without(0.5 * (low + high));
+  const auto solved = [&](auto parameter, double least, double at_least) {
+    std::uintmax_t evaluations = 200;
+    const auto close = [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; };
+    const auto [low, high] = boost::math::tools::toms748_solve([&](double m) { return longer(parameter(m)); }, least,
+                                                               0.5, at_least, middle, close, evaluations);
+    return parameter(0.5 * (low + high));
+  };
+  // The third root is below 0 where m is half the height over the depth.
+  if (middle > 0) return solved(EllipticParameter::of, 0.5 * height / depth, -wavelength);
+  return solved(EllipticParameter::without, least_complement, longest);
 }
 
 }  // namespace
@@ -111,9 +108,7 @@ EllipticParameter parameter_of(double height, double wavelength, double depth) {
 AsymptoticSolitary::AsymptoticSolitary(double amplitude, double depth, double gravity, const Series& series,
                                        double limit)
     : ratio_(amplitude / depth), depth_(depth), gravity_(gravity), series_(series) {
-  require_positive("amplitude", amplitude);
-  require_positive("depth", depth);
-  require_positive("gravity", gravity);
+  require_all_positive({{"amplitude", amplitude}, {"depth", depth}, {"gravity", gravity}});
   require_within("amplitude/depth", ratio_, 0, limit);
 }
 
@@ -269,10 +264,7 @@ ExactSolution serre_solitary_entry() {
 
 SerreCnoidal::SerreCnoidal(double height, double wavelength, double depth, double gravity)
     : wavelength_(wavelength), depth_(depth), gravity_(gravity) {
-  require_positive("wavelength", wavelength);
-  require_positive("depth", depth);
-  require_positive("gravity", gravity);
-  require_positive("height", height);
+  require_all_positive({{"wavelength", wavelength}, {"depth", depth}, {"gravity", gravity}, {"height", height}});
   require_within("height", height, least_height * depth, depth);
   require_that(wavelength >= least_wavelength * depth,
                "wavelength = {:g} is out of range: must be at least a hundredth of the depth, {:g}; these "
@@ -359,10 +351,7 @@ ExactSolution serre_cnoidal_entry() {
       .scalars = {{"c", "m/s", "phase speed", &SerreCnoidal::phase_speed},
                   {"Q", "m^2/s", "discharge per unit of width, seen from the wave", &SerreCnoidal::discharge}},
       .make = from<SerreCnoidal>("height", "wavelength", "depth", "gravity"),
-      .row = [](const SerreCnoidal& wave, At at) {
-        const double x = at[0] - wave.phase_speed() * at[1];
-        return Row{wave.elevation(x), wave.depth_averaged_velocity(x)};
-      }};
+      .row = [](const SerreCnoidal& wave, At at) { return travelling_row(wave, wave.phase_speed(), at); }};
 }
 
 }  // namespace seiche::exact

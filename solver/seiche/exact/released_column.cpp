@@ -34,10 +34,7 @@ double ratio(double a, double b, double sign) {
 
 ReleasedColumn::ReleasedColumn(double length, double height, double gravity, double density)
     : length_(length), height_(height), weight_(gravity * density) {
-  require_positive("length", length);
-  require_positive("height", height);
-  require_positive("gravity", gravity);
-  require_positive("density", density);
+  require_all_positive({{"length", length}, {"height", height}, {"gravity", gravity}, {"density", density}});
   require_within("length/height", length / height, 1e-2, 1e2);
 }
 

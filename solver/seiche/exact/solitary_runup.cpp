@@ -27,14 +27,9 @@ constexpr double ringing_rate = 0.6398;
 
 }  // namespace
 
-SolitaryRunup::SolitaryRunup(double gravity, double depth, double amplitude, double cotangent)
-    : SolitaryRunup(gravity, depth, amplitude, cotangent, 1) {}
-
 SolitaryRunup::SolitaryRunup(double gravity, double depth, double amplitude, double cotangent, double refinement)
     : depth_(depth), toe_(cotangent) {
-  require_positive("gravity", gravity);
-  require_positive("depth", depth);
-  require_positive("amplitude", amplitude);
+  require_all_positive({{"gravity", gravity}, {"depth", depth}, {"amplitude", amplitude}});
   require_within("cotangent", cotangent, 1e-3, 1e4);
   require_within("amplitude/depth", amplitude / depth, 1e-6, 1);
   time_unit_ = std::sqrt(depth / gravity);
@@ -63,21 +58,15 @@ SolitaryRunup::SolitaryRunup(double gravity, double depth, double amplitude, dou
     imaginary_.push_back(value.imag());
   }
 
-  find_extremes();
-  find_steepness();
-}
-
-/// The motion follows the wave, of duration 1/gamma, and the beach's ringing, of period 2 pi/(2.98/(2 X0)) = 4.2 X0.
-void SolitaryRunup::find_extremes() {
+  // Step 3: the highest and the lowest shoreline. The motion follows the wave, of duration 1/gamma, and the beach's
+  // ringing, of period 2 pi/(2.98/(2 X0)) = 4.2 X0.
   const double duration = 1 / gamma_ + toe_;
   highest_ = *extreme(arrival_, 2 * toe_ + 5 * duration, 1);
   const double crest = highest_.time / time_unit_;
-  lowest_ = extreme(crest, crest + 10 * duration, -1);
-}
+  const double quiet = crest + 10 * duration;
+  lowest_ = extreme(crest, quiet, -1);
 
-void SolitaryRunup::find_steepness() {
-  const double crest = highest_.time / time_unit_;
-  const double quiet = crest + 10 * (1 / gamma_ + toe_);
+  // Step 4: how steep it becomes, and when it breaks.
   const double span = std::min(1 / gamma_, toe_) / 50;
   Largest run_up, overall;
   Worst excursion;
@@ -113,17 +102,10 @@ SolitaryRunup::Jet SolitaryRunup::jet(double tau) const {
 
 std::optional<SolitaryRunup::Extreme> SolitaryRunup::extreme(double from, double to, double sign) const {
   const double span = std::min(1 / gamma_, toe_) / 20;
-  double best = from;
-  double height = -std::numeric_limits<double>::infinity();
-  for (double t = from; t < to; t += span) {
-    const double value = sign * jet(t).value;
-    if (value > height) {
-      height = value;
-      best = t;
-    }
-  }
-  if (height < 1e-12 * amplitude_) return {};
-  const double time = root([&](double t) { return jet(t).slope; }, best - span, best + span);
+  Largest best;
+  for (double t = from; t < to; t += span) best.add(sign * jet(t).value, t);
+  if (!(best.value() >= 1e-12 * amplitude_)) return {};
+  const double time = root([&](double t) { return jet(t).slope; }, best.where() - span, best.where() + span);
   return Extreme{jet(time).value * depth_, time * time_unit_};
 }
 

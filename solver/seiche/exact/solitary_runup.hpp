@@ -44,8 +44,8 @@ namespace seiche::exact {
 class SolitaryRunup {
  public:
   /// @param amplitude  crest height a of the incident wave [m];  @param cotangent  cot beta of the beach
-  /// Throws std::invalid_argument.
-  SolitaryRunup(double gravity, double depth, double amplitude, double cotangent);
+  /// @param refinement  of the rule of the integral: a second value tells its error. Throws std::invalid_argument.
+  SolitaryRunup(double gravity, double depth, double amplitude, double cotangent, double refinement = 1);
 
   /// Elevation of the linear theory at the initial shoreline [m]; t = 0 when the crest is at the toe.
   [[nodiscard]] double linear_elevation(double t) const;
@@ -86,10 +86,6 @@ class SolitaryRunup {
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  SolitaryRunup(double gravity, double depth, double amplitude, double cotangent, double refinement);
-
-  void find_extremes();
-  void find_steepness();
   /// R and its first two derivatives, scaled.
   struct Jet {
     double value, slope, curvature;

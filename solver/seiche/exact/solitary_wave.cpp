@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gsl/gsl_sf_expint.h>
+#include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
@@ -93,19 +94,13 @@ Extended fourier_conjugate_sequence(Index count, long double step) {
 
 /// Root kappa of tan(kappa)/kappa = F^2 in (0, pi/2): the tail decays like exp(-kappa x).
 double solitary_decay_rate(double froude_squared) {
-  // Bisection to the neighbourhood, then Newton's method on sin(kappa) - F^2 kappa cos(kappa).
-  double low = 0;
-  double high = pi / 2;
-  double kappa = std::min(1.2, std::sqrt(3 * (froude_squared - 1)));
-  for (int step = 0; step < 80; ++step) {
-    const double value = std::sin(kappa) - froude_squared * kappa * std::cos(kappa);
-    (value < 0 ? low : high) = kappa;
-    const double slope = std::cos(kappa) * (1 - froude_squared) + froude_squared * kappa * std::sin(kappa);
-    const double next = kappa - value / slope;
-    if (std::abs(next - kappa) < 1e-15 * kappa) break;
-    kappa = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return kappa;
+  constexpr int digits = 50;  // the last step of Newton's method doubles them
+  return boost::math::tools::newton_raphson_iterate(
+      [froude_squared](double kappa) {
+        return std::pair(std::sin(kappa) - froude_squared * kappa * std::cos(kappa),
+                         std::cos(kappa) * (1 - froude_squared) + froude_squared * kappa * std::sin(kappa));
+      },
+      std::min(1.2, std::sqrt(3 * (froude_squared - 1))), 0.0, pi / 2, digits);
 }
 
 /// @param tail  the wave is followed until it has decayed by exp(-tail)
@@ -364,8 +359,7 @@ double SolitarySurface::maximum_slope() const {
 namespace {
 
 std::shared_ptr<const SolitarySurface> solved(WaveCrest crest, double depth, double gravity, Resolution resolution) {
-  require_positive("depth", depth);
-  require_positive("gravity", gravity);
+  require_all_positive({{"depth", depth}, {"gravity", gravity}});
   require_resolution(resolution);
   if (crest.amplitude) require_finite("amplitude", depth * *crest.amplitude);
   if (crest.amplitude) require_within("amplitude/depth", *crest.amplitude, 0.001, 0.8331);

@@ -39,8 +39,7 @@ double secular_part(double w) {
 using Parameters = DispersiveStandingWave::Parameters;
 
 void require_valid(double kh, const Parameters& parameters) {
-  require_positive("k H", kh);
-  require_positive("alpha", parameters.alpha);
+  require_all_positive({{"k H", kh}, {"alpha", parameters.alpha}});
   require_not_negative("gamma", parameters.gamma);
   // As gamma nears alpha the waves lose their dispersion and the second harmonic is resonant.
   require_within("gamma", parameters.gamma, 0, 0.99 * parameters.alpha);
@@ -95,8 +94,7 @@ double StandingWave::critical_depth() {
 }
 
 StandingWave::StandingWave(double amplitude, double wavelength, double depth, double gravity) : gravity_(gravity) {
-  require_positive("amplitude", amplitude);
-  require_positive("wavelength", wavelength);
+  require_all_positive({{"amplitude", amplitude}, {"wavelength", wavelength}});
   require_depth("depth", depth);
   require_positive("gravity", gravity);
   wavenumber_ = 2 * std::numbers::pi / wavelength;
@@ -244,10 +242,7 @@ std::optional<double> DispersiveStandingWave::exponent_for_critical_depth(double
 DispersiveStandingWave::DispersiveStandingWave(double amplitude, double wavelength, double depth, double gravity,
                                                const Parameters& parameters)
     : parameters_(parameters), gravity_(gravity), depth_(depth) {
-  require_positive("amplitude", amplitude);
-  require_positive("wavelength", wavelength);
-  require_positive("depth", depth);
-  require_positive("gravity", gravity);
+  require_all_positive({{"amplitude", amplitude}, {"wavelength", wavelength}, {"depth", depth}, {"gravity", gravity}});
   wavenumber_ = 2 * std::numbers::pi / wavelength;
   require_valid(wavenumber_ * depth, parameters);
   relative_amplitude_ = amplitude / depth;

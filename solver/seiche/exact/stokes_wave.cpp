@@ -367,8 +367,7 @@ namespace {
 /// Wavenumber of a medium in which the wave exists.
 double checked_wavenumber(double wavelength, double depth, const char* depth_name, double gravity,
                           Resolution resolution) {
-  require_positive("wavelength", wavelength);
-  require_positive("gravity", gravity);
+  require_all_positive({{"wavelength", wavelength}, {"gravity", gravity}});
   require_resolution(resolution);
   if (!(depth > 0)) require_positive(depth_name, depth);
   const double wavenumber = 2 * pi / wavelength;

@@ -158,32 +158,30 @@ SmoothBottom::SmoothBottom(std::function<double(double)> elevation, std::functio
 
 void SmoothBottom::sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const {
   for (std::size_t i = 0; i < x.size(); ++i) {
-    require_inside(x[i]);
+    require_inside(x[i], x[i]);
     elevation[i] = elevation_(x[i]);
     slope[i] = slope_(x[i]);
   }
 }
 
 std::optional<double> SmoothBottom::uniform_slope(double from, double to) const {
-  require_inside(from);
-  require_inside(to);
+  require_inside(from, to);
   return std::nullopt;
 }
 
-void SmoothBottom::require_inside(double x) const {
-  if (!(x >= begin_ && x <= end_)) throw_outside(x, begin_, end_);
+void SmoothBottom::require_inside(double from, double to) const {
+  for (const double x : {from, to}) {
+    if (!(x >= begin_ && x <= end_)) throw_outside(x, begin_, end_);
+  }
 }
 
 double SmoothBottom::mean(double from, double to) const {
-  require_inside(from);
-  require_inside(to);
-
+  require_inside(from, to);
   return gauss_mean(elevation_, from, to);
 }
 
 double SmoothBottom::mean_square(double from, double to) const {
-  require_inside(from);
-  require_inside(to);
+  require_inside(from, to);
   return gauss_mean([this](double x) { return elevation_(x) * elevation_(x); }, from, to);
 }
 

@@ -98,7 +98,7 @@ class SmoothBottom final : public BottomProfile {
   [[nodiscard]] double end() const override { return end_; }
 
  private:
-  void require_inside(double x) const;
+  void require_inside(double from, double to) const;
 
   std::function<double(double)> elevation_, slope_;
   double begin_, end_;

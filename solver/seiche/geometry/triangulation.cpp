@@ -383,21 +383,18 @@ void MovingTriangulation::move_to(Places nodes) {
       const int inverted = mesh_.first_inverted({next_x_, next_y_});
       if (inverted == Triangulation::outside) break;
       part /= 2;
-      ++bisections_;
-      if (part < shortest_part) throw_tangled(inverted, {next_x_, next_y_});
+      if (part >= shortest_part) continue;
+      const auto [a, b, c] = mesh_[inverted].vertex;
+      throw Infeasible(
+          next_x_[static_cast<std::size_t>(a)],
+          "triangle {} of nodes {}, {}, {} turns over: a node reaches the outline, or two of the outline meet",
+          inverted, a, b, c);
     }
     x_.swap(next_x_);
     y_.swap(next_y_);
     flips_ += mesh_.make_delaunay({x_, y_});
     left -= part;
   }
-}
-
-void MovingTriangulation::throw_tangled(int triangle, Places there) const {
-  const auto [a, b, c] = mesh_[triangle].vertex;
-  throw Infeasible(there[a].x,
-                   "triangle {} of nodes {}, {}, {} turns over: a node reaches the outline, or two of the outline meet",
-                   triangle, a, b, c);
 }
 
 }  // namespace seiche

@@ -127,19 +127,14 @@ class MovingTriangulation {
   [[nodiscard]] Places nodes() const { return {x_, y_}; }
   /// Grows whenever the triangles are others than before: for whoever keeps what depends on them.
   [[nodiscard]] long flips() const { return flips_; }
-  /// How often a way was halved.
-  [[nodiscard]] long bisections() const { return bisections_; }
 
  private:
   static constexpr double shortest_part = 1e-9;  // of the way: nodes may pass each other as closely as that
-
-  [[noreturn]] void throw_tangled(int triangle, Places there) const;
 
   Triangulation mesh_;
   std::vector<double> x_, y_;
   std::vector<double> next_x_, next_y_;
   long flips_ = 0;
-  long bisections_ = 0;
 };
 
 }  // namespace seiche

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
@@ -48,24 +50,15 @@ void Stepper::rate(const State& state, double time, State& rate, Eigen::VectorXd
   const auto surface = view(state);
   velocity_.solve(surface, psi_s);
   const auto change = view(rate);
-  for (std::size_t i = 0; i < surface.size(); ++i) {
-    const std::complex<double> f = velocity_.velocity(i);
-    change.displacement[i] = f.real();
-    change.y[i] = -f.imag();
-    change.potential[i] = 0.5 * std::norm(f) - surface.y[i];
-  }
-  by_pressure(rate).work = 0;
-  by_pressure(rate).thrust = 0;
-  if (pressure_) add_pressure(state, time, rate, psi_s);
-}
-
-void Stepper::add_pressure(const State& state, double time, State& rate, const Eigen::VectorXd& psi_s) const {
-  const auto surface = view(state);
-  const auto change = view(rate);
   const std::size_t n = surface.size();
   double power = 0;
   double force = 0;
   for (std::size_t i = 0; i < n; ++i) {
+    const std::complex<double> f = velocity_.velocity(i);
+    change.displacement[i] = f.real();
+    change.y[i] = -f.imag();
+    change.potential[i] = 0.5 * std::norm(f) - surface.y[i];
+    if (!pressure_) continue;
     const double p = pressure_(label(i, n) + surface.displacement[i], time);
     change.potential[i] -= p;
     power += p * psi_s[static_cast<Eigen::Index>(i)];
@@ -197,18 +190,15 @@ void Evolution::advance_to(double time) {
 }
 
 std::string Evolution::ending_reason() const {
-  switch (ending_) {
-    case Ending::none:
-      return "";
-    case Ending::step_collapse:
-      return fmt::format("time step below {:g} of sqrt(1/(g k)): two parts of the surface touch", shortest_step);
-    case Ending::energy:
-      return fmt::format("energy changed by more than {:g} of itself: surface not resolved", resolution_lost);
-    case Ending::spectral_tail:
-      return fmt::format("upper half of the spectrum above {:g} of its largest coefficient: surface not resolved",
-                         resolution_lost);
+  if (ending_ == Ending::step_collapse) {
+    return fmt::format("time step below {:g} of sqrt(1/(g k)): two parts of the surface touch", shortest_step);
   }
-  return "";
+  if (ending_ == Ending::energy) {
+    return fmt::format("energy changed by more than {:g} of itself: surface not resolved", resolution_lost);
+  }
+  if (ending_ == Ending::none) return "";
+  return fmt::format("upper half of the spectrum above {:g} of its largest coefficient: surface not resolved",
+                     resolution_lost);
 }
 
 double Evolution::ending_place() const {
@@ -236,27 +226,11 @@ std::optional<double> Evolution::first_zero(const std::function<double(const Mom
   for (std::size_t m = 1; m < moments_.size(); ++m) {
     const double after = g(moments_[m]);
     if (after <= 0) {
-      const auto at_time = [&](double t) { return g(at(t)); };
-      double a = moments_[m - 1].time;
-      double b = moments_[m].time;
-      double ga = before;
-      double gb = after;
-      // Illinois: regula falsi that halves the value kept twice.
-      while (b - a > accuracy && gb != 0) {
-        const double t = (a * gb - b * ga) / (gb - ga);
-        const double gt = at_time(t);
-        if (std::min(t - a, b - t) < accuracy) return t;
-        if (gt > 0) {
-          a = t;
-          ga = gt;
-          gb *= 0.5;
-        } else {
-          b = t;
-          gb = gt;
-          ga *= 0.5;
-        }
-      }
-      return b;
+      const auto close = [accuracy](double a, double b) { return b - a < accuracy; };
+      std::uintmax_t evaluations = 60;
+      return boost::math::tools::toms748_solve([&](double t) { return g(at(t)); }, moments_[m - 1].time,
+                                               moments_[m].time, before, after, close, evaluations)
+          .second;
     }
     before = after;
   }

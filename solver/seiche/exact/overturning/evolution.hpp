@@ -73,7 +73,6 @@ class Stepper {
 
  private:
   void rate(const State& state, double time, State& rate, Eigen::VectorXd& psi_s);
-  void add_pressure(const State& state, double time, State& rate, const Eigen::VectorXd& psi_s) const;
 
   SurfaceVelocity velocity_;
   SurfacePressure pressure_;

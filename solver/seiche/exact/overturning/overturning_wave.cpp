@@ -22,10 +22,10 @@ namespace {
 /// What both waves ask of their parameters.
 template <class Parameters>
 void require_computable(const Parameters& p) {
-  require_positive("wavelength", p.wavelength);
-  require_positive("gravity", p.gravity);
-  require_positive("tolerance", p.tolerance);
-  require_positive("depth", std::isinf(p.depth) && p.depth > 0 ? p.wavelength : p.depth);
+  require_all_positive({{"wavelength", p.wavelength},
+                        {"gravity", p.gravity},
+                        {"tolerance", p.tolerance},
+                        {"depth", std::isinf(p.depth) && p.depth > 0 ? p.wavelength : p.depth}});
   require_at_least("markers", static_cast<long>(p.markers), 64);
   require_within("markers modulo 2", static_cast<double>(p.markers % 2), 0, 0);
   require_not_negative("last_time", p.last_time);

@@ -16,12 +16,18 @@ namespace seiche::exact::slope_climb {
 
 namespace {
 
+using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// T_c at the r-th of the nodes of so many intervals; the argument stays small, as does its rounding.
 double polynomial(Index c, Index r, Index intervals) {
   const Index phase = ((intervals - r) * c) % (2 * intervals);
   return std::cos(std::numbers::pi * static_cast<double>(phase) / static_cast<double>(intervals));
+}
+
+/// The polynomials at the nodes of `fine` intervals.
+Eigen::MatrixXd polynomials(Index fine, Index n) {
+  return Eigen::MatrixXd::NullaryExpr(fine + 1, n + 1, [=](Index r, Index c) { return polynomial(c, r, fine); });
 }
 
 double halved_at_ends(Index k, Index n) {
@@ -60,41 +66,24 @@ ChebyshevLine::ChebyshevLine(std::size_t intervals)
     }
     derivative_(r, r) = -derivative_.row(r).sum();
   }
-  Eigen::VectorXd kept(n + 1);
-  for (Index k = 0; k <= n; ++k)
-    kept[k] = std::exp(-36 * std::pow(static_cast<double>(k) / static_cast<double>(n), 24));
-  Eigen::MatrixXd values(n + 1, n + 1);
-  for (Index c = 0; c <= n; ++c) {
-    for (Index r = 0; r <= n; ++r) values(r, c) = polynomial(c, r, n);
-  }
-  filter_ = values * kept.asDiagonal() * coefficients();
+  const auto kept = Eigen::VectorXd::NullaryExpr(
+      n + 1, [n](Index k) { return std::exp(-36 * std::pow(static_cast<double>(k) / static_cast<double>(n), 24)); });
+  filter_ = polynomials(n, n) * kept.eval().asDiagonal() * coefficients();
 }
 
 Eigen::MatrixXd ChebyshevLine::coefficients() const {
   const auto n = static_cast<Index>(n_);
-  Eigen::MatrixXd matrix(n + 1, n + 1);
-  for (Index r = 0; r <= n; ++r) {
-    for (Index c = 0; c <= n; ++c) {
-      matrix(c, r) = 2 * halved_at_ends(c, n) * halved_at_ends(r, n) * polynomial(c, r, n) / static_cast<double>(n);
-    }
-  }
-  return matrix;
+  return Eigen::MatrixXd::NullaryExpr(n + 1, n + 1, [n](Index c, Index r) {
+    return 2 * halved_at_ends(c, n) * halved_at_ends(r, n) * polynomial(c, r, n) / static_cast<double>(n);
+  });
 }
 
 Eigen::MatrixXd ChebyshevLine::refinement(std::size_t times) const {
   const auto n = static_cast<Index>(n_);
-  const Index fine = n * static_cast<Index>(times);
-  Eigen::MatrixXd values(fine + 1, n + 1);
-  for (Index c = 0; c <= n; ++c) {
-    for (Index r = 0; r <= fine; ++r) values(r, c) = polynomial(c, r, fine);
-  }
-  return values * coefficients();
+  return polynomials(n * static_cast<Index>(times), n) * coefficients();
 }
 
 namespace {
-
-using Complex = std::complex<double>;
-using Eigen::Index;
 
 /// Distance from the image over that from the next node, from where the integrals err by exp(-2 pi 5) at most.
 constexpr double near_image = 5;
@@ -211,8 +200,6 @@ void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using Complex = std::complex<double>;
-using Eigen::Index;
 
 constexpr double held = 4;         // depths at the far end, over which water is let go gradually
 constexpr double shortest = 1e-6;  // step
@@ -284,11 +271,10 @@ void Climb::filter() {
 }
 
 void Climb::step() {
-  const auto system = [this](const State& state, State& rate, double /*time*/) { this->rate(state, rate); };
   before_ = state_;
   time_before_ = time_;
   stepper_.reset();  // the filter changed the state since
-  while (stepper_.try_step(system, state_, time_, duration_) == odeint::fail) {
+  while (stepper_.try_step(system(), state_, time_, duration_) == odeint::fail) {
     if (duration_ > shortest) continue;
     throw Divergence(
         "steps get shorter without end: the surface overturns at this amplitude and cotangent, or has too few markers",
@@ -306,9 +292,8 @@ void Climb::step_back() {
 
 void Climb::step_to(double time) {
   if (time == time_) return;
-  const auto system = [this](const State& state, State& rate, double /*time*/) { this->rate(state, rate); };
   odeint::runge_kutta_dopri5<State> pair;
-  pair.do_step(system, state_, time_, time - time_);
+  pair.do_step(system(), state_, time_, time - time_);
   time_ = time;
   require_finite();
 }

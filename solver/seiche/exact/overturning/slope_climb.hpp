@@ -135,6 +135,9 @@ class Climb {
  private:
   using State = std::vector<double>;  ///< x, y and phi of all nodes
   void rate(const State& state, State& rate);
+  auto system() {
+    return [this](const State& now, State& change, double /*time*/) { rate(now, change); };
+  }
   void filter();
   void require_finite() const;
   [[nodiscard]] Eigen::VectorXcd nodes(const State& state) const;

@@ -55,8 +55,7 @@ Climb start(const SolitaryWave& wave, double cotangent, std::size_t markers, dou
 
 SlopeRunup::SlopeRunup(double amplitude, double cotangent, double depth, std::size_t markers, double tolerance)
     : amplitude_(amplitude), cotangent_(cotangent), depth_(depth), markers_(markers), tolerance_(tolerance) {
-  require_positive("depth", depth);
-  require_positive("amplitude", amplitude);
+  require_all_positive({{"depth", depth}, {"amplitude", amplitude}});
   require_within("amplitude/depth", amplitude / depth, 0.02, 0.5 * (1 + 1e-12));
   require_within("cotangent", cotangent, 0, 3);
   require_at_least("markers", static_cast<long>(markers), fewest);

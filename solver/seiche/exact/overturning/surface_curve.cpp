@@ -194,21 +194,15 @@ double SurfaceCurve::distance(Complex place) const {
     const Complex d = z - place;
     return Complex(d.real() - 2 * std::numbers::pi * std::round(d.real() / (2 * std::numbers::pi)), d.imag());
   };
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (const double d = std::norm(apart(node(i))); d < least) {
-      least = d;
-      nearest = i;
-    }
-  }
+  Smallest least;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) least.add(std::norm(apart(node(i))), label(i, nodes_.size()));
   // Gauss and Newton's iteration for the foot point: curves as close as these need no second derivative.
-  double s = label(nearest, nodes_.size());
+  double s = least.where();
   for (int i = 0; i < 4; ++i) {
     const Complex z_s = 1.0 + tangent_(s);
     s -= (std::conj(z_s) * apart(point(s))).real() / std::norm(z_s);
   }
-  return std::sqrt(std::min(least, std::norm(apart(point(s)))));
+  return std::sqrt(std::min(least.value(), std::norm(apart(point(s)))));
 }
 
 double SurfaceCurve::distance(const SurfaceCurve& other) const {

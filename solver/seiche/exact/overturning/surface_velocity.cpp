@@ -16,6 +16,8 @@ struct Pole {
   explicit Pole(std::complex<double> z) : re(z.real()), im(z.imag()) {}
 };
 
+/// Over the markers j of row i, j = i left out: of phi_s,j/(E_j - E_i), of phi_s,j/(1 - e_i conj e_j), and of A_ij x_j
+/// in double precision.
 struct Sums {
   double direct_re = 0, direct_im = 0, image_re = 0, image_im = 0, product = 0;
 };
@@ -79,6 +81,7 @@ SEICHE_SIMD_CLONES void add_in_deep_water(std::size_t begin, std::size_t end, Po
   add_markers<false>(begin, end, Ei, ei, a, z, at, sums);
 }
 
+/// y = x - A x with A stored by rows.
 SEICHE_SIMD_CLONES void subtract(const float* A, std::size_t n, const double* x, double* y) {
   for (std::size_t i = 0; i < n; ++i) {
     const float* row = A + i * n;
@@ -89,24 +92,21 @@ SEICHE_SIMD_CLONES void subtract(const float* A, std::size_t n, const double* x,
   }
 }
 
-}  // namespace
-
-RowSums kernel_row(std::size_t i, std::complex<double> z_s, double factor, const Complexes& E, const Complexes* e,
-                   const double* phi_s, const double* x, std::vector<float>::iterator row) {
+/// Row i of A without its diagonal: A_ij = factor Re[z_s E_i/(E_j - E_i) + z_s/(1 - e_i conj e_j)], z_s that of marker
+/// i.
+///
+/// @param e    of every marker; nullptr for infinite depth, where it is zero
+/// @param row  receives A_ij, in single precision
+Sums kernel_row(std::size_t i, std::complex<double> z_s, double factor, const Complexes& E, const Complexes* e,
+                const double* phi_s, const double* x, std::vector<float>::iterator row) {
   const Markers at{E.re.data(), E.im.data(), e ? e->re.data() : nullptr, e ? e->im.data() : nullptr, phi_s, x, &*row};
   const auto add = e ? add_above_bottom : add_in_deep_water;
   Sums sums;
   for (const auto& [begin, end] : {std::pair{std::size_t{0}, i}, std::pair{i + 1, E.re.size()}}) {
     add(begin, end, Pole(E[i]), Pole(e ? (*e)[i] : 0), Pole(factor * z_s * E[i]), Pole(factor * z_s), at, sums);
   }
-  return {{sums.direct_re, sums.direct_im}, {sums.image_re, sums.image_im}, sums.product};
+  return sums;
 }
-
-void subtract_product(const std::vector<float>& A, const double* x, double* y, std::size_t n) {
-  subtract(A.data(), n, x, y);
-}
-
-namespace {
 
 using Complex = std::complex<double>;
 
@@ -179,12 +179,14 @@ double SurfaceVelocity::assemble(const Eigen::VectorXd& psi_s) {
   for (std::size_t i = 0; i < n_; ++i) {
     const Complex z_s = z_s_[i];
     const auto row = A_.begin() + static_cast<std::ptrdiff_t>(i * n_);
-    const RowSums sums = kernel_row(i, z_s, -factor, E_, has_bottom_ ? &e_ : nullptr, phi_s_.data(), psi_s.data(), row);
+    const Sums sums = kernel_row(i, z_s, -factor, E_, has_bottom_ ? &e_ : nullptr, phi_s_.data(), psi_s.data(), row);
     const double image = has_bottom_ ? 1 / (1 - std::norm(e_[i])) : 1;  // 1/(1 - e_i conj e_i)
     const Complex regular = z_ss_[i] / (2.0 * z_s);
     const double diagonal = factor * (regular.imag() - z_s.real() * (image - 0.5));
-    const double b = factor * (-(z_s * (E_[i] * sums.direct - sums.image)).imag() +
-                               z_s.imag() * phi_s_[i] * (0.5 + image) + phi_ss_[i] - phi_s_[i] * regular.real());
+    const double b =
+        factor *
+        (-(z_s * (E_[i] * Complex(sums.direct_re, sums.direct_im) - Complex(sums.image_re, sums.image_im))).imag() +
+         z_s.imag() * phi_s_[i] * (0.5 + image) + phi_ss_[i] - phi_s_[i] * regular.real());
     row[static_cast<std::ptrdiff_t>(i)] = static_cast<float>(diagonal);
     b_squared += b * b;
     const double psi = psi_s[static_cast<Eigen::Index>(i)];
@@ -196,9 +198,7 @@ double SurfaceVelocity::assemble(const Eigen::VectorXd& psi_s) {
 void SurfaceVelocity::solve(SurfaceView<const double> surface, Eigen::VectorXd& psi_s, double tolerance) {
   differentiate(surface);
   exponentials(surface);
-  const auto apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-    subtract_product(A_, x.data(), y.data(), n_);
-  };
+  const auto apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { subtract(A_.data(), n_, x.data(), y.data()); };
   // Each pass leaves of the residual what single precision misses; a first guess from the past needs one.
   bool solved = false;
   for (int pass = 0; !solved && pass < most_passes; ++pass) {

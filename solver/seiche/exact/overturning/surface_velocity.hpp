@@ -124,24 +124,6 @@ struct Complexes {
   }
 };
 
-/// Sums over the markers j of row i, j = i left out.
-struct RowSums {
-  std::complex<double> direct;  ///< sum phi_s,j/(E_j - E_i)
-  std::complex<double> image;   ///< sum phi_s,j/(1 - e_i conj e_j)
-  double product = 0;           ///< sum A_ij x_j, in double precision
-};
-
-/// Row i of A without its diagonal: A_ij = factor Re[z_s E_i/(E_j - E_i) + z_s/(1 - e_i conj e_j)], z_s that of marker
-/// i.
-///
-/// @param e    of every marker; nullptr for infinite depth, where it is zero
-/// @param row  receives A_ij, in single precision
-RowSums kernel_row(std::size_t i, std::complex<double> z_s, double factor, const Complexes& E, const Complexes* e,
-                   const double* phi_s, const double* x, std::vector<float>::iterator row);
-
-/// y = x - A x with A stored by rows.
-void subtract_product(const std::vector<float>& A, const double* x, double* y, std::size_t n);
-
 class SurfaceVelocity {
  public:
   /// @param markers  N >= 8, even;  @param depth  > 0, may be infinite. Throws std::invalid_argument.

@@ -66,12 +66,7 @@ WallColumn::WallColumn(const Moment& moment, double depth, SurfaceVelocity& equa
   }
   level_ = surface.y[n / 2];
   opposite_level_ = surface.y[0];
-  set_impulse(psi, equation);
-}
-
-/// int psi dx from wall to wall: the integrand is a sum of sines of the label.
-void WallColumn::set_impulse(const std::vector<double>& psi, const SurfaceVelocity& equation) {
-  const std::size_t n = psi.size();
+  // int psi dx from wall to wall: the integrand is a sum of sines of the label.
   linear::Fourier fourier(n);
   std::vector<Complex> work(n);
   for (std::size_t j = 0; j < n; ++j) work[j] = psi[j] * equation.tangent(j).real();

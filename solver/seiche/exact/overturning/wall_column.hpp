@@ -47,7 +47,6 @@ class WallColumn {
   /// At a place z + ih - pi.
   [[nodiscard]] double pressure(std::complex<double> place, double y) const;
   [[nodiscard]] double force(double x, double level) const;
-  void set_impulse(const std::vector<double>& psi, const SurfaceVelocity& equation);
 
   double depth_, level_, opposite_level_;
   double impulse_ = 0;

@@ -51,8 +51,7 @@ ow::State start(std::size_t markers, const SolitaryWave& wave, double distance, 
 }  // namespace
 
 double WallCollision::checked_ratio(double amplitude, double depth) {
-  require_positive("depth", depth);
-  require_positive("amplitude", amplitude);
+  require_all_positive({{"depth", depth}, {"amplitude", amplitude}});
   require_within("amplitude/depth", amplitude / depth, 0.05, 0.6 * (1 + 1e-12));
   return amplitude / depth;
 }
@@ -236,6 +235,15 @@ SelfTest WallLoad::self_test() const {
           WallRunup::self_test()[1]};
 }
 
+namespace {
+
+const std::vector<Parameter> wall_parameters{
+    {"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
+    depth_parameter(1, 1e6),
+    {"markers", "1", 384, 128, 4096, "markers of the computation, even"}};
+
+}  // namespace
+
 ExactSolution wall_load_entry() {
   return Entry<WallLoad>{
       .name = "wall_load",
@@ -248,9 +256,7 @@ ExactSolution wall_load_entry() {
       .formula =
           "two mirrored solitary waves of the Euler equations moved by Cauchy's integral; p = -phi_t - v^2/2 - g y at "
           "the wall",
-      .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
-                     depth_parameter(1, 1e6),
-                     {"markers", "1", 384, 128, 4096, "markers of the computation, even"}},
+      .parameters = wall_parameters,
       .inputs = {{"t", "1", 0, "time since the crest was the separation from the wall, times sqrt(g/depth)"}},
       .outputs = {{"level", "m", "elevation of the water at the wall"},
                   {"still", "m", "pressure over rho g at the undisturbed level"},
@@ -284,9 +290,7 @@ ExactSolution wall_runup_entry() {
           "Su & Mirie, On head-on collisions between two solitary waves, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman "
           "& Bale, Reflection of a high-amplitude solitary wave at a vertical wall, J. Fluid Mech. 342 (1997) 141",
       .formula = "two mirrored solitary waves of the Euler equations moved by Cauchy's integral; R = max y at the wall",
-      .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
-                     depth_parameter(1, 1e6),
-                     {"markers", "1", 384, 128, 4096, "markers of the computation, even"}},
+      .parameters = wall_parameters,
       .inputs = {},
       .outputs = {{"runup", "m", "highest elevation at the wall"}},
       .scalars = {{"su_mirie", "m", "series 2 a + a^2/2 + 3 a^3/4 of Su and Mirie, in depths",

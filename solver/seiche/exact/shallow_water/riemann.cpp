@@ -136,8 +136,7 @@ SelfTest Riemann::self_test() const {
 namespace {
 
 double below(double downstream, double upstream) {
-  require_positive("upstream", upstream);
-  require_positive("downstream", downstream);
+  require_all_positive({{"upstream", upstream}, {"downstream", downstream}});
   require_that(downstream < upstream, "downstream = {:.17g} is out of range: must be below upstream = {:g}", downstream,
                upstream);
   return downstream;
@@ -168,8 +167,7 @@ Bore::Bore(double gravity, double ahead, double behind, double ahead_velocity, d
   require_positive("gravity", gravity);
   require_finite("velocity ahead of the bore", ahead_velocity);
   require_finite("start", start);
-  require_positive("depth ahead of the jump", ahead);
-  require_positive("depth behind the jump", behind);
+  require_all_positive({{"depth ahead of the jump", ahead}, {"depth behind the jump", behind}});
   require_that(behind > ahead,
                "depth behind the jump = {:.17g} is out of range: must exceed the depth ahead = {:g} (a jump loses "
                "energy)",
@@ -179,9 +177,8 @@ Bore::Bore(double gravity, double ahead, double behind, double ahead_velocity, d
 }
 
 Bore Bore::from_velocity(double gravity, double behind, double behind_velocity, double start) {
-  require_positive("gravity", gravity);
-  require_positive("depth behind the jump", behind);
-  require_positive("velocity behind the jump", behind_velocity);
+  require_all_positive(
+      {{"gravity", gravity}, {"depth behind the jump", behind}, {"velocity behind the jump", behind_velocity}});
   // u1 falls from infinity to 0 as the depth ahead grows from 0 to h1; (h1/h0)(g h1/2) > u1^2 bounds the root below
   // within a factor that the bracket covers by halving.
   const auto excess = [&](double ahead) { return sw::velocity_change(gravity, behind, ahead) - behind_velocity; };

@@ -32,8 +32,7 @@ constexpr double farthest = 1e6;
 
 SimpleWave::SimpleWave(double gravity, double still_depth, Profile profile)
     : gravity_(gravity), profile_(std::move(profile)) {
-  require_positive("gravity", gravity);
-  require_positive("still_depth", still_depth);
+  require_all_positive({{"gravity", gravity}, {"still_depth", still_depth}});
   require_that(profile_.depth && profile_.slope, "profile: depth and slope must both be given");
   require_finite("profile start", profile_.start);
   require_finite("profile end", profile_.end);
@@ -54,37 +53,28 @@ SimpleWave::SimpleWave(double gravity, double still_depth, Profile profile)
   };
   constexpr int samples = 4000;
   const double spacing = (profile_.end - profile_.start) / samples;
-  double steepest = 0;
-  breaking_place_ = profile_.start;
-  double place = profile_.start;
+  Smallest steepest;
   for (int k = 0; k <= samples; ++k) {
     const double s = profile_.start + k * spacing;
-    if (const double slope = celerity_slope(s); slope < steepest) {
-      steepest = slope;
-      place = s;
-    }
+    steepest.add(celerity_slope(s), s);
   }
+  breaking_place_ = profile_.start;
   breaking_time_ = std::numeric_limits<double>::infinity();
-  if (steepest < 0) {
-    const double low = std::max(place - spacing, profile_.start);
-    const double high = std::min(place + spacing, profile_.end);
-    const auto [s, slope] = boost::math::tools::brent_find_minima(celerity_slope, low, high, 40);
-    if (slope < steepest) {
-      steepest = slope;
-      place = s;
-    }
-    breaking_time_ = -1 / (3 * steepest);
-    breaking_place_ =
-        place + (3 * sw::celerity(gravity_, profile_.depth(place)) - 2 * still_celerity_) * breaking_time_;
-  }
+  if (!(steepest.value() < 0)) return;
+  const double low = std::max(steepest.where() - spacing, profile_.start);
+  const double high = std::min(steepest.where() + spacing, profile_.end);
+  const auto [s, slope] = boost::math::tools::brent_find_minima(celerity_slope, low, high, 40);
+  steepest.add(slope, s);
+  const double celerity = sw::celerity(gravity_, profile_.depth(steepest.where()));
+  breaking_time_ = -1 / (3 * steepest.value());
+  breaking_place_ = steepest.where() + (3 * celerity - 2 * still_celerity_) * breaking_time_;
 }
 
 SimpleWave SimpleWave::hump(double gravity, double still_depth, double amplitude, double centre, double length) {
   require_finite("amplitude", amplitude);
   require_finite("centre", centre);
-  require_positive("length", length);
-  require_positive("still_depth", still_depth);
-  require_positive("still_depth + amplitude", still_depth + amplitude);
+  require_all_positive(
+      {{"length", length}, {"still_depth", still_depth}, {"still_depth + amplitude", still_depth + amplitude}});
   require_that(std::abs(centre) <= farthest * length,
                "centre = {:.17g} is out of range: must be in [{:g}, {:g}], a million lengths of the hump; farther "
                "away its places have too few digits",

@@ -29,20 +29,16 @@ constexpr double smallest_share = 1e-6;  // of the crest's position, which its h
 
 SteadyBump::SteadyBump(double gravity, double discharge, Bump bump)
     : gravity_(gravity), discharge_(discharge), bump_(bump), critical_(std::cbrt(discharge * discharge / gravity)) {
-  require_positive("gravity", gravity);
-  require_positive("discharge", discharge);
-  require_positive("bump height", bump.height);
-  require_positive("bump half_width", bump.half_width);
-  require_positive("length", bump.length);
+  require_all_positive({{"gravity", gravity},
+                        {"discharge", discharge},
+                        {"bump height", bump.height},
+                        {"bump half_width", bump.half_width},
+                        {"length", bump.length}});
   require_within("bump crest", bump.crest, bump.half_width, bump.length - bump.half_width);
   require_that(bump.half_width >= smallest_share * bump.crest,
                "bump half_width = {:g} is out of range: must be at least {:g} of the crest's position {:g}, or "
                "the rounding of positions shows",
                bump.half_width, smallest_share, bump.crest);
-}
-
-SteadyBump SteadyBump::transcritical(double gravity, double discharge, Bump bump) {
-  return SteadyBump(gravity, discharge, bump);
 }
 
 SteadyBump::SteadyBump(double gravity, double discharge, double outflow_depth, Bump bump)
@@ -62,7 +58,20 @@ SteadyBump::SteadyBump(double gravity, double discharge, double outflow_depth, B
     return;
   }
   regime_ = Regime::with_jump;
-  place_jump(outflow_depth);
+  const auto momentum = [&](double h) { return discharge_ * discharge_ / h + 0.5 * gravity_ * h * h; };
+  const auto imbalance = [&](double x) {
+    const double drop = drop_from_crest(x);
+    return momentum(depth_from_excess(drop, Branch::supercritical)) -
+           momentum(depth_from_excess(std::max(drop + downstream_excess_, 0.0), Branch::subcritical));
+  };
+  // The downstream flow reaches up to where it would be critical; the jump lies between there and the bump's foot.
+  const double highest = bump_.crest + bump_.half_width * std::sqrt(-downstream_excess_ / bump_.height);
+  const double foot = bump_.crest + bump_.half_width;
+  require_that(imbalance(foot) <= 0,
+               "outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
+               "with a jump on it",
+               outflow_depth);
+  jump_ = root_at_end(imbalance, highest, foot);
 }
 
 double SteadyBump::drop_from_crest(double x) const {
@@ -87,23 +96,6 @@ double SteadyBump::depth_from_excess(double excess, Branch branch) const {
   if (branch == Branch::subcritical) return e / 3 * (1 + 2 * std::cos(a));
   const double half = std::sin(0.5 * a);
   return e / 3 * (2 * half * half + std::numbers::sqrt3 * std::sin(a));
-}
-
-void SteadyBump::place_jump(double outflow_depth) {
-  const auto momentum = [&](double h) { return discharge_ * discharge_ / h + 0.5 * gravity_ * h * h; };
-  const auto imbalance = [&](double x) {
-    const double drop = drop_from_crest(x);
-    return momentum(depth_from_excess(drop, Branch::supercritical)) -
-           momentum(depth_from_excess(std::max(drop + downstream_excess_, 0.0), Branch::subcritical));
-  };
-  // The downstream flow reaches up to where it would be critical; the jump lies between there and the bump's foot.
-  const double highest = bump_.crest + bump_.half_width * std::sqrt(-downstream_excess_ / bump_.height);
-  const double foot = bump_.crest + bump_.half_width;
-  require_that(imbalance(foot) <= 0,
-               "outflow_depth = {:.17g} is out of range: the jump would be swept off the bump, no steady state "
-               "with a jump on it",
-               outflow_depth);
-  jump_ = root_at_end(imbalance, highest, foot);
 }
 
 sw::State SteadyBump::at(double x, double /*t*/) const {
@@ -172,6 +164,12 @@ namespace {
 constexpr std::size_t panels = 64;
 using GaussRule = quadrature::gauss<double, 15>;
 
+/// Boost integrates from the lower to the upper limit only; left of the channel the sign is turned by hand.
+template <class Function>
+double from_to(const Function& f, double from, double to) {
+  return to >= from ? GaussRule::integrate(f, from, to) : -GaussRule::integrate(f, to, from);
+}
+
 }  // namespace
 
 MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::function<double(double)> slope,
@@ -182,8 +180,7 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
       discharge_(discharge),
       manning_(manning),
       length_(length) {
-  require_positive("gravity", gravity);
-  require_positive("discharge", discharge);
+  require_all_positive({{"gravity", gravity}, {"discharge", discharge}});
   require_not_negative("manning", manning);
   require_positive("length", length);
   require_that(depth_ && slope_, "profile: depth and slope must both be given");
@@ -218,9 +215,7 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
 }
 
 MacDonald MacDonald::smooth_rise(double gravity, double discharge, double manning, double length, double crest) {
-  require_positive("gravity", gravity);
-  require_positive("discharge", discharge);
-  require_positive("length", length);
+  require_all_positive({{"gravity", gravity}, {"discharge", discharge}, {"length", length}});
   require_within("crest", crest, -0.9, 10);
   const double base = std::cbrt(discharge * discharge / gravity);
   const auto bump = [=](double x) {
@@ -243,28 +238,21 @@ double MacDonald::bed_slope(double x) const {
   return (q2 / (gravity_ * cube) - 1) * slope_(x) - manning_ * manning_ * q2 / (cube * std::cbrt(h));
 }
 
-std::size_t MacDonald::panel_of(double x) const {
+MacDonald::Panel MacDonald::panel_of(double x) const {
   const double place = x / length_ * static_cast<double>(panels);
-  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(panels - 1)));
+  const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(panels - 1)));
+  return {k, length_ / static_cast<double>(panels) * static_cast<double>(k)};
 }
 
 double MacDonald::elevation(double x) const {
-  const std::size_t k = panel_of(x);
-  const double a = length_ / static_cast<double>(panels) * static_cast<double>(k);
-  if (x == a) return table_->elevation[k];
-  const auto z_prime = [this](double s) { return bed_slope(s); };
-  // boost integrates from the lower to the upper limit only; left of the channel the sign is turned by hand.
-  const double rise = x > a ? GaussRule::integrate(z_prime, a, x) : -GaussRule::integrate(z_prime, x, a);
-  return table_->elevation[k] + rise;
+  const auto [k, begin] = panel_of(x);
+  return table_->elevation[k] + from_to([this](double s) { return bed_slope(s); }, begin, x);
 }
 
 double MacDonald::primitive(double x) const {
-  const std::size_t k = panel_of(x);
-  const double a = length_ / static_cast<double>(panels) * static_cast<double>(k);
-  if (x == a) return table_->primitive[k];
-  const auto arm = [&](double s) { return (x - s) * bed_slope(s); };
-  const double moment = x > a ? GaussRule::integrate(arm, a, x) : -GaussRule::integrate(arm, x, a);
-  return table_->primitive[k] + table_->elevation[k] * (x - a) + moment;
+  const auto [k, begin] = panel_of(x);
+  const double moment = from_to([&](double s) { return (x - s) * bed_slope(s); }, begin, x);
+  return table_->primitive[k] + table_->elevation[k] * (x - begin) + moment;
 }
 
 sw::State MacDonald::at(double x, double /*t*/) const {

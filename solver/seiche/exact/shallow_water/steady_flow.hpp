@@ -40,17 +40,15 @@
 
 namespace seiche::exact {
 
+/// Bump of the published cases: z = 0.2 - 0.05 (x - 10)^2 on 8 < x < 12, channel 0 < x < 25 [m].
+struct ParabolicBump {
+  double height = 0.2, crest = 10, half_width = 2, length = 25;
+};
+
 class SteadyBump {
  public:
+  using Bump = ParabolicBump;
   enum class Regime { subcritical, transcritical, with_jump };
-
-  /// Bump of the published cases: z = 0.2 - 0.05 (x - 10)^2 on 8 < x < 12, channel 0 < x < 25 [m].
-  struct Bump {
-    double height = 0.2;
-    double crest = 10;
-    double half_width = 2;
-    double length = 25;
-  };
 
   /// Flow without a jump whose depth at the outflow is `outflow_depth`, or with one, whichever exists.
   ///
@@ -58,14 +56,11 @@ class SteadyBump {
   /// @param outflow_depth  [m], above the critical depth
   /// Throws std::invalid_argument when no steady state exists: outflow supercritical, or a jump that would be swept off
   /// the bump.
-  SteadyBump(double gravity, double discharge, double outflow_depth, Bump bump);
-  SteadyBump(double gravity, double discharge, double outflow_depth)
-      : SteadyBump(gravity, discharge, outflow_depth, Bump()) {}
+  SteadyBump(double gravity, double discharge, double outflow_depth, Bump bump = {});
 
   /// Subcritical upstream, critical on the crest, supercritical downstream.
-  static SteadyBump transcritical(double gravity, double discharge, Bump bump);
-  static SteadyBump transcritical(double gravity, double discharge) {
-    return transcritical(gravity, discharge, Bump());
+  static SteadyBump transcritical(double gravity, double discharge, Bump bump = {}) {
+    return {gravity, discharge, bump};
   }
 
   /// State at x; steady, so t is ignored.
@@ -96,7 +91,6 @@ class SteadyBump {
   enum class Branch { subcritical, supercritical };
   [[nodiscard]] double depth_from_excess(double excess, Branch branch) const;
   [[nodiscard]] double drop_from_crest(double x) const;
-  void place_jump(double outflow_depth);
 
   double gravity_, discharge_;
   Bump bump_;
@@ -138,7 +132,11 @@ class MacDonald {
     std::vector<double> elevation;
     std::vector<double> primitive;
   };
-  [[nodiscard]] std::size_t panel_of(double x) const;
+  struct Panel {
+    std::size_t number;
+    double begin;
+  };
+  [[nodiscard]] Panel panel_of(double x) const;
 
   double gravity_;
   std::function<double(double)> depth_;

@@ -22,10 +22,7 @@ constexpr double least_radius = 1e-6;
 
 Thacker::Thacker(double gravity, double radius, double depth, double length, std::optional<double> displacement)
     : radius_(radius), depth_(depth), centre_(0.5 * length), displacement_(displacement.value_or(0.5 * radius)) {
-  require_positive("gravity", gravity);
-  require_positive("radius", radius);
-  require_positive("depth", depth);
-  require_positive("length", length);
+  require_all_positive({{"gravity", gravity}, {"radius", radius}, {"depth", depth}, {"length", length}});
   require_within("radius", radius, least_radius * length, 0.5 * length);
   require_positive("displacement", displacement_);
   require_within("displacement", displacement_, 0, 0.5 * length - radius);
@@ -83,12 +80,10 @@ constexpr double smallest_start = 1e-6;  // of the radius: 1 - A is then 2e-12, 
 
 ThackerBowl::ThackerBowl(double gravity, double radius, double depth, double factor)
     : gravity_(gravity), radius_(radius), depth_(depth), frequency_(std::sqrt(factor * gravity * depth) / radius) {
-  require_positive("gravity", gravity);
-  require_positive("radius", radius);
-  require_positive("depth", depth);
+  require_all_positive({{"gravity", gravity}, {"radius", radius}, {"depth", depth}});
 }
 
-double ThackerBowl::paraboloid(double x, double y) const {
+double ThackerBowl::bed(double x, double y) const {
   const double r = std::hypot(x, y) / radius_;
   return depth_ * (r - 1) * (r + 1);
 }
@@ -180,7 +175,7 @@ BowlState ThackerPlanarBowl::at(double x, double y, double t) const {
   require_finite("x", x);
   require_finite("y", y);
   const PlanePoint c = centre(t);
-  const double depth = -paraboloid(x - c.x, y - c.y);
+  const double depth = -bed(x - c.x, y - c.y);
   if (!(depth > 0)) return {};
   return {depth, -frequency_ * c.y, frequency_ * c.x};
 }

@@ -102,7 +102,8 @@ struct PlanePoint {
 /// A paraboloid of radius a and depth h0 with as much water as fills it to its rim.
 class ThackerBowl {
  public:
-  [[nodiscard]] double bed(double x, double y) const { return paraboloid(x, y); }
+  /// Elevation of the bed at a place relative to the bowl's centre.
+  [[nodiscard]] double bed(double x, double y) const;
   [[nodiscard]] double angular_frequency() const { return frequency_; }
   [[nodiscard]] double period() const { return 2 * std::numbers::pi / frequency_; }
   /// pi a^2 h0/2 [m^3].
@@ -111,8 +112,6 @@ class ThackerBowl {
  protected:
   /// @param gravity [m/s^2];  @param radius a [m];  @param depth h0 [m];  @param factor  w^2 a^2/(g h0)
   ThackerBowl(double gravity, double radius, double depth, double factor);
-  /// Elevation of the bed at a place relative to the bowl's centre.
-  [[nodiscard]] double paraboloid(double x, double y) const;
 
   double gravity_, radius_, depth_, frequency_;
 };
