@@ -8,8 +8,8 @@
 ///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
 ///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
 ///
-/// and the clones assemble_row, rates_of_row, react_row and kick_row. Cells that share a node are coupled there:
-/// A = J W J^T has the terms g_a W g_b of the corners a and b at which the two cells have the node.
+/// and RowLoops of it, instantiated once. Cells that share a node are coupled there: A = J W J^T has the terms g_a W g_b
+/// of the corners a and b at which the two cells have the node.
 #pragma once
 
 #include <array>
@@ -272,6 +272,38 @@ SEICHE_INLINE void kick(const Kick<E>& given) {
     for (std::size_t axis = 0; axis < E::axes; ++axis) f[axis] = row.h * row.push[axis][i];
     move<E, full>(row.w, row.velocity, f, i);
   }
+}
+
+/// The loops over a whole row, for each set of instructions.
+template <class E>
+struct RowLoops {
+  static void assemble_row(const Assembly<E>& row);
+  static void rates_of_row(const Rates<E>& row);
+  static void react_row(const Reaction<E>& row);
+  static void kick_row(const Kick<E>& row);
+
+ private:
+  static constexpr bool can_be_full = E::mobilities == 6;
+};
+
+template <class E>
+SEICHE_SIMD_CLONES void RowLoops<E>::assemble_row(const Assembly<E>& row) {
+  return can_be_full && row.full ? assemble<E, can_be_full>(row) : assemble<E, false>(row);
+}
+
+template <class E>
+SEICHE_SIMD_CLONES void RowLoops<E>::rates_of_row(const Rates<E>& row) {
+  find_rates(row);
+}
+
+template <class E>
+SEICHE_SIMD_CLONES void RowLoops<E>::react_row(const Reaction<E>& row) {
+  return can_be_full && row.full ? react<E, can_be_full>(row) : react<E, false>(row);
+}
+
+template <class E>
+SEICHE_SIMD_CLONES void RowLoops<E>::kick_row(const Kick<E>& row) {
+  return can_be_full && row.full ? kick<E, can_be_full>(row) : kick<E, false>(row);
 }
 
 }  // namespace seiche::lattice

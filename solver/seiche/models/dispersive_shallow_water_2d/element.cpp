@@ -13,38 +13,6 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 SEICHE_SIMD_CLONES
-void Column::assemble_row(const lattice::Assembly<Column>& row) {
-  if (row.full) {
-    lattice::assemble<Column, true>(row);
-  } else {
-    lattice::assemble<Column, false>(row);
-  }
-}
-
-SEICHE_SIMD_CLONES
-void Column::rates_of_row(const lattice::Rates<Column>& row) {
-  lattice::find_rates(row);
-}
-
-SEICHE_SIMD_CLONES
-void Column::react_row(const lattice::Reaction<Column>& row) {
-  if (row.full) {
-    lattice::react<Column, true>(row);
-  } else {
-    lattice::react<Column, false>(row);
-  }
-}
-
-SEICHE_SIMD_CLONES
-void Column::kick_row(const lattice::Kick<Column>& row) {
-  if (row.full) {
-    lattice::kick<Column, true>(row);
-  } else {
-    lattice::kick<Column, false>(row);
-  }
-}
-
-SEICHE_SIMD_CLONES
 RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows, double bottom, double weight,
                         bool add, linear::RowBlocks::Row gradients) {
   using bilinear_patch::Corners;
@@ -274,3 +242,5 @@ void DispersionEnergy::push(std::span<const double> volumes, mechanics::Input q0
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d
+
+template struct seiche::lattice::RowLoops<seiche::dispersive_shallow_water_2d::Column>;

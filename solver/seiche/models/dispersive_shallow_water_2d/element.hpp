@@ -17,11 +17,6 @@ namespace seiche::dispersive_shallow_water_2d {
 
 struct Column : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 4, stored = 12, mobilities = 6, momenta = 2, turns = 1;
-
-  static void assemble_row(const lattice::Assembly<Column>& row);
-  static void rates_of_row(const lattice::Rates<Column>& row);
-  static void react_row(const lattice::Reaction<Column>& row);
-  static void kick_row(const lattice::Kick<Column>& row);
 };
 
 /// Inverse masses W of the nodes, symmetric 3 x 3.
@@ -151,3 +146,5 @@ class DispersionEnergy {
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
+
+extern template struct seiche::lattice::RowLoops<seiche::dispersive_shallow_water_2d::Column>;

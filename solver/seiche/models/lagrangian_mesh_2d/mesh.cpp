@@ -125,26 +125,6 @@ double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<con
 }
 
 SEICHE_SIMD_CLONES
-void Quadrilateral::assemble_row(const lattice::Assembly<Quadrilateral>& row) {
-  lattice::assemble<Quadrilateral, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::rates_of_row(const lattice::Rates<Quadrilateral>& row) {
-  lattice::find_rates(row);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::react_row(const lattice::Reaction<Quadrilateral>& row) {
-  lattice::react<Quadrilateral, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::kick_row(const lattice::Kick<Quadrilateral>& row) {
-  lattice::kick<Quadrilateral, false>(row);
-}
-
-SEICHE_SIMD_CLONES
 double measure_row(std::size_t columns, const lattice::NodeVectors<Quadrilateral>& r,
                    linear::RowBlocks::Row diagonals) {
   const double* __restrict xl = r[0][0];
@@ -174,3 +154,5 @@ double measure_row(std::size_t columns, const lattice::NodeVectors<Quadrilateral
 }
 
 }  // namespace seiche::lagrangian_mesh_2d
+
+template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_2d::Quadrilateral>;

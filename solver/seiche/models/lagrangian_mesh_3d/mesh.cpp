@@ -214,24 +214,6 @@ double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
   return folded;
 }
 
-SEICHE_SIMD_CLONES
-void Hexahedron::assemble_row(const lattice::Assembly<Hexahedron>& row) {
-  lattice::assemble<Hexahedron, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Hexahedron::rates_of_row(const lattice::Rates<Hexahedron>& row) {
-  lattice::find_rates(row);
-}
-
-SEICHE_SIMD_CLONES
-void Hexahedron::react_row(const lattice::Reaction<Hexahedron>& row) {
-  lattice::react<Hexahedron, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Hexahedron::kick_row(const lattice::Kick<Hexahedron>& row) {
-  lattice::kick<Hexahedron, false>(row);
-}
-
 }  // namespace seiche::lagrangian_mesh_3d
+
+template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_3d::Hexahedron>;

@@ -80,11 +80,6 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
 
 struct Hexahedron : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 8, stored = 24, mobilities = 3, momenta = 3, turns = 3;
-
-  static void assemble_row(const lattice::Assembly<Hexahedron>& row);
-  static void rates_of_row(const lattice::Rates<Hexahedron>& row);
-  static void react_row(const lattice::Reaction<Hexahedron>& row);
-  static void kick_row(const lattice::Kick<Hexahedron>& row);
 };
 
 using NodeVectors = lattice::NodeVectors<Hexahedron>;
@@ -99,3 +94,5 @@ void add_measured_row(std::size_t columns, const NodeVectors& r, double factor, 
 double folded_corners_of_row(std::size_t columns, const NodeVectors& r);
 
 }  // namespace seiche::lagrangian_mesh_3d
+
+extern template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_3d::Hexahedron>;

@@ -29,8 +29,8 @@
 
 #include <fmt/format.h>
 
-#include "seiche/distributed/cell_system.hpp"
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/cell_system.hpp"
+#include "distributed/decomposition.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"

@@ -1,4 +1,4 @@
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/decomposition.hpp"
 
 #include <algorithm>
 #include <cmath>

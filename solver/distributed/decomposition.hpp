@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "seiche/distributed/petsc.hpp"
+#include "distributed/petsc.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::distributed {
