@@ -137,11 +137,8 @@ void Model::stand(Input q) {
   if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
 }
 
-void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
-  when_ = when;
+void Model::gather(Input q0, Input q1, Input at, int sweep) {
   const bool instant = q0.data() == q1.data();
-  const Input at = instant ? q0 : middle(q0, q1);
-  clear_push();
   // Simpson's mean: exact for gradients of polynomials of degree up to four.
   if (!instant) measure(q0, 1.0 / 6, false);
   if (!instant) measure(q1, 1.0 / 6, true);
@@ -156,13 +153,11 @@ void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
   }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
-      const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, when.middle());
+      const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, when_.middle());
       return std::array{force.x, force.y};
     });
   }
   if (drag_.active()) drag_.measure(lattice_, volume_, at, sweep == 0);
-  if (sweep == 0) assemble_and_factor();
-  sweeping_ = false;
 }
 
 void Model::measure(Input q, double weight, bool add) {

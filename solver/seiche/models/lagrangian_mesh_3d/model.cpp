@@ -103,13 +103,10 @@ mechanics::State Model::state(const Velocity& velocity, double time) const {
   return state;
 }
 
-void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
-  when_ = when;
+void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
   const bool instant = q0.data() == q1.data();
-  const Input at = instant ? q0 : middle(q0, q1);
   bottom_.turn(q0.first(n_), q0.subspan(n_, n_), q1.first(n_), q1.subspan(n_, n_));
   measure(at);
-  clear_push();
   // Simpson's mean of the gradient of a quartic, which is cubic, is exact.
   const double weight = settings_.density * settings_.gravity;
   surface_.push(at, instant ? weight : 4 * weight / 6, push_);
@@ -124,13 +121,11 @@ void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
   }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
-      const Vector force = forcing_.body_force({mesh_.x[k], mesh_.y[k], mesh_.z[k]}, when.middle());
+      const Vector force = forcing_.body_force({mesh_.x[k], mesh_.y[k], mesh_.z[k]}, when_.middle());
       return std::array{force.x, force.y, force.z};
     });
   }
   hold();
-  if (factor) assemble_and_factor();
-  sweeping_ = false;
 }
 
 void Model::measure(Input q) {
