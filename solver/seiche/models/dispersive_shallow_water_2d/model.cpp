@@ -86,7 +86,7 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
   for (std::size_t cell = 0; cell < volume_.size(); ++cell) {
     const std::size_t corner = first_node(cell);
     volume_[cell] = cell_volume(places, cell);
-    mean_area_ += cell_area(shape(), places, cell) / static_cast<double>(volume_.size());
+    mean_area_ += cell_area(shape(), lattice_.x, lattice_.y, cell) / static_cast<double>(volume_.size());
     require_that(volume_[cell] > 0, "cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
                  lattice_.x[corner], lattice_.y[corner], volume_[cell]);
   }

@@ -78,11 +78,6 @@ Wall level_wall(double level) {
   return {std::make_shared<Line>(Point{0, level}, Point{1, 0})};
 }
 
-std::array<std::size_t, 4> Mesh::corners(std::size_t cell) const {
-  const std::size_t k = node(cell % columns, cell / columns);
-  return {k, k + 1, k + columns + 2, k + columns + 1};
-}
-
 void Mesh::require_valid() const {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
@@ -109,11 +104,6 @@ void Mesh::require_valid() const {
   require_side("right", sides.right, *this, size, columns, columns + 1, rows + 1);
   require_side("bottom", sides.bottom, *this, size, 0, 1, columns + 1);
   require_side("top", sides.top, *this, size, rows * (columns + 1), 1, columns + 1);
-}
-
-double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
-  const auto [r0, r1, r2, r3] = mesh.corners(cell);
-  return 0.5 * ((x[r2] - x[r0]) * (y[r3] - y[r1]) - (x[r3] - x[r1]) * (y[r2] - y[r0]));
 }
 
 double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
