@@ -63,7 +63,7 @@ double inverse_error(CosineLattice& lattice, const Eigen::MatrixXd& a) {
 }
 
 double mesh_error(std::size_t columns, double h1, const std::vector<double>& row_heights) {
-  CosineLattice lattice({columns, 1, row_heights.size()}, HexahedralLattice(h1, 1, row_heights));
+  CosineLattice lattice({columns, 1, row_heights.size()}, hexahedral_lattice(h1, 1, row_heights));
   return inverse_error(lattice, dense(mesh_matrix(DeformedMesh(columns, h1, row_heights, 0))));
 }
 
@@ -113,7 +113,7 @@ struct Problem {
   ConjugateGradients<> solver;
   Problem(std::size_t columns, std::size_t rows, double amplitude)
       : a(mesh_matrix(columns, rows, 4.0 / static_cast<double>(columns), 1.0 / static_cast<double>(rows), amplitude)),
-        lattice({columns, 1, rows}, HexahedralLattice(4.0 / static_cast<double>(columns), 1,
+        lattice({columns, 1, rows}, hexahedral_lattice(4.0 / static_cast<double>(columns), 1,
                                                       std::vector<double>(rows, 1.0 / static_cast<double>(rows)))) {}
 
   ConjugateGradients<>::Result solve(const LatticeArray& b, LatticeArray& x, ConjugateGradients<>::Goal goal) {
@@ -301,10 +301,10 @@ TEST_CASE("lattices that have no inverse are refused", "[linear]") {
   CHECK_THROWS_AS(CosineLattice({0, 2, 4}, constant(2)), std::invalid_argument);
   CHECK_THROWS_AS(CosineLattice({3, 0, 4}, constant(2)), std::invalid_argument);
   CHECK_THROWS_AS(CosineLattice({3, 2, 0}, constant(2)), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(0, 1, {1.0}), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(1, 1, {}), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(1, 1, {1.0, -1.0}), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(1, 1, {1.0}, 0), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(0, 1, {1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(1, 1, {}), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(1, 1, {1.0, -1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(1, 1, {1.0}, 0), std::invalid_argument);
 }
 
 }  // namespace seiche::verification::lattice_solver_test

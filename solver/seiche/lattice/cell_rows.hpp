@@ -8,8 +8,8 @@
 ///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
 ///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
 ///
-/// and RowLoops of it, instantiated once. Cells that share a node are coupled there: A = J W J^T has the terms g_a W g_b
-/// of the corners a and b at which the two cells have the node.
+/// and RowLoops of it, instantiated once. Cells that share a node are coupled there: A = J W J^T has the terms g_a W
+/// g_b of the corners a and b at which the two cells have the node.
 #pragma once
 
 #include <array>

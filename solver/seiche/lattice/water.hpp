@@ -114,7 +114,8 @@ void shift_rows(std::span<T> values, std::size_t length) {
 ///                   node_masses(), momentum_of(k, u)   M u of a node; E::momenta of its axes are conserved
 ///                   look_below(q)              optional: what momentum_of needs to know
 ///                   cell_volume(q, cell), cell_shape(q, cell), place(rate)
-///                   gather(q0, q1, at, sweep)   gradients, forces and holds at `at`, or means over q0 -> q1 if they differ
+///                   gather(q0, q1, at, sweep)   gradients, forces and holds at `at`, or means over q0 -> q1 if they
+///                   differ
 template <class E, class Model>
 class Water {
  public:
@@ -171,7 +172,7 @@ class Water {
     each_row([&](std::size_t row) {
       const auto cells = gradients_.row(row);
       RowLoops<E>::rates_of_row({shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
-                       w.data() + row * shape_.columns});
+                                 w.data() + row * shape_.columns});
     });
   }
   void react(Input mu, Output u) const {

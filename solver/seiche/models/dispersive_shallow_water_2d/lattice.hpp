@@ -59,13 +59,7 @@ Lattice rectangular_lattice(const Rectangle& rectangle);
 // to the bottom, (I - n n^T)/m. Velocities that a side prescribes are imposed by the M-orthogonal projection.
 
 /// Unit normals of the bottom below the nodes.
-struct Normals {
-  std::vector<double> x, y, z;
-
-  explicit Normals(std::size_t nodes) : x(nodes), y(nodes), z(nodes) {}
-  [[nodiscard]] Vector3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
-  void put(std::size_t k, Vector3 normal) { x[k] = normal.x, y[k] = normal.y, z[k] = normal.z; }
-};
+using Normals = std::vector<Vector3>;
 
 class NodeMasses {
  public:

@@ -121,7 +121,7 @@ void Model::find_normals(Input q, Normals& normals) const {
   for (std::size_t k = 0; k < n_; ++k) {
     const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
     const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-    normals.put(k, {-b.along_x / length, -b.along_y / length, 1 / length});
+    normals[k] = {-b.along_x / length, -b.along_y / length, 1 / length};
     if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
       throw mechanics::Infeasible(q[k], "a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)", q[k],
                                   q[n_ + k], q[2 * n_ + k] - b.elevation);

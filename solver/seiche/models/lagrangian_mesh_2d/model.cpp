@@ -59,7 +59,7 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
   for (const double row : heights) height += row;
   const double width = area / (height * static_cast<double>(mesh.columns));
   return linear::UndeformedLattice{.shape = {.nx = mesh.columns, .nz = 1, .layers = mesh.rows},
-                                   .matrix = linear::HexahedralLattice(width, 1, heights, density)};
+                                   .matrix = linear::hexahedral_lattice(width, 1, heights, density)};
 }
 
 }  // namespace

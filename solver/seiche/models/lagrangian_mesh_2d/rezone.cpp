@@ -157,8 +157,8 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
     throw mechanics::Infeasible(now.mesh.x[corner], "cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner],
                                 now.mesh.y[corner]);
   }
-  const plan_lattice::SweptRemap sweep(was, q.first(n), q.subspan(n, n),
-                                       now.mesh.x, now.mesh.y, std::vector<double>(n, 0.25));
+  const plan_lattice::SweptRemap sweep(was, q.first(n), q.subspan(n, n), now.mesh.x, now.mesh.y,
+                                       std::vector<double>(n, 0.25));
   const auto velocity_at = [&](const plan_lattice::LatticePlace& place) {
     return Point{sweep.old().value(u.first(n), place), sweep.old().value(u.subspan(n, n), place)};
   };

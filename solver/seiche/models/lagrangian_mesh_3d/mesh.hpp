@@ -85,11 +85,9 @@ struct Hexahedron : lattice::StoredGradients {
 using NodeVectors = lattice::NodeVectors<Hexahedron>;
 using linear::RowBlocks;
 
-/// Gradients of the volumes of a row of cells.
-void measure_row(std::size_t columns, const NodeVectors& r, RowBlocks::Row gradients);
-/// gradients += factor times the gradients of a row of cells with these corners: volumes are cubic, so that their mean
-/// gradient over r -> r + delta is that at the middle plus 1/12 of that of the cell `delta`.
-void add_measured_row(std::size_t columns, const NodeVectors& r, double factor, RowBlocks::Row gradients);
+/// Gradients of the volumes of a row of cells, times `factor`, added to what is there if `add`: volumes are cubic, so
+/// that their mean gradient over r -> r + delta is that at the middle plus 1/12 of that of the cell `delta`.
+void measure_row(std::size_t columns, const NodeVectors& r, double factor, bool add, RowBlocks::Row gradients);
 /// Number of corners whose edges do not span a positive volume.
 double folded_corners_of_row(std::size_t columns, const NodeVectors& r);
 

@@ -60,7 +60,7 @@ linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
   // Sides in the proportion of the mean edges, with the mean area of a cell.
   const double to_area = std::sqrt(area / (along * across));
   return {.shape = {.nx = columns, .nz = rows, .layers = mesh.layers},
-          .matrix = linear::HexahedralLattice(along * to_area, across * to_area, heights, density, mesh.free_bottom),
+          .matrix = linear::hexahedral_lattice(along * to_area, across * to_area, heights, density, mesh.free_bottom),
           .scaled = true};
 }
 
@@ -114,7 +114,7 @@ void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
     delta_.resize(q0.size());
     for (std::size_t i = 0; i < q0.size(); ++i) delta_[i] = q1[i] - q0[i];
     each_row([&](std::size_t row) {
-      add_measured_row(mesh_.plan.columns, around(row, delta_), 1.0 / 12, gradients_.row(row));
+      measure_row(mesh_.plan.columns, around(row, delta_), 1.0 / 12, true, gradients_.row(row));
     });
     surface_.push(q0, weight / 6, push_);
     surface_.push(q1, weight / 6, push_);
@@ -137,7 +137,7 @@ void Model::measure(Input q) {
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);
     if (folded_corners_of_row(mesh_.plan.columns, r) > 0) folded = true;
-    measure_row(mesh_.plan.columns, r, gradients_.row(row));
+    measure_row(mesh_.plan.columns, r, 1, false, gradients_.row(row));
   });
   if (folded) throw_folded(q);
 }
