@@ -110,7 +110,6 @@ class DistributedModel {
 
   [[nodiscard]] bool has_driven_sides() const { return driven_; }
   [[nodiscard]] const Local& local() const { return *local_; }
-  [[nodiscard]] Decomposition& decomposition() const { return decomposition_; }
   [[nodiscard]] CellSystem& system() { return system_; }
   [[nodiscard]] const CellSystem& system() const { return system_; }
 
