@@ -179,16 +179,12 @@ void Model::measure(Input at) {
 }
 
 void Model::gather_forces(Input at, double weight) {
-  const double* const x = at.data();
-  const double* const y = x + n_;
-  double* const fx = push_.data();
-  double* const fy = fx + n_;
-  edges_.push_down(x, y, weight * settings_.density * settings_.gravity, fx, fy);
+  edges_.push_down(at, weight * settings_.density * settings_.gravity, push_);
   if (forcing_.surface_pressure) {
-    edges_.press([&](double place) { return forcing_.surface_pressure(place, when_.middle()); }, x, y, weight, fx, fy);
+    edges_.press([&](double place) { return forcing_.surface_pressure(place, when_.middle()); }, at, weight, push_);
   }
-  hourglass_.push(mesh_, x, y, weight, fx, fy);
-  if (barrier_.active()) barrier_.push(mesh_, volume_, x, y, weight, {fx, n_}, {fy, n_});
+  hourglass_.push(mesh_, at, weight, push_);
+  if (barrier_.active()) barrier_.push(mesh_, volume_, at, weight, push_);
 }
 
 void Model::advance_along(Input from, Input u, double h, Output to, bool by_tangents) const {
@@ -271,15 +267,13 @@ void Model::curvature(Input u, Input v, Output b) const {
 }
 
 double Model::potential_energy(Input q) const {
-  const double* const x = q.data();
-  const double* const y = x + n_;
-  double moment = edges_.moment(x, y);
+  double moment = edges_.moment(q);
   for (std::size_t i = 0; i < nodes_.slides().size(); ++i) {
     const Slide& slide = nodes_.slides()[i];
     if (slide.contact_sign != 0) moment += slide.contact_sign * slide.curve->moment(q[2 * n_ + i]);
   }
-  double energy = settings_.density * settings_.gravity * moment + hourglass_.energy(mesh_, x, y);
-  if (barrier_.active()) energy += barrier_.energy(mesh_, volume_, x, y);
+  double energy = settings_.density * settings_.gravity * moment + hourglass_.energy(mesh_, q);
+  if (barrier_.active()) energy += barrier_.energy(mesh_, volume_, q);
   return energy;
 }
 

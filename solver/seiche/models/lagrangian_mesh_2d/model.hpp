@@ -53,9 +53,7 @@
 namespace seiche::lagrangian_mesh_2d {
 
 using lattice::Corner;
-using mechanics::Input;
 using mechanics::Interval;
-using mechanics::Output;
 
 struct Settings {
   double gravity = 1;  ///< [m/s^2]
