@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <random>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
@@ -23,33 +21,7 @@ using namespace linear;
 
 LatticeArray random_array(std::size_t columns, std::size_t rows) {
   LatticeArray result(columns, rows);
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (double& value : result.values()) value = unit(random);
-  return result;
-}
-
-Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
-
-Eigen::MatrixXd dense(const StencilMatrix& a) {
-  const auto size = static_cast<Eigen::Index>(a.size());
-  const auto columns = static_cast<Eigen::Index>(a.columns());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  const auto couple = [&](std::size_t part, Eigen::Index offset) {
-    for (Eigen::Index c = 0; c < size; ++c) {
-      const double value = a[part][c];
-      if (value == 0) continue;
-      result(c, c + offset) = value;
-      result(c + offset, c) = value;
-    }
-  };
-  couple(a.own, 0);
-  couple(a.right, 1);
-  couple(a.up, columns);
-  couple(a.up_right, columns + 1);
-  couple(a.up_left, columns - 1);
+  std::ranges::copy(random_vector(columns * rows), result.data());
   return result;
 }
 
@@ -64,7 +36,7 @@ double inverse_error(CosineLattice& lattice, const Eigen::MatrixXd& a) {
 
 double mesh_error(std::size_t columns, double h1, const std::vector<double>& row_heights) {
   CosineLattice lattice({columns, 1, row_heights.size()}, hexahedral_lattice(h1, 1, row_heights));
-  return inverse_error(lattice, dense(mesh_matrix(DeformedMesh(columns, h1, row_heights, 0))));
+  return inverse_error(lattice, dense(mesh_matrix(columns, h1, row_heights, 0)));
 }
 
 /// Second difference with reflecting ends.
@@ -114,7 +86,7 @@ struct Problem {
   Problem(std::size_t columns, std::size_t rows, double amplitude)
       : a(mesh_matrix(columns, rows, 4.0 / static_cast<double>(columns), 1.0 / static_cast<double>(rows), amplitude)),
         lattice({columns, 1, rows}, hexahedral_lattice(4.0 / static_cast<double>(columns), 1,
-                                                      std::vector<double>(rows, 1.0 / static_cast<double>(rows)))) {}
+                                                       std::vector<double>(rows, 1.0 / static_cast<double>(rows)))) {}
 
   ConjugateGradients<>::Result solve(const LatticeArray& b, LatticeArray& x, ConjugateGradients<>::Goal goal) {
     return solver.solve([&](const LatticeArray& p, LatticeArray& q) { return a.multiply_and_dot(p, q); },
