@@ -8,8 +8,8 @@
 ///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
 ///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
 ///
-/// and RowLoops of it, instantiated once. Cells that share a node are coupled there: A = J W J^T has the terms g_a W
-/// g_b of the corners a and b at which the two cells have the node.
+/// and the clones of run(RowLoop), which is run_row. Cells that share a node are coupled there: A = J W J^T has the
+/// terms g_a W g_b of the corners a and b at which the two cells have the node.
 #pragma once
 
 #include <array>
@@ -274,36 +274,22 @@ SEICHE_INLINE void kick(const Kick<E>& given) {
   }
 }
 
-/// The loops over a whole row, for each set of instructions.
+/// One of the loops over a row.
 template <class E>
-struct RowLoops {
-  static void assemble_row(const Assembly<E>& row);
-  static void rates_of_row(const Rates<E>& row);
-  static void react_row(const Reaction<E>& row);
-  static void kick_row(const Kick<E>& row);
-
- private:
-  static constexpr bool can_be_full = E::mobilities == 6;
+struct RowLoop {
+  const Assembly<E>* assembly = nullptr;
+  const Rates<E>* rates = nullptr;
+  const Reaction<E>* reaction = nullptr;
+  const Kick<E>* push = nullptr;
 };
 
 template <class E>
-SEICHE_SIMD_CLONES void RowLoops<E>::assemble_row(const Assembly<E>& row) {
-  return can_be_full && row.full ? assemble<E, can_be_full>(row) : assemble<E, false>(row);
-}
-
-template <class E>
-SEICHE_SIMD_CLONES void RowLoops<E>::rates_of_row(const Rates<E>& row) {
-  find_rates(row);
-}
-
-template <class E>
-SEICHE_SIMD_CLONES void RowLoops<E>::react_row(const Reaction<E>& row) {
-  return can_be_full && row.full ? react<E, can_be_full>(row) : react<E, false>(row);
-}
-
-template <class E>
-SEICHE_SIMD_CLONES void RowLoops<E>::kick_row(const Kick<E>& row) {
-  return can_be_full && row.full ? kick<E, can_be_full>(row) : kick<E, false>(row);
+SEICHE_INLINE void run_row(const RowLoop<E>& loop) {
+  constexpr bool full = E::mobilities == 6;  // may be
+  if (const auto* row = loop.assembly) return full && row->full ? assemble<E, full>(*row) : assemble<E, false>(*row);
+  if (const auto* row = loop.rates) return find_rates(*row);
+  if (const auto* row = loop.reaction) return full && row->full ? react<E, full>(*row) : react<E, false>(*row);
+  return full && loop.push->full ? kick<E, full>(*loop.push) : kick<E, false>(*loop.push);
 }
 
 }  // namespace seiche::lattice

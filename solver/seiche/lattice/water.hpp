@@ -160,7 +160,7 @@ class Water {
         here.velocity[axis] = u.data() + axis * n_ + row * count;
       }
       if constexpr (E::mobilities == 6) here.full = self().full_row(row);
-      RowLoops<E>::kick_row(here);
+      E::run({.push = &here});
     });
     for (const Held& held : held_) {
       Components push;
@@ -171,8 +171,9 @@ class Water {
   void constraint_rates(Input u, Output w) const {
     each_row([&](std::size_t row) {
       const auto cells = gradients_.row(row);
-      RowLoops<E>::rates_of_row({shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
-                                 w.data() + row * shape_.columns});
+      const Rates<E> here{shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
+                          w.data() + row * shape_.columns};
+      E::run({.rates = &here});
     });
   }
   void react(Input mu, Output u) const {
@@ -194,7 +195,7 @@ class Water {
       for (std::size_t k = 0; k < E::mobilities; ++k) here.w[k] = mobility[k] + first;
       for (std::size_t axis = 0; axis < E::axes; ++axis) here.velocity[axis] = u.data() + axis * n_ + first;
       if constexpr (E::mobilities == 6) here.full = self().full_row(row);
-      RowLoops<E>::react_row(here);
+      E::run({.reaction = &here});
     });
     for (const Held& held : held_) {
       const Around cells = cells_around(held.node);
@@ -390,7 +391,7 @@ class Water {
         const std::size_t nodes = row / rows * (rows + 1) + j;
         here.full = self().full_row(nodes) || self().full_row(nodes + 1);
       }
-      RowLoops<E>::assemble_row(here);
+      E::run({.assembly = &here});
     });
     for (const Held& held : held_) {
       const Around cells = cells_around(held.node);

@@ -201,6 +201,9 @@ void DispersionEnergy::push(std::span<const double> volumes, mechanics::Input q0
   }
 }
 
-}  // namespace seiche::dispersive_shallow_water_2d
+SEICHE_SIMD_CLONES
+void Column::run(const lattice::RowLoop<Column>& loop) {
+  lattice::run_row(loop);
+}
 
-template struct seiche::lattice::RowLoops<seiche::dispersive_shallow_water_2d::Column>;
+}  // namespace seiche::dispersive_shallow_water_2d

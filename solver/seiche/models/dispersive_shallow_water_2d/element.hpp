@@ -18,6 +18,8 @@ namespace seiche::dispersive_shallow_water_2d {
 
 struct Column : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 4, stored = 12, mobilities = 6, momenta = 2, turns = 1;
+
+  static void run(const lattice::RowLoop<Column>& loop);
 };
 
 /// Inverse masses W of the nodes, symmetric 3 x 3.
@@ -153,5 +155,3 @@ struct Diagonals {
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
-
-extern template struct seiche::lattice::RowLoops<seiche::dispersive_shallow_water_2d::Column>;

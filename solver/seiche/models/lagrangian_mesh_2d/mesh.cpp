@@ -143,6 +143,9 @@ double measure_row(std::size_t columns, const lattice::NodeVectors<Quadrilateral
   return worst;
 }
 
-}  // namespace seiche::lagrangian_mesh_2d
+SEICHE_SIMD_CLONES
+void Quadrilateral::run(const lattice::RowLoop<Quadrilateral>& loop) {
+  lattice::run_row(loop);
+}
 
-template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_2d::Quadrilateral>;
+}  // namespace seiche::lagrangian_mesh_2d

@@ -94,11 +94,11 @@ struct Quadrilateral {
     return s[2 * stride + i] * (u[1][0][i] - u[1][1][i + 1]) - s[3 * stride + i] * (u[0][0][i] - u[0][1][i + 1]) +
            s[stride + i] * (u[0][0][i + 1] - u[0][1][i]) - s[i] * (u[1][0][i + 1] - u[1][1][i]);
   }
+
+  static void run(const lattice::RowLoop<Quadrilateral>& loop);
 };
 
 /// Half diagonals of a row of cells between rows of nodes; returns the smallest of twice the corner triangles' areas.
 double measure_row(std::size_t columns, const lattice::NodeVectors<Quadrilateral>& r, linear::RowBlocks::Row diagonals);
 
 }  // namespace seiche::lagrangian_mesh_2d
-
-extern template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_2d::Quadrilateral>;

@@ -198,6 +198,9 @@ double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
   return folded;
 }
 
-}  // namespace seiche::lagrangian_mesh_3d
+SEICHE_SIMD_CLONES
+void Hexahedron::run(const lattice::RowLoop<Hexahedron>& loop) {
+  lattice::run_row(loop);
+}
 
-template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_3d::Hexahedron>;
+}  // namespace seiche::lagrangian_mesh_3d

@@ -80,6 +80,8 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
 
 struct Hexahedron : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 8, stored = 24, mobilities = 3, momenta = 3, turns = 3;
+
+  static void run(const lattice::RowLoop<Hexahedron>& loop);
 };
 
 using NodeVectors = lattice::NodeVectors<Hexahedron>;
@@ -92,5 +94,3 @@ void measure_row(std::size_t columns, const NodeVectors& r, double factor, bool 
 double folded_corners_of_row(std::size_t columns, const NodeVectors& r);
 
 }  // namespace seiche::lagrangian_mesh_3d
-
-extern template struct seiche::lattice::RowLoops<seiche::lagrangian_mesh_3d::Hexahedron>;
