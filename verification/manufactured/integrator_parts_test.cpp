@@ -52,8 +52,8 @@ TEST_CASE("weights of compositions meet the conditions of order four", "[mechani
     check.holds(text, {value}, Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
   };
   // The cubes of the halves of a pair are an eighth of the stage's each: a quarter of nothing.
-  for (const auto& [name, weights] : {std::pair{"the triple jump", triple_jump_weights()},
-                                      std::pair{"Suzuki's composition", suzuki_weights()}}) {
+  for (const auto& [name, weights] :
+       {std::pair{"the triple jump", triple_jump_weights()}, std::pair{"Suzuki's composition", suzuki_weights()}}) {
     claim(fmt::format("The weights of {} add up to one.", name), sum_of_powers(weights, 1), 1);
     claim(fmt::format("The cubes of the weights of {} add up to zero.", name), sum_of_powers(weights, 3), 0);
     claim(fmt::format("The weights of {} are symmetric.", name), asymmetry(weights), 0);

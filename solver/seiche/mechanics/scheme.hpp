@@ -20,8 +20,8 @@ namespace seiche::mechanics {
 //     triple jump   w = g, 1 - 2g, g         g = 1/(2 - 2^(1/3))
 //     Suzuki        w = g, g, 1 - 4g, g, g   g = 1/(4 - 4^(1/3)), error about 60 times smaller
 //
-// For tau -> 0 one step of the constrained scheme is a reflection, not the identity: each stage is a pair of half steps,
-// which is near the identity for any initial velocity.
+// For tau -> 0 one step of the constrained scheme is a reflection, not the identity: each stage is a pair of half
+// steps, which is near the identity for any initial velocity.
 //
 // References: Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; Suzuki,
 // Fractal decomposition of exponential operators, Phys. Lett. A 146 (1990) 319; Hairer, Lubich & Wanner, Geometric
