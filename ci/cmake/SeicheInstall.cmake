@@ -33,7 +33,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/seiche)
 install(TARGETS seiche EXPORT seiche-targets ARCHIVE COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/solver/seiche TYPE INCLUDE COMPONENT development
-        FILES_MATCHING PATTERN "*.hpp" PATTERN distributed EXCLUDE)
+        FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT seiche-targets NAMESPACE seiche:: DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/solver/seiche-config.cmake.in
                               ${PROJECT_BINARY_DIR}/seiche-config.cmake INSTALL_DESTINATION ${package_dir})
@@ -43,7 +43,8 @@ install(FILES ${PROJECT_BINARY_DIR}/seiche-config.cmake ${PROJECT_BINARY_DIR}/se
         DESTINATION ${package_dir} COMPONENT development)
 if(SEICHE_WITH_PETSC)
   install(TARGETS seiche_distributed EXPORT seiche-distributed-targets ARCHIVE COMPONENT distributed)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/solver/seiche/distributed DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/seiche
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/solver/distributed
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/seiche_distributed
           COMPONENT distributed FILES_MATCHING PATTERN "*.hpp")
   install(EXPORT seiche-distributed-targets NAMESPACE seiche:: DESTINATION ${package_dir} COMPONENT distributed)
   install(FILES ${PROJECT_SOURCE_DIR}/ci/cmake/FindPETSc.cmake DESTINATION ${package_dir} COMPONENT distributed)

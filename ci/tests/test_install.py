@@ -172,7 +172,7 @@ class FindPackage(InstalledTest):
         self.assertEqual(self.somebody.run("build/particles").returncode, 0)
 
     DISTRIBUTED = """
-        #include <seiche/distributed/decomposition.hpp>
+        #include <distributed/decomposition.hpp>
         int main(int argc, char** argv) {
           const seiche::distributed::Runtime runtime(argc, argv);
           const seiche::distributed::Decomposition cells({8, 6}, 3, 1);

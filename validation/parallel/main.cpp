@@ -20,9 +20,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "distributed/distributed_flow.hpp"
+#include "distributed/patches.hpp"
 #include "reports/evidence/record_files.hpp"
-#include "seiche/distributed/distributed_flow.hpp"
-#include "seiche/distributed/patches.hpp"
 #include "seiche/divergence.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/reflection_pattern.hpp"

@@ -280,8 +280,7 @@ void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& ex
     if (finest.x.empty()) continue;
     const double shore = *std::ranges::max_element(finest.x);
     const MeshWindow window{.begin = shore - (one.climb.wall() ? 2.5 : 5), .end = shore + 0.1};
-    const lagrangian_mesh_2d::Mesh mesh{
-        .columns = finest.x.size() / (rows + 1) - 1, .rows = rows, .x = {}, .y = {}, .sides = {}};
+    const lagrangian_mesh_2d::Mesh mesh{{finest.x.size() / (rows + 1) - 1, rows}};
     draw_mesh(figure.panel(mesh_axes(one.climb.title(), window)), "mesh", mesh, finest.x, finest.y, window);
   }
 }

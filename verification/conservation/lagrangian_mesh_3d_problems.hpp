@@ -36,11 +36,21 @@ inline lagrangian_mesh_3d::Mesh jittered(lagrangian_mesh_3d::Mesh mesh, double p
 
 /// Body of 6 x 5 x 4 cells in [-1, 1]^3 without gravity that nothing holds, sheared, bent and turned by its velocity.
 inline HexahedralProblem moving_body(lagrangian_mesh_3d::Settings settings = {}) {
+  using plan_lattice::FreeSide;
   settings.gravity = 0;
+  lagrangian_mesh_3d::Mesh box =
+      lagrangian_mesh_3d::layer_mesh({.begin = -1,
+                                      .end = 1,
+                                      .south = -1,
+                                      .north = 1,
+                                      .columns = 6,
+                                      .rows = 5,
+                                      .layers = 4,
+                                      .elevation = [](double, double) { return 1.0; },
+                                      .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}}});
+  box.free_bottom = true;
   return HexahedralProblem(
-      jittered(lagrangian_mesh_3d::free_box(
-                   {.corner = {-1, -1, -1}, .sides = {2, 2, 2}, .plan = {.columns = 6, .rows = 5}, .layers = 4}),
-               0.03, 1),
+      jittered(std::move(box), 0.03, 1),
       [](lagrangian_mesh_3d::Place r) {
         return lagrangian_mesh_3d::Vector{0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.z) + 0.3,
                                           0.5 * r.x - 0.1 * r.y + 0.2 * r.z + 0.1 * std::cos(3 * r.x) - 0.2,

@@ -222,7 +222,7 @@ using namespace lagrangian_mesh_2d;
 Seen run(const Twin& twin, bool patch, Settings settings, Stepping stepping) {
   constexpr std::size_t columns = 8, rows = 4;
   const TwinLattice nodes(columns, rows, twin);
-  Mesh m{.columns = nodes.columns, .rows = nodes.rows, .x = {}, .y = {}, .sides = {}};
+  Mesh m{{nodes.columns, nodes.rows}};
   if (!patch) {
     m.sides.left = vertical_wall(twin.place(0));
     m.sides.right = vertical_wall(twin.place(4));

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "seiche/distributed/decomposition.hpp"
-#include "seiche/distributed/petsc.hpp"
+#include "distributed/decomposition.hpp"
+#include "distributed/petsc.hpp"
 
 int main(int argc, char** argv) {
   const seiche::distributed::Runtime runtime(argc, argv);

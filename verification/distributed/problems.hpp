@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "seiche/distributed/distributed_flow.hpp"
-#include "seiche/distributed/patches.hpp"
+#include "distributed/distributed_flow.hpp"
+#include "distributed/patches.hpp"
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"

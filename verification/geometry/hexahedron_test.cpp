@@ -179,7 +179,7 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
   Model model = Model(reference.mesh(), reference.settings());
   const mechanics::State state = model.state();
   model.linearise({0, 0}, state.q);
-  const linear::HexahedralLattice symbol(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
+  const auto symbol = linear::hexahedral_lattice(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
   linear::LatticeArray x(model.matrix().columns(), model.matrix().rows() * model.matrix().layers());
   linear::LatticeArray product = x;
   Worst worst;

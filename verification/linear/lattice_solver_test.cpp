@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <random>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
@@ -23,33 +21,7 @@ using namespace linear;
 
 LatticeArray random_array(std::size_t columns, std::size_t rows) {
   LatticeArray result(columns, rows);
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (double& value : result.values()) value = unit(random);
-  return result;
-}
-
-Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
-
-Eigen::MatrixXd dense(const StencilMatrix& a) {
-  const auto size = static_cast<Eigen::Index>(a.size());
-  const auto columns = static_cast<Eigen::Index>(a.columns());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  const auto couple = [&](std::size_t part, Eigen::Index offset) {
-    for (Eigen::Index c = 0; c < size; ++c) {
-      const double value = a[part][c];
-      if (value == 0) continue;
-      result(c, c + offset) = value;
-      result(c + offset, c) = value;
-    }
-  };
-  couple(a.own, 0);
-  couple(a.right, 1);
-  couple(a.up, columns);
-  couple(a.up_right, columns + 1);
-  couple(a.up_left, columns - 1);
+  std::ranges::copy(random_vector(columns * rows), result.data());
   return result;
 }
 
@@ -63,8 +35,8 @@ double inverse_error(CosineLattice& lattice, const Eigen::MatrixXd& a) {
 }
 
 double mesh_error(std::size_t columns, double h1, const std::vector<double>& row_heights) {
-  CosineLattice lattice({columns, 1, row_heights.size()}, HexahedralLattice(h1, 1, row_heights));
-  return inverse_error(lattice, dense(mesh_matrix(DeformedMesh(columns, h1, row_heights, 0))));
+  CosineLattice lattice({columns, 1, row_heights.size()}, hexahedral_lattice(h1, 1, row_heights));
+  return inverse_error(lattice, dense(mesh_matrix(columns, h1, row_heights, 0)));
 }
 
 /// Second difference with reflecting ends.
@@ -113,8 +85,8 @@ struct Problem {
   ConjugateGradients<> solver;
   Problem(std::size_t columns, std::size_t rows, double amplitude)
       : a(mesh_matrix(columns, rows, 4.0 / static_cast<double>(columns), 1.0 / static_cast<double>(rows), amplitude)),
-        lattice({columns, 1, rows}, HexahedralLattice(4.0 / static_cast<double>(columns), 1,
-                                                      std::vector<double>(rows, 1.0 / static_cast<double>(rows)))) {}
+        lattice({columns, 1, rows}, hexahedral_lattice(4.0 / static_cast<double>(columns), 1,
+                                                       std::vector<double>(rows, 1.0 / static_cast<double>(rows)))) {}
 
   ConjugateGradients<>::Result solve(const LatticeArray& b, LatticeArray& x, ConjugateGradients<>::Goal goal) {
     return solver.solve([&](const LatticeArray& p, LatticeArray& q) { return a.multiply_and_dot(p, q); },
@@ -301,10 +273,10 @@ TEST_CASE("lattices that have no inverse are refused", "[linear]") {
   CHECK_THROWS_AS(CosineLattice({0, 2, 4}, constant(2)), std::invalid_argument);
   CHECK_THROWS_AS(CosineLattice({3, 0, 4}, constant(2)), std::invalid_argument);
   CHECK_THROWS_AS(CosineLattice({3, 2, 0}, constant(2)), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(0, 1, {1.0}), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(1, 1, {}), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(1, 1, {1.0, -1.0}), std::invalid_argument);
-  CHECK_THROWS_AS(HexahedralLattice(1, 1, {1.0}, 0), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(0, 1, {1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(1, 1, {}), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(1, 1, {1.0, -1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(hexahedral_lattice(1, 1, {1.0}, 0), std::invalid_argument);
 }
 
 }  // namespace seiche::verification::lattice_solver_test

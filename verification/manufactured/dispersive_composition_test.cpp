@@ -71,14 +71,11 @@ struct Method {
 
 std::vector<Method> methods() {
   const std::vector<double> small = {0.4, 0.2, 0.1, 0.05}, large = {0.8, 0.4, 0.2, 0.1};
-  const auto single = Stages::single;
   return {
       {"one-step", "one-step", run<OneStep>, {1.0}, 2, small},
-      {"triple-jump", "one-step, triple jump", run<OneStep>, triple_jump_weights(single), 4, large},
-      {"suzuki", "one-step, Suzuki", run<OneStep>, suzuki_weights(single), 4, large},
-      {"conservative-suzuki", "conservative, Suzuki", run<ConservativeStep>, suzuki_weights(single), 4, large},
-      {"triple-jump-paired", "one-step, triple jump of pairs", run<OneStep>, triple_jump_weights(), 4, small},
-      {"suzuki-paired", "one-step, Suzuki of pairs", run<OneStep>, suzuki_weights(), 4, small},
+      {"conservative-suzuki", "conservative, Suzuki", run<ConservativeStep>, suzuki_weights(), 4, large},
+      {"triple-jump", "one-step, triple jump", run<OneStep>, triple_jump_weights(), 4, small},
+      {"suzuki", "one-step, Suzuki", run<OneStep>, suzuki_weights(), 4, small},
   };
 }
 

@@ -52,16 +52,11 @@ TEST_CASE("weights of compositions meet the conditions of order four", "[mechani
     check.holds(text, {value}, Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
   };
   // The cubes of the halves of a pair are an eighth of the stage's each: a quarter of nothing.
-  for (const Stages stages : {Stages::single, Stages::paired}) {
-    const std::string kind = stages == Stages::single ? "" : "-paired";
-    const std::vector<double> triple = triple_jump_weights(stages);
-    claim("The weights of the triple jump add up to one.", sum_of_powers(triple, 1), 1);
-    claim("The cubes of the triple jump's weights add up to zero.", sum_of_powers(triple, 3), 0);
-    claim("The weights of the triple jump are symmetric.", asymmetry(triple), 0);
-    const std::vector<double> suzuki = suzuki_weights(stages);
-    claim("The weights of Suzuki's composition add up to one.", sum_of_powers(suzuki, 1), 1);
-    claim("The cubes of the triple jump's weights add up to zero.", sum_of_powers(suzuki, 3), 0);
-    claim("The weights of the triple jump are symmetric.", asymmetry(suzuki), 0);
+  for (const auto& [name, weights] :
+       {std::pair{"the triple jump", triple_jump_weights()}, std::pair{"Suzuki's composition", suzuki_weights()}}) {
+    claim(fmt::format("The weights of {} add up to one.", name), sum_of_powers(weights, 1), 1);
+    claim(fmt::format("The cubes of the weights of {} add up to zero.", name), sum_of_powers(weights, 3), 0);
+    claim(fmt::format("The weights of {} are symmetric.", name), asymmetry(weights), 0);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "seiche/lattice/water.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_2d/nodes.hpp"
 #include "seiche/samples.hpp"
@@ -19,29 +20,28 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
               "the energy of corner_barrier.hpp");
   Mesh mesh = free_patch(3, 3, {0, 0}, {3, 3});
   std::vector<double> areas(mesh.cells(), 1.0);
-  std::vector<double> x = mesh.x;
-  std::vector<double> y = mesh.y;
+  const std::size_t n = mesh.nodes();
+  std::vector<double> q = lattice::joined({mesh.x, mesh.y});
   const std::size_t moved = mesh.node(1, 1);
-  x[moved] += 0.42;
-  y[moved] += 0.47;
+  q[moved] += 0.42;
+  q[n + moved] += 0.47;
   const CornerBarrier barrier(2.5);
-  std::vector<double> push_x(mesh.nodes(), 0.0);
-  std::vector<double> push_y(mesh.nodes(), 0.0);
-  barrier.push(mesh, areas, x.data(), y.data(), 1, push_x, push_y);
+  std::vector<double> push(2 * n, 0.0);
+  barrier.push(mesh, areas, q, 1, push);
   const auto difference = [&](double width) {
     Largest largest;
-    for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    for (std::size_t k = 0; k < n; ++k) {
       const auto slope = [&](double& coordinate) {
         const double place = coordinate;
         const auto energy = [&](double shift) {
           coordinate = place + shift;
-          return barrier.energy(mesh, areas, x.data(), y.data());
+          return barrier.energy(mesh, areas, q);
         };
         const double slope_of_energy = verification::difference(energy, 2 * width);
         coordinate = place;
         return slope_of_energy;
       };
-      largest.add(std::hypot(push_x[k] + slope(x[k]), push_y[k] + slope(y[k])));
+      largest.add(std::hypot(push[k] + slope(q[k]), push[n + k] + slope(q[n + k])));
     }
     return largest.value();
   };

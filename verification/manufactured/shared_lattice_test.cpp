@@ -20,7 +20,7 @@ using plan_lattice::Shape;
 namespace plan = dispersive_shallow_water_2d;
 namespace mesh = lagrangian_mesh_3d;
 
-const std::string source = "decomposition of the lattice; seiche/distributed/decomposition.hpp";
+const std::string source = "decomposition of the lattice; distributed/decomposition.hpp";
 constexpr Shape whole{8, 6};
 
 /// Cells from a first to before a last column and row: those that a block owns, and with a ring around them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -21,51 +22,56 @@ double extent(const Mesh& mesh) {
   return largest(mesh.x) - smallest(mesh.x) + largest(mesh.y) - smallest(mesh.y);
 }
 
-/// Rows of nodes, and the nodes at their ends.
+/// Rows of nodes from the bottom up, the bottom with a step up to a shelf, or none.
 struct Rows {
-  Mesh mesh;
-  std::vector<int> left, right;  // from the bottom up
-  std::vector<int> bottom, top;  // without the ends
+  int count = 1;  ///< spacings between rows
+  int shelf = 0;  ///< row; beyond the last one: no step
+  std::function<double(int row, double x)> height;
+  std::function<bool(int row)> shifted;  ///< by half a column
+  double begin = 0, step = 0, end = 0;
+  int deep = 1, shallow = 0;  ///< columns before the step and behind it
 };
 
-void require_layer(const Layer& layer) {
-  require_finite("begin", layer.begin);
-  require_positive("end - begin", layer.end - layer.begin);
-  require_positive("level - bottom", layer.level - layer.bottom);
-  require_at_least("columns", layer.columns, 1);
-  require_at_least("rows", layer.rows, 1);
-}
+enum { bottom_wall, left_wall, face, shelf_wall, right_wall };
 
-Rows rows_of(const Layer& layer) {
-  require_layer(layer);
-  Rows rows;
-  const double width = (layer.end - layer.begin) / layer.columns;
-  const auto put = [&](double x, int j) {
-    const double top = layer.level + (layer.elevation ? layer.elevation(x) : 0.0);
-    require_that(top > layer.bottom, "no water at x = {:g}: its surface at {:g} is not above the bottom at {:g}", x,
-                 top, layer.bottom);
-    rows.mesh.x.push_back(x);
-    rows.mesh.y.push_back(j == layer.rows ? top : layer.bottom + (top - layer.bottom) * j / layer.rows);
-    return static_cast<int>(rows.mesh.nodes()) - 1;
-  };
-  for (int j = 0; j <= layer.rows; ++j) {
-    const bool shifted = layer.staggered && j % 2 == 1 && j != layer.rows;
-    rows.left.push_back(put(layer.begin, j));
-    for (int i = shifted ? 0 : 1; i < layer.columns; ++i) {
-      const int node = put(layer.begin + (shifted ? i + 0.5 : i) * width, j);
-      if (j == 0) rows.bottom.push_back(node);
-      if (j == layer.rows) rows.top.push_back(node);
+Mesh mesh_of(const Rows& rows) {
+  Mesh mesh;
+  std::vector<int> floor, rise, shelf, right, top, left;
+  for (int row = 0; row <= rows.count; ++row) {
+    const bool shifted = rows.shifted(row);
+    const int on_bottom = row == 0 ? bottom_wall : Held::by_none;
+    const int on_shelf = row == rows.shelf ? shelf_wall : Held::by_none;
+    const auto put = [&](double x, Held held) {
+      mesh.x.push_back(x);
+      mesh.y.push_back(rows.height(row, x));
+      mesh.held.push_back(held);
+      return static_cast<int>(mesh.nodes()) - 1;
+    };
+    const auto put_inside = [&](double begin, double end, int columns, int wall, std::vector<int>& along) {
+      for (int i = shifted ? 0 : 1; i < columns; ++i) {
+        const int node = put(begin + (shifted ? i + 0.5 : i) * ((end - begin) / columns), {wall});
+        if (wall != Held::by_none) along.push_back(node);
+        if (row == rows.count) top.push_back(node);
+      }
+    };
+    left.push_back(put(rows.begin, {left_wall, on_bottom}));
+    put_inside(rows.begin, rows.step, rows.deep, on_bottom, floor);
+    if (row <= rows.shelf) rise.push_back(put(rows.step, {face, row == rows.shelf ? on_shelf : on_bottom}));
+    if (row < rows.shelf) continue;
+    if (row > rows.shelf && !shifted) {
+      const int node = put(rows.step, {});
+      if (row == rows.count) top.push_back(node);
     }
-    rows.right.push_back(put(layer.end, j));
+    put_inside(rows.step, rows.end, rows.shallow, on_shelf, shelf);
+    right.push_back(put(rows.end, {right_wall, on_shelf}));
   }
-  std::vector<int>& outline = rows.mesh.outline;
-  outline.push_back(rows.left.front());
-  outline.insert(outline.end(), rows.bottom.begin(), rows.bottom.end());
-  outline.insert(outline.end(), rows.right.begin(), rows.right.end());
-  outline.insert(outline.end(), rows.top.rbegin(), rows.top.rend());
-  outline.insert(outline.end(), rows.left.rbegin(), rows.left.rend() - 1);
-  rows.mesh.held.resize(rows.mesh.nodes());
-  return rows;
+  mesh.outline.push_back(left.front());
+  for (const auto* part : {&floor, &rise, &shelf, &right}) {
+    mesh.outline.insert(mesh.outline.end(), part->begin(), part->end());
+  }
+  mesh.outline.insert(mesh.outline.end(), top.rbegin(), top.rend());
+  mesh.outline.insert(mesh.outline.end(), left.rbegin(), left.rend() - 1);
+  return mesh;
 }
 
 }  // namespace
@@ -106,40 +112,48 @@ void Mesh::require_valid() const {
 }
 
 Mesh layer_mesh(const Layer& layer) {
-  Rows rows = rows_of(layer);
-  Mesh& mesh = rows.mesh;
-  enum { bottom, left, right };
+  require_finite("begin", layer.begin);
+  require_positive("end - begin", layer.end - layer.begin);
+  require_positive("level - bottom", layer.level - layer.bottom);
+  require_at_least("columns", layer.columns, 1);
+  require_at_least("rows", layer.rows, 1);
+  Mesh mesh = mesh_of({.count = layer.rows,
+                       .shelf = layer.rows + 1,
+                       .height =
+                           [&](int row, double x) {
+                             const double top = layer.level + (layer.elevation ? layer.elevation(x) : 0.0);
+                             require_that(top > layer.bottom,
+                                          "no water at x = {:g}: its surface at {:g} is not above the bottom at {:g}",
+                                          x, top, layer.bottom);
+                             return row == layer.rows ? top : layer.bottom + (top - layer.bottom) * row / layer.rows;
+                           },
+                       .shifted = [&](int row) { return layer.staggered && row % 2 == 1 && row != layer.rows; },
+                       .begin = layer.begin,
+                       .step = layer.end,
+                       .deep = layer.columns});
   mesh.walls = {{{layer.begin, layer.bottom}, {1, 0}}, {{layer.begin, layer.bottom}, {0, 1}}};
-  if (layer.right_wall) mesh.walls.push_back({{layer.end, layer.bottom}, {0, 1}});
-  const auto held = [&](int node) -> Held& { return mesh.held[static_cast<std::size_t>(node)]; };
-  for (const int node : rows.bottom) held(node).one = bottom;
-  for (const int node : rows.left) held(node).one = left;
   if (layer.right_wall) {
-    for (const int node : rows.right) held(node).one = right;
-    held(rows.right.front()).other = bottom;
+    mesh.walls.push_back({{layer.end, layer.bottom}, {0, 1}});
   } else {
-    held(rows.right.front()).one = bottom;
+    for (Held& held : mesh.held) held = held.one == face ? Held{held.other} : held;
   }
-  held(rows.left.front()).other = bottom;
-  return std::move(rows.mesh);
+  return mesh;
 }
 
 Mesh free_patch(int columns, int rows, Point lower, Point upper, bool staggered) {
-  return rows_of({.begin = lower.x,
-                  .end = upper.x,
-                  .bottom = lower.y,
-                  .level = upper.y,
-                  .columns = columns,
-                  .rows = rows,
-                  .staggered = staggered})
-      .mesh;
+  Mesh mesh = layer_mesh({.begin = lower.x,
+                          .end = upper.x,
+                          .bottom = lower.y,
+                          .level = upper.y,
+                          .columns = columns,
+                          .rows = rows,
+                          .staggered = staggered});
+  mesh.walls.clear();
+  mesh.held.assign(mesh.nodes(), {});
+  return mesh;
 }
 
-namespace {
-
-enum { bottom_wall, left_wall, face, shelf_wall, right_wall };
-
-void require_channel(const SteppedChannel& channel) {
+Mesh stepped_channel_mesh(const SteppedChannel& channel) {
   require_finite("begin", channel.begin);
   require_positive("step - begin", channel.step - channel.begin);
   require_positive("end - step", channel.end - channel.step);
@@ -147,76 +161,29 @@ void require_channel(const SteppedChannel& channel) {
   require_positive("shelf - bottom", channel.shelf - channel.bottom);
   require_positive("level - shelf", channel.level - channel.shelf);
   require_at_least("rows", channel.rows, 2);
-}
-
-int rounded(double count) {
-  return static_cast<int>(std::lround(std::max(count, 1.0)));
-}
-
-}  // namespace
-
-Mesh stepped_channel_mesh(const SteppedChannel& channel) {
-  require_channel(channel);
   const double spacing = (channel.level - channel.bottom) / channel.rows;
-  const int below = rounded((channel.shelf - channel.bottom) / spacing);
-  const int above = rounded((channel.level - channel.shelf) / spacing);
-  const int deep = rounded((channel.step - channel.begin) / spacing);
-  const int shallow = rounded((channel.end - channel.step) / spacing);
-  const double deep_width = (channel.step - channel.begin) / deep;
-  const double shallow_width = (channel.end - channel.step) / shallow;
-
-  Mesh mesh;
-  std::vector<int> floor, rise, shelf, right, top, left;
-  const auto put = [&](double x, double y, Held held) {
-    mesh.x.push_back(x);
-    mesh.y.push_back(y);
-    mesh.held.push_back(held);
-    return static_cast<int>(mesh.nodes()) - 1;
-  };
-  for (int row = 0; row <= below + above; ++row) {
-    const bool is_floor = row == 0;
-    const bool is_shelf = row == below;
-    const bool is_top = row == below + above;
-    const bool shifted = (below + above - row) % 2 != 0;
-    const double y = is_top        ? channel.level
-                     : row < below ? channel.bottom + (channel.shelf - channel.bottom) * row / below
-                                   : channel.shelf + (channel.level - channel.shelf) * (row - below) / above;
-    left.push_back(put(channel.begin, y, {left_wall, is_floor ? bottom_wall : Held::by_none}));
-    for (int i = shifted ? 0 : 1; i < deep; ++i) {
-      const int node =
-          put(channel.begin + (shifted ? i + 0.5 : i) * deep_width, y, {is_floor ? bottom_wall : Held::by_none});
-      if (is_floor) floor.push_back(node);
-      if (is_top) top.push_back(node);
-    }
-    if (row < below) {
-      rise.push_back(put(channel.step, y, {face, is_floor ? bottom_wall : Held::by_none}));
-      continue;
-    }
-    if (is_shelf) {
-      rise.push_back(put(channel.step, y, {face, shelf_wall}));
-    } else if (!shifted) {
-      const int node = put(channel.step, y, {});
-      if (is_top) top.push_back(node);
-    }
-    for (int i = shifted ? 0 : 1; i < shallow; ++i) {
-      const int node =
-          put(channel.step + (shifted ? i + 0.5 : i) * shallow_width, y, {is_shelf ? shelf_wall : Held::by_none});
-      if (is_shelf) shelf.push_back(node);
-      if (is_top) top.push_back(node);
-    }
-    right.push_back(put(channel.end, y, {right_wall, is_shelf ? shelf_wall : Held::by_none}));
-  }
+  const auto spacings = [&](double length) { return static_cast<int>(std::lround(std::max(length / spacing, 1.0))); };
+  const int below = spacings(channel.shelf - channel.bottom);
+  const int above = spacings(channel.level - channel.shelf);
+  Mesh mesh = mesh_of({.count = below + above,
+                       .shelf = below,
+                       .height =
+                           [&](int row, double) {
+                             if (row == below + above) return channel.level;
+                             if (row < below) return channel.bottom + (channel.shelf - channel.bottom) * row / below;
+                             return channel.shelf + (channel.level - channel.shelf) * (row - below) / above;
+                           },
+                       .shifted = [&](int row) { return (below + above - row) % 2 != 0; },
+                       .begin = channel.begin,
+                       .step = channel.step,
+                       .end = channel.end,
+                       .deep = spacings(channel.step - channel.begin),
+                       .shallow = spacings(channel.end - channel.step)});
   mesh.walls = {{{channel.begin, channel.bottom}, {1, 0}},
                 {{channel.begin, channel.bottom}, {0, 1}},
                 {{channel.step, channel.bottom}, {0, 1}},
                 {{channel.step, channel.shelf}, {1, 0}},
                 {{channel.end, channel.shelf}, {0, 1}}};
-  mesh.outline.push_back(left.front());
-  for (const auto* part : {&floor, &rise, &shelf, &right}) {
-    mesh.outline.insert(mesh.outline.end(), part->begin(), part->end());
-  }
-  mesh.outline.insert(mesh.outline.end(), top.rbegin(), top.rend());
-  mesh.outline.insert(mesh.outline.end(), left.rbegin(), left.rend() - 1);
   return mesh;
 }
 

@@ -8,8 +8,8 @@
 ///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
 ///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
 ///
-/// and the clones assemble_row, rates_of_row, react_row and kick_row. Cells that share a node are coupled there:
-/// A = J W J^T has the terms g_a W g_b of the corners a and b at which the two cells have the node.
+/// and the clones of run(RowLoop), which is run_row. Cells that share a node are coupled there: A = J W J^T has the
+/// terms g_a W g_b of the corners a and b at which the two cells have the node.
 #pragma once
 
 #include <array>
@@ -272,6 +272,24 @@ SEICHE_INLINE void kick(const Kick<E>& given) {
     for (std::size_t axis = 0; axis < E::axes; ++axis) f[axis] = row.h * row.push[axis][i];
     move<E, full>(row.w, row.velocity, f, i);
   }
+}
+
+/// One of the loops over a row.
+template <class E>
+struct RowLoop {
+  const Assembly<E>* assembly = nullptr;
+  const Rates<E>* rates = nullptr;
+  const Reaction<E>* reaction = nullptr;
+  const Kick<E>* push = nullptr;
+};
+
+template <class E>
+SEICHE_INLINE void run_row(const RowLoop<E>& loop) {
+  constexpr bool full = E::mobilities == 6;  // may be
+  if (const auto* row = loop.assembly) return full && row->full ? assemble<E, full>(*row) : assemble<E, false>(*row);
+  if (const auto* row = loop.rates) return find_rates(*row);
+  if (const auto* row = loop.reaction) return full && row->full ? react<E, full>(*row) : react<E, false>(*row);
+  return full && loop.push->full ? kick<E, full>(*loop.push) : kick<E, false>(*loop.push);
 }
 
 }  // namespace seiche::lattice

@@ -114,6 +114,8 @@ void shift_rows(std::span<T> values, std::size_t length) {
 ///                   node_masses(), momentum_of(k, u)   M u of a node; E::momenta of its axes are conserved
 ///                   look_below(q)              optional: what momentum_of needs to know
 ///                   cell_volume(q, cell), cell_shape(q, cell), place(rate)
+///                   gather(q0, q1, at, sweep)   gradients, forces and holds at `at`, or means over q0 -> q1 if they
+///                   differ
 template <class E, class Model>
 class Water {
  public:
@@ -123,6 +125,18 @@ class Water {
   [[nodiscard]] std::size_t coordinates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t rates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t constraints() const { return volume_.size(); }
+  /// Throws mechanics::Infeasible where a cell folds or a node cannot stay.
+  void linearise(Interval when, Input q) {
+    linearise_over(when, q, q, q, 0);
+    sweeping_ = false;
+  }
+  /// Factorised in sweep 0 only.
+  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
+    middle_.resize(q0.size());
+    for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
+    linearise_over(when, q0, q1, middle_, sweep);
+    sweeping_ = true;
+  }
   void advance(Input from, Input u, double h, Output to) const {
     const double* const begin = from.data();
     const double* const rate = u.data();
@@ -146,7 +160,7 @@ class Water {
         here.velocity[axis] = u.data() + axis * n_ + row * count;
       }
       if constexpr (E::mobilities == 6) here.full = self().full_row(row);
-      E::kick_row(here);
+      E::run({.push = &here});
     });
     for (const Held& held : held_) {
       Components push;
@@ -157,8 +171,9 @@ class Water {
   void constraint_rates(Input u, Output w) const {
     each_row([&](std::size_t row) {
       const auto cells = gradients_.row(row);
-      E::rates_of_row({shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
-                       w.data() + row * shape_.columns});
+      const Rates<E> here{shape_.columns, static_cast<std::ptrdiff_t>(cells.stride), cells.data, around(row, u),
+                          w.data() + row * shape_.columns};
+      E::run({.rates = &here});
     });
   }
   void react(Input mu, Output u) const {
@@ -180,7 +195,7 @@ class Water {
       for (std::size_t k = 0; k < E::mobilities; ++k) here.w[k] = mobility[k] + first;
       for (std::size_t axis = 0; axis < E::axes; ++axis) here.velocity[axis] = u.data() + axis * n_ + first;
       if constexpr (E::mobilities == 6) here.full = self().full_row(row);
-      E::react_row(here);
+      E::run({.reaction = &here});
     });
     for (const Held& held : held_) {
       const Around cells = cells_around(held.node);
@@ -376,7 +391,7 @@ class Water {
         const std::size_t nodes = row / rows * (rows + 1) + j;
         here.full = self().full_row(nodes) || self().full_row(nodes + 1);
       }
-      E::assemble_row(here);
+      E::run({.assembly = &here});
     });
     for (const Held& held : held_) {
       const Around cells = cells_around(held.node);
@@ -418,12 +433,12 @@ class Water {
     const Components kick = times(held.w, push);
     for (std::size_t axis = 0; axis < E::axes; ++axis) u[axis * n_ + held.node] += kick[axis];
   }
-  void clear_push() {
-    const auto first = static_cast<std::ptrdiff_t>(first_pushed_row_ * (shape_.columns + 1));
-    for (std::size_t axis = 0; axis < E::axes; ++axis) {
-      const auto begin = push_.begin() + static_cast<std::ptrdiff_t>(axis * n_);
-      std::fill(begin + first, begin + static_cast<std::ptrdiff_t>(n_), 0.0);
-    }
+  void linearise_over(Interval when, Input q0, Input q1, Input at, int sweep) {
+    when_ = when;
+    const std::size_t first = first_pushed_row_ * (shape_.columns + 1);
+    for (std::size_t axis = 0; axis < E::axes; ++axis) std::fill_n(&push_[axis * n_ + first], n_ - first, 0.0);
+    static_cast<Model&>(*this).gather(q0, q1, at, sweep);
+    if (sweep == 0) assemble_and_factor();
   }
   /// What shift_east of the models has in common: drops the west column of the state and of the first places x, y in
   /// plan, and puts a column of this width before the east side: at rest, with the places of the last one beside it.
@@ -452,12 +467,6 @@ class Water {
     std::copy_n(first.begin(), n_, x.begin());
     std::copy_n(first.begin() + static_cast<std::ptrdiff_t>(n_), n_, y.begin());
     cells(volume_);
-  }
-  /// (q0 + q1)/2, valid until the next call.
-  Input middle(Input q0, Input q1) {
-    middle_.resize(q0.size());
-    for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
-    return middle_;
   }
   /// Adds mass times acceleration(node), along the first axes, to the push.
   template <class Acceleration>

@@ -91,22 +91,10 @@ class CosineLattice {
 ///                               + (h1 h2 c1 c2)^2 (lambda_{l-1} - lambda_l)^2, l > 0 ]/m_l,
 ///
 /// where h and lambda outside 0..n-1 are zero.
-class HexahedralLattice {
- public:
-  /// @param hx, hy  h1, h2 [m];  @param layer_heights  from the bottom up [m];  @param density  rho [kg/m^3]
-  /// @param free_bottom  whether nodes of level 0 move vertically too
-  /// Throws std::invalid_argument for an empty or not positive size.
-  HexahedralLattice(double hx, double hy, std::vector<double> layer_heights, double density = 1,
-                    bool free_bottom = false);
-
-  /// Tridiagonal matrix over the layers, as CosineLattice asks for it.
-  void operator()(double theta, double psi, std::span<double> diagonal, std::span<double> off_diagonal) const;
-
- private:
-  double hx_, hy_;
-  std::vector<double> layer_heights_;
-  std::vector<double> mobility_;  // 1/m_l of the levels
-  bool free_bottom_;
-};
+/// @param hx, hy  h1, h2 [m];  @param layer_heights  from the bottom up [m];  @param density  rho [kg/m^3]
+/// @param free_bottom  whether nodes of level 0 move vertically too
+/// Throws std::invalid_argument for an empty or not positive size.
+CosineLattice::LayerMatrix hexahedral_lattice(double hx, double hy, std::vector<double> layer_heights,
+                                              double density = 1, bool free_bottom = false);
 
 }  // namespace seiche::linear

@@ -38,8 +38,7 @@ SweepChange largest_change(const double* before, const double* after, std::size_
   return {change, rate};
 }
 
-std::vector<double> staged(const std::vector<double>& weights, Stages stages) {
-  if (stages == Stages::single) return weights;
+std::vector<double> in_pairs(const std::vector<double>& weights) {
   std::vector<double> halves;
   for (const double weight : weights) halves.insert(halves.end(), 2, weight / 2);
   return halves;
@@ -51,14 +50,14 @@ SweepChange change_between(Input before, Input after) {
   return largest_change(before.data(), after.data(), after.size());
 }
 
-std::vector<double> triple_jump_weights(Stages stages) {
+std::vector<double> triple_jump_weights() {
   const double g = 1 / (2 - std::cbrt(2.0));
-  return staged({g, 1 - 2 * g, g}, stages);
+  return in_pairs({g, 1 - 2 * g, g});
 }
 
-std::vector<double> suzuki_weights(Stages stages) {
+std::vector<double> suzuki_weights() {
   const double g = 1 / (4 - std::cbrt(4.0));
-  return staged({g, g, 1 - 4 * g, g, g}, stages);
+  return in_pairs({g, g, 1 - 4 * g, g, g});
 }
 
 }  // namespace seiche::mechanics

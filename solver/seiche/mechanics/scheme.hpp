@@ -20,8 +20,8 @@ namespace seiche::mechanics {
 //     triple jump   w = g, 1 - 2g, g         g = 1/(2 - 2^(1/3))
 //     Suzuki        w = g, g, 1 - 4g, g, g   g = 1/(4 - 4^(1/3)), error about 60 times smaller
 //
-// For tau -> 0 one step of the constrained scheme is a reflection, not the identity. `paired` composes pairs of half
-// steps, which are near the identity for any initial velocity; without it the velocity must be projected.
+// For tau -> 0 one step of the constrained scheme is a reflection, not the identity: each stage is a pair of half
+// steps, which is near the identity for any initial velocity.
 //
 // References: Yoshida, Construction of higher order symplectic integrators, Phys. Lett. A 150 (1990) 262; Suzuki,
 // Fractal decomposition of exponential operators, Phys. Lett. A 146 (1990) 319; Hairer, Lubich & Wanner, Geometric
@@ -32,11 +32,9 @@ concept Stepper = requires(Step& stepper, State& state, double tau) {
   stepper.substep(state, tau);
 };
 
-enum class Stages { single, paired };
-
-/// Lengths of the stages in units of the step; their sum is 1.
-std::vector<double> triple_jump_weights(Stages stages = Stages::paired);
-std::vector<double> suzuki_weights(Stages stages = Stages::paired);
+/// Lengths of the half stages in units of the step; their sum is 1.
+std::vector<double> triple_jump_weights();
+std::vector<double> suzuki_weights();
 
 template <Stepper Step>
 class Composition {

@@ -78,6 +78,12 @@ struct Shape {
   }
 };
 
+/// In plan, of a cell with corners at (x, y): from its diagonals.
+inline double cell_area(const Shape& shape, std::span<const double> x, std::span<const double> y, std::size_t cell) {
+  const auto [c0, c1, c2, c3] = shape.corners(cell);
+  return 0.5 * ((x[c2] - x[c0]) * (y[c3] - y[c1]) - (x[c3] - x[c1]) * (y[c2] - y[c0]));
+}
+
 /// What the sides forbid a node: its horizontal velocity along one direction, or along two; on a shoreline, to leave
 /// the bottom.
 struct BoundNode {

@@ -58,7 +58,7 @@ void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, s
     for (const std::size_t strip : beside) {
       const std::size_t cell = is_row ? strip * shape_.columns + k : k * shape_.columns + strip;
       water += volumes[cell] / 4;
-      area += cell_area(shape_, q, cell) / 4;
+      area += cell_area(shape_, q, q.subspan(n), cell) / 4;
     }
     pair.depth = water / area;
     const double viscosity = 2 * std::sqrt(inertia_ * pair.depth) * pair.depth;
@@ -205,7 +205,7 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
     depth_.assign(n, 0.0);
     area_.assign(n, 0.0);
     for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
-      const double area = cell_area(lattice.shape, q, cell);
+      const double area = cell_area(lattice.shape, q, q.subspan(n), cell);
       for (const std::size_t k : lattice.shape.corners(cell)) {
         depth_[k] += volumes[cell];
         area_[k] += area;

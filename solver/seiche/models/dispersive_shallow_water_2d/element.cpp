@@ -13,38 +13,6 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 SEICHE_SIMD_CLONES
-void Column::assemble_row(const lattice::Assembly<Column>& row) {
-  if (row.full) {
-    lattice::assemble<Column, true>(row);
-  } else {
-    lattice::assemble<Column, false>(row);
-  }
-}
-
-SEICHE_SIMD_CLONES
-void Column::rates_of_row(const lattice::Rates<Column>& row) {
-  lattice::find_rates(row);
-}
-
-SEICHE_SIMD_CLONES
-void Column::react_row(const lattice::Reaction<Column>& row) {
-  if (row.full) {
-    lattice::react<Column, true>(row);
-  } else {
-    lattice::react<Column, false>(row);
-  }
-}
-
-SEICHE_SIMD_CLONES
-void Column::kick_row(const lattice::Kick<Column>& row) {
-  if (row.full) {
-    lattice::kick<Column, true>(row);
-  } else {
-    lattice::kick<Column, false>(row);
-  }
-}
-
-SEICHE_SIMD_CLONES
 RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows, double bottom, double weight,
                         bool add, linear::RowBlocks::Row gradients) {
   using bilinear_patch::Corners;
@@ -87,37 +55,32 @@ BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const Plan
       bottom_(std::move(bottom)),
       edges_(shape.columns * (shape.rows + 1) + shape.rows * (shape.columns + 1)) {}
 
-BottomVolume::Parts BottomVolume::parts(Places at, std::size_t p, std::size_t q) const {
+BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
   const double width = at.x[q] - at.x[p];
   const double height = at.y[q] - at.y[p];
-  Parts parts;
+  Edge edge;
   for (const auto [t, weight] : gauss_points()) {
     const auto b = bottom_->integral(at.x[p] + t * width, at.y[p] + t * height);
-    parts.value += weight * height * b.value;
-    parts.xp += weight * height * (1 - t) * b.elevation;
-    parts.xq += weight * height * t * b.elevation;
-    parts.yp += weight * height * (1 - t) * b.along_y;
-    parts.yq += weight * height * t * b.along_y;
-    parts.integral += weight * b.value;
+    edge.value += weight * height * b.value;
+    edge.xp += weight * height * (1 - t) * b.elevation;
+    edge.xq += weight * height * t * b.elevation;
+    edge.yp += weight * height * (1 - t) * b.along_y;
+    edge.yq += weight * height * t * b.along_y;
+    edge.integral += weight * b.value;
   }
-  return parts;
-}
-
-BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
-  const Parts all = parts(at, p, q);
-  return {.value = all.value, .xp = all.xp, .yp = all.yp - all.integral, .xq = all.xq, .yq = all.yq + all.integral};
+  return edge;
 }
 
 BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const {
   // The middle of the four coordinates, as two nodes.
   const std::array x{0.5 * (q0.x[p] + q1.x[p]), 0.5 * (q0.x[q] + q1.x[q])};
   const std::array y{0.5 * (q0.y[p] + q1.y[p]), 0.5 * (q0.y[q] + q1.y[q])};
-  const Parts begin = parts(q0, p, q);
-  const Parts middle = parts({x.data(), y.data()}, 0, 1);
-  const Parts end = parts(q1, p, q);
-  const auto mean = [&](double Parts::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
+  const Edge begin = edge(q0, p, q);
+  const Edge middle = edge({x.data(), y.data()}, 0, 1);
+  const Edge end = edge(q1, p, q);
+  const auto mean = [&](double Edge::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
   const std::array way{q1.x[p] - q0.x[p], q1.y[p] - q0.y[p], q1.x[q] - q0.x[q], q1.y[q] - q0.y[q]};
-  std::array slope{mean(&Parts::xp), mean(&Parts::yp), mean(&Parts::xq), mean(&Parts::yq)};
+  std::array slope{mean(&Edge::xp), mean(&Edge::yp), mean(&Edge::xq), mean(&Edge::yq)};
   // What E grows by, less the mean gradient times the way. Both are the same for B and for its difference from B where
   // a point of the rule is in the middle.
   const double stretch = way[3] - way[1];
@@ -140,12 +103,7 @@ BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t 
   if (square > 0) {
     for (std::size_t k = 0; k < way.size(); ++k) slope[k] += lacking / square * way[k];
   }
-  const double integral = mean(&Parts::integral);
-  return {.value = end.value - begin.value,
-          .xp = slope[0],
-          .yp = slope[1] - integral,
-          .xq = slope[2],
-          .yq = slope[3] + integral};
+  return {end.value - begin.value, slope[0], slope[1], slope[2], slope[3], mean(&Edge::integral)};
 }
 
 void BottomVolume::subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients) {
@@ -167,14 +125,14 @@ void BottomVolume::subtract_gradients(Places q0, Places q1, linear::RowBlocks& g
       const Edge& east = edges_[along_j(i + 1, j)];
       const Edge& north = edges_[along_i(i, j + 1)];
       const Edge& west = edges_[along_j(i, j)];
-      const auto subtract = [&](std::size_t corner, double x, double y) {
-        row[3 * corner][i] -= x;
-        row[3 * corner + 1][i] -= y;
+      const auto subtract = [&](std::size_t corner, Point gradient) {
+        row[3 * corner][i] -= gradient.x;
+        row[3 * corner + 1][i] -= gradient.y;
       };
-      subtract(0, south.xp - west.xp, south.yp - west.yp);
-      subtract(1, south.xq + east.xp, south.yq + east.yp);
-      subtract(2, east.xq - north.xq, east.yq - north.yq);
-      subtract(3, -north.xp - west.xq, -north.yp - west.yq);
+      subtract(0, south.at_p() - west.at_p());
+      subtract(1, south.at_q() + east.at_p());
+      subtract(2, east.at_q() - north.at_q());
+      subtract(3, -1 * north.at_p() - west.at_q());
     }
   }
 }
@@ -186,53 +144,33 @@ double BottomVolume::volume(Places at, std::size_t cell) const {
 
 namespace {
 
-/// A cell's diagonals, from corner 0 to 2 and from 1 to 3: differences of x, y and z.
-struct Diagonals {
-  double x1, y1, z1;
-  double x2, y2, z2;
-
-  [[nodiscard]] double dx() const { return z1 * x2 - z2 * x1; }
-  [[nodiscard]] double dy() const { return z1 * y2 - z2 * y1; }
-  [[nodiscard]] double area() const { return 0.5 * (x1 * y2 - x2 * y1); }
-};
-
-Diagonals diagonals_of(mechanics::Input q, std::size_t nodes, const std::array<std::size_t, 4>& corners) {
-  const auto [c0, c1, c2, c3] = corners;
-  const double* const x = q.data();
-  const double* const y = x + nodes;
-  const double* const z = y + nodes;
-  return {x[c2] - x[c0], y[c2] - y[c0], z[c2] - z[c0], x[c3] - x[c1], y[c3] - y[c1], z[c3] - z[c1]};
-}
-
-Diagonals mean(const Diagonals& a, const Diagonals& b) {
-  return {0.5 * (a.x1 + b.x1), 0.5 * (a.y1 + b.y1), 0.5 * (a.z1 + b.z1),
-          0.5 * (a.x2 + b.x2), 0.5 * (a.y2 + b.y2), 0.5 * (a.z2 + b.z2)};
-}
-
 double cube(double a) {
   return a * a * a;
 }
 
 /// Derivatives of |D|^2/A^3 with respect to the diagonals between two configurations of a cell.
-Diagonals gradient(const Diagonals& from, const Diagonals& to) {
-  const Diagonals middle = mean(from, to);
+std::array<Vector3, 2> gradient(const Diagonals& from, const Diagonals& to) {
+  const Vector3 a = 0.5 * (from.a + to.a);
+  const Vector3 b = 0.5 * (from.b + to.b);
   const double a0 = from.area();
   const double a1 = to.area();
   const double inverse = 0.5 * (1 / cube(a0) + 1 / cube(a1));
   const double divided = -(a0 * a0 + a0 * a1 + a1 * a1) / cube(a0 * a1);  // (1/a1^3 - 1/a0^3)/(a1 - a0)
-  const double square = 0.5 * (from.dx() * from.dx() + from.dy() * from.dy() + to.dx() * to.dx() + to.dy() * to.dy());
-  const double dx = inverse * (from.dx() + to.dx());
-  const double dy = inverse * (from.dy() + to.dy());
-  const double by_area = 0.5 * square * divided;
-  return {.x1 = -middle.z2 * dx + by_area * middle.y2,
-          .y1 = -middle.z2 * dy - by_area * middle.x2,
-          .z1 = dx * middle.x2 + dy * middle.y2,
-          .x2 = middle.z1 * dx - by_area * middle.y1,
-          .y2 = middle.z1 * dy + by_area * middle.x1,
-          .z2 = -dx * middle.x1 - dy * middle.y1};
+  const Point d0 = from.d();
+  const Point d1 = to.d();
+  const double by_area = 0.5 * (0.5 * (d0.x * d0.x + d0.y * d0.y + d1.x * d1.x + d1.y * d1.y)) * divided;
+  const Point d = inverse * (d0 + d1);
+  return {Vector3{-b.z * d.x + by_area * b.y, -b.z * d.y - by_area * b.x, d.x * b.x + d.y * b.y},
+          Vector3{a.z * d.x - by_area * a.y, a.z * d.y + by_area * a.x, -d.x * a.x - d.y * a.y}};
 }
 
 }  // namespace
+
+Diagonals::Diagonals(mechanics::Input q, const plan_lattice::Shape& shape, std::size_t cell) {
+  const auto [c0, c1, c2, c3] = shape.corners(cell);
+  a = vector_at(q, c2) - vector_at(q, c0);
+  b = vector_at(q, c3) - vector_at(q, c1);
+}
 
 DispersionEnergy::DispersionEnergy(plan_lattice::Shape shape, double gamma) : shape_(shape), gamma_(gamma) {
   require_not_negative("gamma", gamma);
@@ -241,8 +179,8 @@ DispersionEnergy::DispersionEnergy(plan_lattice::Shape shape, double gamma) : sh
 double DispersionEnergy::value(std::span<const double> volumes, mechanics::Input q) const {
   CompensatedSum sum;
   for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-    const Diagonals at = diagonals_of(q, shape_.nodes(), shape_.corners(cell));
-    sum.add(gamma_ / 8 * volumes[cell] * volumes[cell] * (at.dx() * at.dx() + at.dy() * at.dy()) / cube(at.area()));
+    const Diagonals at(q, shape_, cell);
+    sum.add(gamma_ / 8 * volumes[cell] * volumes[cell] * dot(at.d(), at.d()) / cube(at.area()));
   }
   return sum.value();
 }
@@ -250,27 +188,22 @@ double DispersionEnergy::value(std::span<const double> volumes, mechanics::Input
 void DispersionEnergy::push(std::span<const double> volumes, mechanics::Input q0, mechanics::Input q1, double gravity,
                             mechanics::Output forces) const {
   const std::size_t n = shape_.nodes();
-  double* const fx = forces.data();
-  double* const fy = fx + n;
-  double* const fz = fy + n;
   for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
     const auto corners = shape_.corners(cell);
-    const auto [c0, c1, c2, c3] = corners;
-    const Diagonals slope = gradient(diagonals_of(q0, n, corners), diagonals_of(q1, n, corners));
+    const auto slope = gradient({q0, shape_, cell}, {q1, shape_, cell});
     const double weight = gravity * gamma_ / 8 * volumes[cell] * volumes[cell];
-    fx[c0] += weight * slope.x1;
-    fx[c1] += weight * slope.x2;
-    fx[c2] -= weight * slope.x1;
-    fx[c3] -= weight * slope.x2;
-    fy[c0] += weight * slope.y1;
-    fy[c1] += weight * slope.y2;
-    fy[c2] -= weight * slope.y1;
-    fy[c3] -= weight * slope.y2;
-    fz[c0] += weight * slope.z1;
-    fz[c1] += weight * slope.z2;
-    fz[c2] -= weight * slope.z1;
-    fz[c3] -= weight * slope.z2;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Vector3 force = (c < 2 ? weight : -weight) * slope[c % 2];
+      forces[corners[c]] += force.x;
+      forces[n + corners[c]] += force.y;
+      forces[2 * n + corners[c]] += force.z;
+    }
   }
+}
+
+SEICHE_SIMD_CLONES
+void Column::run(const lattice::RowLoop<Column>& loop) {
+  lattice::run_row(loop);
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d

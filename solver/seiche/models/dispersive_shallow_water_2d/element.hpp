@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
+#include "seiche/geometry/vector.hpp"
 #include "seiche/lattice/cell_rows.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/plan_lattice/sides.hpp"
@@ -18,10 +19,7 @@ namespace seiche::dispersive_shallow_water_2d {
 struct Column : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 4, stored = 12, mobilities = 6, momenta = 2, turns = 1;
 
-  static void assemble_row(const lattice::Assembly<Column>& row);
-  static void rates_of_row(const lattice::Rates<Column>& row);
-  static void react_row(const lattice::Reaction<Column>& row);
-  static void kick_row(const lattice::Kick<Column>& row);
+  static void run(const lattice::RowLoop<Column>& loop);
 };
 
 /// Inverse masses W of the nodes, symmetric 3 x 3.
@@ -86,20 +84,17 @@ class BottomVolume {
   [[nodiscard]] double volume(Places at, std::size_t cell) const;
 
  private:
-  /// E and its derivatives with respect to x_p, y_p, x_q, y_q.
+  /// E, its derivatives with respect to x_p, y_p, x_q, y_q but for what B itself gives, and the integral of B over the
+  /// edge's parameter: of the derivatives -B belongs to y_p and B to y_q.
   struct Edge {
     double value = 0;
     double xp = 0, yp = 0, xq = 0, yq = 0;
-  };
-  /// E, its derivatives but for what B itself gives, and the integral of B over the edge's parameter: of E's
-  /// derivatives -B belongs to y_p and B to y_q.
-  struct Parts {
-    double value = 0;
-    double xp = 0, yp = 0, xq = 0, yq = 0;
     double integral = 0;
+
+    [[nodiscard]] Point at_p() const { return {xp, yp - integral}; }
+    [[nodiscard]] Point at_q() const { return {xq, yq + integral}; }
   };
 
-  [[nodiscard]] Parts parts(Places at, std::size_t p, std::size_t q) const;
   [[nodiscard]] Edge edge(Places at, std::size_t p, std::size_t q) const;
   [[nodiscard]] Edge edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const;
   [[nodiscard]] std::size_t along_i(std::size_t i, std::size_t j) const { return j * shape_.columns + i; }
@@ -148,6 +143,15 @@ class DispersionEnergy {
  private:
   plan_lattice::Shape shape_;
   double gamma_;
+};
+
+/// A cell's diagonals, a from corner 0 to 2 and b from 1 to 3.
+struct Diagonals {
+  Vector3 a, b;
+
+  Diagonals(mechanics::Input q, const plan_lattice::Shape& shape, std::size_t cell);
+  [[nodiscard]] Point d() const { return {a.z * b.x - b.z * a.x, a.z * b.y - b.z * a.y}; }
+  [[nodiscard]] double area() const { return 0.5 * (a.x * b.y - b.x * a.y); }
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d

@@ -72,26 +72,20 @@ WaterSurface::WaterSurface(plan_lattice::Shape shape, double gamma)
 void WaterSurface::assemble(std::span<const double> volumes, mechanics::Input q) {
   matrix_.clear();
   std::ranges::fill(push_.values(), 0.0);
-  const double* const x = q.data();
-  const double* const y = x + shape_.nodes();
-  const double* const z = y + shape_.nodes();
   double* const push = push_.data();
   for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
     const auto [c0, c1, c2, c3] = shape_.corners(cell);
-    const double x1 = x[c2] - x[c0];
-    const double y1 = y[c2] - y[c0];
-    const double x2 = x[c3] - x[c1];
-    const double y2 = y[c3] - y[c1];
-    const double area = 0.5 * (x1 * y2 - x2 * y1);
+    const Diagonals at(q, shape_, cell);
+    const Vector3 a = at.a;
+    const Vector3 b = at.b;
+    const double area = at.area();
     // The energy's form in the differences of z along the diagonals 0-2 and 1-3.
     const double weight = gamma_ / 4 * std::pow(volumes[cell], 2) / std::pow(area, 3);
-    const double first = weight * (x2 * x2 + y2 * y2);
-    const double second = weight * (x1 * x1 + y1 * y1);
-    const double both = -weight * (x1 * x2 + y1 * y2);
-    const double z1 = z[c2] - z[c0];
-    const double z2 = z[c3] - z[c1];
-    const double along_first = (above - below) * (first * z1 + both * z2);
-    const double along_second = (above - below) * (both * z1 + second * z2);
+    const double first = weight * (b.x * b.x + b.y * b.y);
+    const double second = weight * (a.x * a.x + a.y * a.y);
+    const double both = -weight * (a.x * b.x + a.y * b.y);
+    const double along_first = (above - below) * (first * a.z + both * b.z);
+    const double along_second = (above - below) * (both * a.z + second * b.z);
     push[c0] -= along_first;
     push[c1] -= along_second;
     push[c2] += along_first;

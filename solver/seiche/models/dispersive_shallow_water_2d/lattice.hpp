@@ -33,13 +33,6 @@ struct Lattice {
   void require_valid() const;
 };
 
-/// In plan, of a cell whose corners are at q = (x, y, ...).
-inline double cell_area(const Shape& shape, std::span<const double> q, std::size_t cell) {
-  const std::size_t n = shape.nodes();
-  const auto [c0, c1, c2, c3] = shape.corners(cell);
-  return 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
-}
-
 /// A rectangle of equal cells, begin <= x <= end and south <= y <= north, under a given surface.
 struct Rectangle {
   double begin = 0;
@@ -66,13 +59,7 @@ Lattice rectangular_lattice(const Rectangle& rectangle);
 // to the bottom, (I - n n^T)/m. Velocities that a side prescribes are imposed by the M-orthogonal projection.
 
 /// Unit normals of the bottom below the nodes.
-struct Normals {
-  std::vector<double> x, y, z;
-
-  explicit Normals(std::size_t nodes) : x(nodes), y(nodes), z(nodes) {}
-  [[nodiscard]] Vector3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
-  void put(std::size_t k, Vector3 normal) { x[k] = normal.x, y[k] = normal.y, z[k] = normal.z; }
-};
+using Normals = std::vector<Vector3>;
 
 class NodeMasses {
  public:

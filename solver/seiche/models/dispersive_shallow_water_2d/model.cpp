@@ -86,7 +86,7 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
   for (std::size_t cell = 0; cell < volume_.size(); ++cell) {
     const std::size_t corner = first_node(cell);
     volume_[cell] = cell_volume(places, cell);
-    mean_area_ += cell_area(shape(), places, cell) / static_cast<double>(volume_.size());
+    mean_area_ += cell_area(shape(), lattice_.x, lattice_.y, cell) / static_cast<double>(volume_.size());
     require_that(volume_[cell] > 0, "cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
                  lattice_.x[corner], lattice_.y[corner], volume_[cell]);
   }
@@ -121,7 +121,7 @@ void Model::find_normals(Input q, Normals& normals) const {
   for (std::size_t k = 0; k < n_; ++k) {
     const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
     const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-    normals.put(k, {-b.along_x / length, -b.along_y / length, 1 / length});
+    normals[k] = {-b.along_x / length, -b.along_y / length, 1 / length};
     if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
       throw mechanics::Infeasible(q[k], "a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)", q[k],
                                   q[n_ + k], q[2 * n_ + k] - b.elevation);
@@ -137,11 +137,8 @@ void Model::stand(Input q) {
   if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
 }
 
-void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
-  when_ = when;
+void Model::gather(Input q0, Input q1, Input at, int sweep) {
   const bool instant = q0.data() == q1.data();
-  const Input at = instant ? q0 : middle(q0, q1);
-  clear_push();
   // Simpson's mean: exact for gradients of polynomials of degree up to four.
   if (!instant) measure(q0, 1.0 / 6, false);
   if (!instant) measure(q1, 1.0 / 6, true);
@@ -156,13 +153,11 @@ void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
   }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
-      const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, when.middle());
+      const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, when_.middle());
       return std::array{force.x, force.y};
     });
   }
   if (drag_.active()) drag_.measure(lattice_, volume_, at, sweep == 0);
-  if (sweep == 0) assemble_and_factor();
-  sweeping_ = false;
 }
 
 void Model::measure(Input q, double weight, bool add) {

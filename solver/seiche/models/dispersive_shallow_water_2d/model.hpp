@@ -104,13 +104,6 @@ class Model : public lattice::Water<Column, Model> {
   [[nodiscard]] mechanics::State state(const InitialVelocity& velocity = {}) const;
 
   // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
-  /// Throws mechanics::Infeasible where a cell folds, a marker touches the bottom or leaves it.
-  void linearise(Interval when, Input q) { linearise_over(when, q, q, 0); }
-  /// Factorised in sweep 0 only.
-  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
-    linearise_over(when, q0, q1, sweep);
-    sweeping_ = true;
-  }
   void kick(double h, Output u) const;
   void enter(Input q, Output u) const;
   void settle(Interval when, Output q, Output u) const;
@@ -150,6 +143,8 @@ class Model : public lattice::Water<Column, Model> {
   [[nodiscard]] double east_width() const { return east_width_; }
 
   // What lattice::Water asks for.
+  /// Throws mechanics::Infeasible where a cell folds, a marker touches the bottom or leaves it.
+  void gather(Input q0, Input q1, Input at, int sweep);
   [[nodiscard]] std::array<const double*, 6> mobility() const {
     const InverseMasses& w = masses_.inverse();
     return {w.xx.data(), w.yy.data(), w.zz.data(), w.xy.data(), w.xz.data(), w.yz.data()};
@@ -169,7 +164,6 @@ class Model : public lattice::Water<Column, Model> {
   void sum_masses();
   void find_normals(Input q, Normals& normals) const;
   [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
-  void linearise_over(Interval when, Input q0, Input q1, int sweep);
   void measure(Input q, double weight, bool add);
   void stand(Input q);
   [[nodiscard]] bool on_shore(std::size_t node) const { return shoreline_ && shoreline_->marks()[node] != 0; }

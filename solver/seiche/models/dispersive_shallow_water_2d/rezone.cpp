@@ -105,7 +105,7 @@ void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) con
       const std::size_t first = row * shape_.columns;
       for (const std::size_t cell : {first + (i > 0 ? i - 1 : 0), first + std::min(i, shape_.columns - 1)}) {
         water += volumes[cell];
-        area += cell_area(shape_, q, cell);
+        area += cell_area(shape_, q, q.subspan(shape_.nodes()), cell);
       }
       const double slope = 2 * water / area / distance(places[i], places[shape_.node(i, row + 1)]);
       if (!(slope < settings_.edge_slope)) break;

@@ -55,7 +55,7 @@ void Shoreline::tilt_between(Input q0, Input q1, Normals& normals) const {
     const double roundoff = noise * (std::abs(begin) + std::abs(end) + rise(slope, from));
     if (std::abs(lacking) > roundoff) slope += lacking / dot(way, way) * way;
     const double length = std::sqrt(1 + dot(slope, slope));
-    normals.put(k, {-slope.x / length, -slope.y / length, 1 / length});
+    normals[k] = {-slope.x / length, -slope.y / length, 1 / length};
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 Mesh empty_mesh(std::size_t columns, std::size_t rows) {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
-  Mesh mesh{.columns = columns, .rows = rows, .x = {}, .y = {}, .sides = {}};
+  Mesh mesh{{columns, rows}};
   mesh.x.resize(mesh.nodes());
   mesh.y.resize(mesh.nodes());
   return mesh;

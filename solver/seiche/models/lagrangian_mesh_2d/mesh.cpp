@@ -78,11 +78,6 @@ Wall level_wall(double level) {
   return {std::make_shared<Line>(Point{0, level}, Point{1, 0})};
 }
 
-std::array<std::size_t, 4> Mesh::corners(std::size_t cell) const {
-  const std::size_t k = node(cell % columns, cell / columns);
-  return {k, k + 1, k + columns + 2, k + columns + 1};
-}
-
 void Mesh::require_valid() const {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
@@ -111,37 +106,12 @@ void Mesh::require_valid() const {
   require_side("top", sides.top, *this, size, rows * (columns + 1), 1, columns + 1);
 }
 
-double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
-  const auto [r0, r1, r2, r3] = mesh.corners(cell);
-  return 0.5 * ((x[r2] - x[r0]) * (y[r3] - y[r1]) - (x[r3] - x[r1]) * (y[r2] - y[r0]));
-}
-
 double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
   auto triangles = corner_triangles(mesh, x, y, cell);
   for (std::size_t c = 0; c < triangles.size(); ++c) {
     if (mesh.on_joined_sides(cell, c)) triangles[c] = std::numeric_limits<double>::infinity();
   }
   return std::ranges::min(triangles);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::assemble_row(const lattice::Assembly<Quadrilateral>& row) {
-  lattice::assemble<Quadrilateral, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::rates_of_row(const lattice::Rates<Quadrilateral>& row) {
-  lattice::find_rates(row);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::react_row(const lattice::Reaction<Quadrilateral>& row) {
-  lattice::react<Quadrilateral, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Quadrilateral::kick_row(const lattice::Kick<Quadrilateral>& row) {
-  lattice::kick<Quadrilateral, false>(row);
 }
 
 SEICHE_SIMD_CLONES
@@ -171,6 +141,11 @@ double measure_row(std::size_t columns, const lattice::NodeVectors<Quadrilateral
     worst = std::min(worst, std::min(std::min(at0, at1), twice_area - std::max(at0, at1)));
   }
   return worst;
+}
+
+SEICHE_SIMD_CLONES
+void Quadrilateral::run(const lattice::RowLoop<Quadrilateral>& loop) {
+  lattice::run_row(loop);
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

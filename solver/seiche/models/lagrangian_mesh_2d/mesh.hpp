@@ -19,6 +19,7 @@
 
 #include "seiche/geometry/curve.hpp"
 #include "seiche/lattice/cell_rows.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -58,17 +59,9 @@ bool joined(const Side& one, const Side& other);
 Wall vertical_wall(double place);
 Wall level_wall(double level);
 
-struct Mesh {
-  std::size_t columns = 0;
-  std::size_t rows = 0;
+struct Mesh : plan_lattice::Shape {
   std::vector<double> x, y;  ///< of (columns + 1)(rows + 1) nodes [m]
   Sides sides;
-
-  [[nodiscard]] std::size_t nodes() const { return (columns + 1) * (rows + 1); }
-  [[nodiscard]] std::size_t cells() const { return columns * rows; }
-  [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * (columns + 1) + i; }
-  /// Corners r0, r1, r2, r3 of a cell.
-  [[nodiscard]] std::array<std::size_t, 4> corners(std::size_t cell) const;
 
   /// Whether a corner of a cell is one of the mesh, between joined sides.
   [[nodiscard]] bool on_joined_sides(std::size_t cell, std::size_t corner) const;
@@ -78,9 +71,6 @@ struct Mesh {
   /// convex (by cell), a node that is off its wall by more than 1e-12 of the mesh's size, missing functions.
   void require_valid() const;
 };
-
-/// Area of a quadrilateral, from its diagonals.
-double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
 
 /// Twice the smallest triangle at a corner of a cell; over the cell's first area it is the corner's shape: 1 for a
 /// rectangle, 0 where the corner is about to fold. A corner of the mesh between joined sides is left out: it is flat
@@ -104,10 +94,8 @@ struct Quadrilateral {
     return s[2 * stride + i] * (u[1][0][i] - u[1][1][i + 1]) - s[3 * stride + i] * (u[0][0][i] - u[0][1][i + 1]) +
            s[stride + i] * (u[0][0][i + 1] - u[0][1][i]) - s[i] * (u[1][0][i + 1] - u[1][1][i]);
   }
-  static void assemble_row(const lattice::Assembly<Quadrilateral>& row);
-  static void rates_of_row(const lattice::Rates<Quadrilateral>& row);
-  static void react_row(const lattice::Reaction<Quadrilateral>& row);
-  static void kick_row(const lattice::Kick<Quadrilateral>& row);
+
+  static void run(const lattice::RowLoop<Quadrilateral>& loop);
 };
 
 /// Half diagonals of a row of cells between rows of nodes; returns the smallest of twice the corner triangles' areas.

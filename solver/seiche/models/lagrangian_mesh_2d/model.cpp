@@ -59,7 +59,7 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
   for (const double row : heights) height += row;
   const double width = area / (height * static_cast<double>(mesh.columns));
   return linear::UndeformedLattice{.shape = {.nx = mesh.columns, .nz = 1, .layers = mesh.rows},
-                                   .matrix = linear::HexahedralLattice(width, 1, heights, density)};
+                                   .matrix = linear::hexahedral_lattice(width, 1, heights, density)};
 }
 
 }  // namespace
@@ -115,37 +115,33 @@ mechanics::State Model::state(const InitialVelocity& velocity, double time) cons
   return state;
 }
 
-Input Model::with_driven(Interval when, Input q) {
+Input Model::with_driven(Input q) {
   if (nodes_.driven().empty()) return q;
   patched_.assign(q.begin(), q.end());
   for (const Driven& node : nodes_.driven()) {
-    const Point begin = nodes_.driven_place(node, when.begin);
-    const Point end = nodes_.driven_place(node, when.end());
+    const Point begin = nodes_.driven_place(node, when_.begin);
+    const Point end = nodes_.driven_place(node, when_.end());
     patched_[node.node] = 0.5 * (begin.x + end.x);
     if (node.path != nullptr) patched_[n_ + node.node] = 0.5 * (begin.y + end.y);
   }
   return patched_;
 }
 
-void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
-  when_ = when;
-  clear_push();
+void Model::gather(Input q0, Input q1, Input middle, int /*sweep*/) {
   turn_slides(q0, q1);
   const bool instant = q0.data() == q1.data();
-  const Input at = with_driven(when, instant ? q0 : middle(q0, q1));
+  const Input at = with_driven(middle);
   measure(at);
   // Simpson's mean of the gradient of a cubic is exact.
-  gather_forces(when, at, instant ? 1 : 4.0 / 6);
-  if (!instant) gather_forces(when, q0, 1.0 / 6);
-  if (!instant) gather_forces(when, q1, 1.0 / 6);
+  gather_forces(at, instant ? 1 : 4.0 / 6);
+  if (!instant) gather_forces(q0, 1.0 / 6);
+  if (!instant) gather_forces(q1, 1.0 / 6);
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
-      const Point force = forcing_.body_force(nodes_.label(k), when.middle());
+      const Point force = forcing_.body_force(nodes_.label(k), when_.middle());
       return std::array{force.x, force.y};
     });
   }
-  if (factor) assemble_and_factor();
-  sweeping_ = false;
 }
 
 void Model::turn_slides(Input q0, Input q1) {
@@ -182,17 +178,13 @@ void Model::measure(Input at) {
   }
 }
 
-void Model::gather_forces(Interval when, Input at, double weight) {
-  const double* const x = at.data();
-  const double* const y = x + n_;
-  double* const fx = push_.data();
-  double* const fy = fx + n_;
-  edges_.push_down(x, y, weight * settings_.density * settings_.gravity, fx, fy);
+void Model::gather_forces(Input at, double weight) {
+  edges_.push_down(at, weight * settings_.density * settings_.gravity, push_);
   if (forcing_.surface_pressure) {
-    edges_.press([&](double place) { return forcing_.surface_pressure(place, when.middle()); }, x, y, weight, fx, fy);
+    edges_.press([&](double place) { return forcing_.surface_pressure(place, when_.middle()); }, at, weight, push_);
   }
-  hourglass_.push(mesh_, x, y, weight, fx, fy);
-  if (barrier_.active()) barrier_.push(mesh_, volume_, x, y, weight, {fx, n_}, {fy, n_});
+  hourglass_.push(mesh_, at, weight, push_);
+  if (barrier_.active()) barrier_.push(mesh_, volume_, at, weight, push_);
 }
 
 void Model::advance_along(Input from, Input u, double h, Output to, bool by_tangents) const {
@@ -275,15 +267,13 @@ void Model::curvature(Input u, Input v, Output b) const {
 }
 
 double Model::potential_energy(Input q) const {
-  const double* const x = q.data();
-  const double* const y = x + n_;
-  double moment = edges_.moment(x, y);
+  double moment = edges_.moment(q);
   for (std::size_t i = 0; i < nodes_.slides().size(); ++i) {
     const Slide& slide = nodes_.slides()[i];
     if (slide.contact_sign != 0) moment += slide.contact_sign * slide.curve->moment(q[2 * n_ + i]);
   }
-  double energy = settings_.density * settings_.gravity * moment + hourglass_.energy(mesh_, x, y);
-  if (barrier_.active()) energy += barrier_.energy(mesh_, volume_, x, y);
+  double energy = settings_.density * settings_.gravity * moment + hourglass_.energy(mesh_, q);
+  if (barrier_.active()) energy += barrier_.energy(mesh_, volume_, q);
   return energy;
 }
 

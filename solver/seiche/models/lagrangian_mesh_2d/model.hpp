@@ -53,9 +53,7 @@
 namespace seiche::lagrangian_mesh_2d {
 
 using lattice::Corner;
-using mechanics::Input;
 using mechanics::Interval;
-using mechanics::Output;
 
 struct Settings {
   double gravity = 1;  ///< [m/s^2]
@@ -101,13 +99,6 @@ class Model : public lattice::Water<Quadrilateral, Model> {
 
   // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
   [[nodiscard]] std::size_t coordinates() const { return 2 * nodes_.size() + nodes_.slides().size(); }
-  /// Throws mechanics::Infeasible where a cell's corner folds or a node leaves its curve.
-  void linearise(Interval when, Input q) { linearise_over(when, q, q, true); }
-  /// Factorised in sweep 0 only.
-  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
-    linearise_over(when, q0, q1, sweep == 0);
-    sweeping_ = true;
-  }
   void predict(Input from, Input u, double h, Output to) const { advance_along(from, u, h, to, true); }
   void advance(Input from, Input u, double h, Output to) const { advance_along(from, u, h, to, false); }
   void enter(Input q, Output u) const;
@@ -123,6 +114,7 @@ class Model : public lattice::Water<Quadrilateral, Model> {
   [[nodiscard]] const Nodes& nodes() const { return nodes_; }
 
   // What lattice::Water asks for.
+  void gather(Input q0, Input q1, Input middle, int sweep);
   [[nodiscard]] std::array<const double*, 2> mobility() const { return {nodes_.wx().data(), nodes_.wy().data()}; }
   [[nodiscard]] std::span<const double> node_masses() const { return nodes_.mass(); }
   [[nodiscard]] std::array<double, 2> momentum_of(std::size_t k, Input u) const {
@@ -136,13 +128,12 @@ class Model : public lattice::Water<Quadrilateral, Model> {
   }
 
  private:
-  void linearise_over(Interval when, Input q0, Input q1, bool factor);
   /// Driven nodes in their places at the middle of the interval.
-  [[nodiscard]] Input with_driven(Interval when, Input q);
+  [[nodiscard]] Input with_driven(Input q);
   void measure(Input at);
   /// Directions of the slides, and what pushes their contact points.
   void turn_slides(Input q0, Input q1);
-  void gather_forces(Interval when, Input at, double weight);
+  void gather_forces(Input at, double weight);
   void advance_along(Input from, Input u, double h, Output to, bool by_tangents) const;
   void move_along(const Slide& slide, double s, std::size_t index, Output q) const;
 

@@ -5,6 +5,7 @@
 /// node has wx = wy = 0 and W = d d^T/m, which the model adds node by node: they are few.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -15,6 +16,9 @@
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
+
+using mechanics::Input;
+using mechanics::Output;
 
 /// A node on an inclined or curved wall.
 struct Slide {
@@ -75,34 +79,20 @@ class FreeEdges {
  public:
   explicit FreeEdges(const Mesh& mesh);
 
-  [[nodiscard]] bool empty() const { return strips_.empty(); }
+  [[nodiscard]] bool empty() const { return edges_.empty(); }
   /// First node that can belong to a free edge.
   [[nodiscard]] std::size_t first_node() const { return first_node_; }
   /// sum (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6 [m^3].
-  [[nodiscard]] double moment(const double* x, const double* y) const;
+  [[nodiscard]] double moment(Input q) const;
   /// Adds -weight times its gradient to the forces.
-  void push_down(const double* x, const double* y, double weight, double* push_x, double* push_y) const;
+  void push_down(Input q, double weight, Output push) const;
   /// Adds weight times the force of a pressure p(x of the edge's middle): half p (dy, -dx) on either end of an edge.
-  void press(const std::function<double(double)>& pressure, const double* x, const double* y, double weight,
-             double* push_x, double* push_y) const;
+  void press(const std::function<double(double)>& pressure, Input q, double weight, Output push) const;
 
  private:
-  /// Edges between nodes first, first + stride, ..., passed so that the water is on the right hand.
-  struct Strip {
-    std::ptrdiff_t first;
-    std::ptrdiff_t stride;
-    std::size_t edges;
-  };
-  template <class Edge>
-  void over_edges(const Edge& edge) const {
-    for (const Strip& strip : strips_) {
-      std::ptrdiff_t a = strip.first;
-      for (std::size_t n = 0; n < strip.edges; ++n, a += strip.stride) edge(a, a + strip.stride);
-    }
-  }
-
-  std::vector<Strip> strips_;
+  std::vector<std::array<std::size_t, 2>> edges_;  // passed so that the water is on the right hand
   std::size_t first_node_ = 0;
+  std::size_t n_;
 };
 
 /// A potential that keeps the corners of cells from folding.
@@ -119,11 +109,9 @@ class CornerBarrier {
 
   [[nodiscard]] bool active() const { return stiffness_ > 0; }
   /// Infinite where a corner has folded.
-  [[nodiscard]] double energy(const Mesh& mesh, std::span<const double> first_areas, const double* x,
-                              const double* y) const;
+  [[nodiscard]] double energy(const Mesh& mesh, Input first_areas, Input q) const;
   /// Adds weight times its forces.
-  void push(const Mesh& mesh, std::span<const double> first_areas, const double* x, const double* y, double weight,
-            std::span<double> push_x, std::span<double> push_y) const;
+  void push(const Mesh& mesh, Input first_areas, Input q, double weight, Output push) const;
 
  private:
   double stiffness_;
@@ -138,9 +126,9 @@ class Hourglass {
   Hourglass(const Mesh& mesh, double stiffness);
 
   [[nodiscard]] bool active() const { return stiffness_ > 0; }
-  [[nodiscard]] double energy(const Mesh& mesh, const double* x, const double* y) const;
+  [[nodiscard]] double energy(const Mesh& mesh, Input q) const;
   /// Adds weight times its forces.
-  void push(const Mesh& mesh, const double* x, const double* y, double weight, double* push_x, double* push_y) const;
+  void push(const Mesh& mesh, Input q, double weight, Output push) const;
 
  private:
   double stiffness_;

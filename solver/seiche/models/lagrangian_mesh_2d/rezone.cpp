@@ -39,7 +39,7 @@ double area_between(Point a, Point b, Point c, Point d) {
 
 }  // namespace
 
-UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.columns, .rows = first.rows} {
+UprightColumns::UprightColumns(const Mesh& first) : shape_(first) {
   require_straight_wall("left", first.sides.left);
   require_straight_wall("right", first.sides.right);
   require_that(std::holds_alternative<Wall>(first.sides.bottom) && std::holds_alternative<FreeSide>(first.sides.top) &&
@@ -157,8 +157,8 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
     throw mechanics::Infeasible(now.mesh.x[corner], "cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner],
                                 now.mesh.y[corner]);
   }
-  const plan_lattice::SweptRemap sweep({.columns = was.columns, .rows = was.rows}, q.first(n), q.subspan(n, n),
-                                       now.mesh.x, now.mesh.y, std::vector<double>(n, 0.25));
+  const plan_lattice::SweptRemap sweep(was, q.first(n), q.subspan(n, n), now.mesh.x, now.mesh.y,
+                                       std::vector<double>(n, 0.25));
   const auto velocity_at = [&](const plan_lattice::LatticePlace& place) {
     return Point{sweep.old().value(u.first(n), place), sweep.old().value(u.subspan(n, n), place)};
   };

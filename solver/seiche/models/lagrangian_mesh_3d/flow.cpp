@@ -91,12 +91,6 @@ void require_ascending(const char* first, double begin, const char* last, double
   require_that(end > begin, "{} = {:g}; allowed: above {} = {:g}", last, end, first, begin);
 }
 
-void require_cells(Shape plan, std::size_t layers) {
-  require_at_least("columns", static_cast<long>(plan.columns), 1);
-  require_at_least("rows", static_cast<long>(plan.rows), 1);
-  require_at_least("layers", static_cast<long>(layers), 1);
-}
-
 }  // namespace
 
 Mesh layer_mesh(const Layer& layer) {
@@ -110,7 +104,9 @@ Mesh layer_mesh(const Layer& layer) {
             .z = {},
             .sides = layer.sides,
             .bottom = layer.bottom};
-  require_cells(mesh.plan, mesh.layers);
+  require_at_least("columns", static_cast<long>(layer.columns), 1);
+  require_at_least("rows", static_cast<long>(layer.rows), 1);
+  require_at_least("layers", static_cast<long>(layer.layers), 1);
   for (std::size_t l = 0; l <= layer.layers; ++l) {
     for (std::size_t j = 0; j <= layer.rows; ++j) {
       for (std::size_t i = 0; i <= layer.columns; ++i) {
@@ -126,31 +122,6 @@ Mesh layer_mesh(const Layer& layer) {
         mesh.x.push_back(x);
         mesh.y.push_back(y);
         mesh.z.push_back(part(bottom, surface, l, layer.layers));
-      }
-    }
-  }
-  return mesh;
-}
-
-Mesh free_box(const Box& box) {
-  require_positive("side along x", box.sides.x);
-  require_positive("side along y", box.sides.y);
-  require_positive("side along z", box.sides.z);
-  require_cells(box.plan, box.layers);
-  using plan_lattice::FreeSide;
-  Mesh mesh{.plan = box.plan,
-            .layers = box.layers,
-            .x = {},
-            .y = {},
-            .z = {},
-            .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}},
-            .free_bottom = true};
-  for (std::size_t l = 0; l <= box.layers; ++l) {
-    for (std::size_t j = 0; j <= box.plan.rows; ++j) {
-      for (std::size_t i = 0; i <= box.plan.columns; ++i) {
-        mesh.x.push_back(part(box.corner.x, box.corner.x + box.sides.x, i, box.plan.columns));
-        mesh.y.push_back(part(box.corner.y, box.corner.y + box.sides.y, j, box.plan.rows));
-        mesh.z.push_back(part(box.corner.z, box.corner.z + box.sides.z, l, box.layers));
       }
     }
   }

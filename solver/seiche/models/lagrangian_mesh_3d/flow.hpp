@@ -43,14 +43,6 @@ struct Layer {
 /// place). Throws Infeasible.
 Mesh layer_mesh(const Layer& layer);
 
-/// A box of equal cells, [0, 1]^3 scaled to `sides` and moved to `corner`, that nothing holds.
-struct Box {
-  Vector corner, sides;
-  Shape plan;
-  std::size_t layers = 1;
-};
-Mesh free_box(const Box& box);
-
 using mechanics::Scheme;
 using mechanics::Stepping;
 using mechanics::TimeComposition;

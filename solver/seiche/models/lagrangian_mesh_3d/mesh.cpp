@@ -41,11 +41,16 @@ SEICHE_INLINE V3 at(const NodeVectors& r, std::size_t corner, std::size_t i) {
   return {r[0][row][k], r[1][row][k], r[2][row][k]};
 }
 
-template <bool add>
-SEICHE_INLINE void measure(std::size_t columns, const NodeVectors& rows, double factor, RowBlocks::Row gradients) {
+}  // namespace
+
+SEICHE_SIMD_CLONES
+void measure_row(std::size_t columns, const NodeVectors& rows, double factor, bool add, RowBlocks::Row gradients) {
   const NodeVectors r = rows;
   double* const out = gradients.data;
   const std::size_t stride = gradients.stride;
+  if (!add) {
+    for (std::size_t k = 0; k < Hexahedron::stored; ++k) std::fill_n(gradients[k], columns, 0.0);
+  }
 #pragma GCC ivdep
   for (std::size_t i = 0; i < columns; ++i) {
     // Sums and differences along x on the four edges (0,1), (3,2), (4,5), (7,6).
@@ -75,18 +80,9 @@ SEICHE_INLINE void measure(std::size_t columns, const NodeVectors& rows, double 
     const V3 p = fa - fe, q = fb - fd, s = fa + fe, t = fb + fd;
     const V3 minus = ff - fc, plus = ff + fc;
     const auto put = [&](std::size_t corner, V3 g) __attribute__((always_inline)) {
-      double* const gx = out + (3 * corner) * stride + i;
-      double* const gy = out + (3 * corner + 1) * stride + i;
-      double* const gz = out + (3 * corner + 2) * stride + i;
-      if constexpr (add) {
-        *gx += g.x;
-        *gy += g.y;
-        *gz += g.z;
-      } else {
-        *gx = g.x;
-        *gy = g.y;
-        *gz = g.z;
-      }
+      out[(3 * corner) * stride + i] += g.x;
+      out[(3 * corner + 1) * stride + i] += g.y;
+      out[(3 * corner + 2) * stride + i] += g.z;
     };
     put(0, minus - (p + q));
     put(1, (p - q) - plus);
@@ -98,8 +94,6 @@ SEICHE_INLINE void measure(std::size_t columns, const NodeVectors& rows, double 
     put(7, (t - s) - minus);
   }
 }
-
-}  // namespace
 
 std::array<std::size_t, 8> Mesh::corners(std::size_t cell) const {
   const std::size_t level = cell / plan.cells() * plan.nodes();
@@ -184,16 +178,6 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
 }
 
 SEICHE_SIMD_CLONES
-void measure_row(std::size_t columns, const NodeVectors& r, RowBlocks::Row gradients) {
-  measure<false>(columns, r, 1, gradients);
-}
-
-SEICHE_SIMD_CLONES
-void add_measured_row(std::size_t columns, const NodeVectors& r, double factor, RowBlocks::Row gradients) {
-  measure<true>(columns, r, factor, gradients);
-}
-
-SEICHE_SIMD_CLONES
 double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
   const NodeVectors r = rows;
   double folded = 0;
@@ -215,23 +199,8 @@ double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
 }
 
 SEICHE_SIMD_CLONES
-void Hexahedron::assemble_row(const lattice::Assembly<Hexahedron>& row) {
-  lattice::assemble<Hexahedron, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Hexahedron::rates_of_row(const lattice::Rates<Hexahedron>& row) {
-  lattice::find_rates(row);
-}
-
-SEICHE_SIMD_CLONES
-void Hexahedron::react_row(const lattice::Reaction<Hexahedron>& row) {
-  lattice::react<Hexahedron, false>(row);
-}
-
-SEICHE_SIMD_CLONES
-void Hexahedron::kick_row(const lattice::Kick<Hexahedron>& row) {
-  lattice::kick<Hexahedron, false>(row);
+void Hexahedron::run(const lattice::RowLoop<Hexahedron>& loop) {
+  lattice::run_row(loop);
 }
 
 }  // namespace seiche::lagrangian_mesh_3d

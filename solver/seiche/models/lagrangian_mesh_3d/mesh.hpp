@@ -81,20 +81,15 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
 struct Hexahedron : lattice::StoredGradients {
   static constexpr std::size_t axes = 3, corners = 8, stored = 24, mobilities = 3, momenta = 3, turns = 3;
 
-  static void assemble_row(const lattice::Assembly<Hexahedron>& row);
-  static void rates_of_row(const lattice::Rates<Hexahedron>& row);
-  static void react_row(const lattice::Reaction<Hexahedron>& row);
-  static void kick_row(const lattice::Kick<Hexahedron>& row);
+  static void run(const lattice::RowLoop<Hexahedron>& loop);
 };
 
 using NodeVectors = lattice::NodeVectors<Hexahedron>;
 using linear::RowBlocks;
 
-/// Gradients of the volumes of a row of cells.
-void measure_row(std::size_t columns, const NodeVectors& r, RowBlocks::Row gradients);
-/// gradients += factor times the gradients of a row of cells with these corners: volumes are cubic, so that their mean
-/// gradient over r -> r + delta is that at the middle plus 1/12 of that of the cell `delta`.
-void add_measured_row(std::size_t columns, const NodeVectors& r, double factor, RowBlocks::Row gradients);
+/// Gradients of the volumes of a row of cells, times `factor`, added to what is there if `add`: volumes are cubic, so
+/// that their mean gradient over r -> r + delta is that at the middle plus 1/12 of that of the cell `delta`.
+void measure_row(std::size_t columns, const NodeVectors& r, double factor, bool add, RowBlocks::Row gradients);
 /// Number of corners whose edges do not span a positive volume.
 double folded_corners_of_row(std::size_t columns, const NodeVectors& r);
 

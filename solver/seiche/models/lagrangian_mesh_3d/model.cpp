@@ -60,7 +60,7 @@ linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
   // Sides in the proportion of the mean edges, with the mean area of a cell.
   const double to_area = std::sqrt(area / (along * across));
   return {.shape = {.nx = columns, .nz = rows, .layers = mesh.layers},
-          .matrix = linear::HexahedralLattice(along * to_area, across * to_area, heights, density, mesh.free_bottom),
+          .matrix = linear::hexahedral_lattice(along * to_area, across * to_area, heights, density, mesh.free_bottom),
           .scaled = true};
 }
 
@@ -103,13 +103,10 @@ mechanics::State Model::state(const Velocity& velocity, double time) const {
   return state;
 }
 
-void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
-  when_ = when;
+void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
   const bool instant = q0.data() == q1.data();
-  const Input at = instant ? q0 : middle(q0, q1);
   bottom_.turn(q0.first(n_), q0.subspan(n_, n_), q1.first(n_), q1.subspan(n_, n_));
   measure(at);
-  clear_push();
   // Simpson's mean of the gradient of a quartic, which is cubic, is exact.
   const double weight = settings_.density * settings_.gravity;
   surface_.push(at, instant ? weight : 4 * weight / 6, push_);
@@ -117,20 +114,18 @@ void Model::linearise_over(Interval when, Input q0, Input q1, bool factor) {
     delta_.resize(q0.size());
     for (std::size_t i = 0; i < q0.size(); ++i) delta_[i] = q1[i] - q0[i];
     each_row([&](std::size_t row) {
-      add_measured_row(mesh_.plan.columns, around(row, delta_), 1.0 / 12, gradients_.row(row));
+      measure_row(mesh_.plan.columns, around(row, delta_), 1.0 / 12, true, gradients_.row(row));
     });
     surface_.push(q0, weight / 6, push_);
     surface_.push(q1, weight / 6, push_);
   }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
-      const Vector force = forcing_.body_force({mesh_.x[k], mesh_.y[k], mesh_.z[k]}, when.middle());
+      const Vector force = forcing_.body_force({mesh_.x[k], mesh_.y[k], mesh_.z[k]}, when_.middle());
       return std::array{force.x, force.y, force.z};
     });
   }
   hold();
-  if (factor) assemble_and_factor();
-  sweeping_ = false;
 }
 
 void Model::measure(Input q) {
@@ -142,7 +137,7 @@ void Model::measure(Input q) {
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);
     if (folded_corners_of_row(mesh_.plan.columns, r) > 0) folded = true;
-    measure_row(mesh_.plan.columns, r, gradients_.row(row));
+    measure_row(mesh_.plan.columns, r, 1, false, gradients_.row(row));
   });
   if (folded) throw_folded(q);
 }

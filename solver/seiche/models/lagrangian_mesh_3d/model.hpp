@@ -89,13 +89,6 @@ class Model : public lattice::Water<Hexahedron, Model> {
   [[nodiscard]] mechanics::State state(const Velocity& velocity = {}, double time = 0) const;
 
   // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
-  /// Throws mechanics::Infeasible where a cell's corner folds.
-  void linearise(Interval when, Input q) { linearise_over(when, q, q, true); }
-  /// Factorised in sweep 0 only.
-  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
-    linearise_over(when, q0, q1, sweep == 0);
-    sweeping_ = true;
-  }
   void kick(double h, Output u) const;
   void enter(Input, Output u) const { drive(when_.middle(), driven_place_, u); }
   void settle(Interval when, Output q, Output u) const;
@@ -129,6 +122,7 @@ class Model : public lattice::Water<Hexahedron, Model> {
   [[nodiscard]] double cell_size() const { return std::cbrt(volume_.front()); }
 
   // What lattice::Water asks for.
+  void gather(Input q0, Input q1, Input at, int sweep);
   [[nodiscard]] std::array<const double*, 3> mobility() const {
     return {nodes_.wx().data(), nodes_.wy().data(), nodes_.wz().data()};
   }
@@ -146,7 +140,6 @@ class Model : public lattice::Water<Hexahedron, Model> {
   [[nodiscard]] CellCorners corners(Input q, std::size_t cell) const {
     return corners_of(mesh_, q.first(n_), q.subspan(n_, n_), q.subspan(2 * n_, n_), cell);
   }
-  void linearise_over(Interval when, Input q0, Input q1, bool factor);
   void measure(Input q);
   /// What each node is held to moves by, besides the axes.
   void hold();

@@ -1,4 +1,4 @@
-#include "seiche/distributed/fields_file.hpp"
+#include "distributed/fields_file.hpp"
 
 #include <system_error>
 

@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
-#include "seiche/distributed/distributed_model.hpp"
-#include "seiche/distributed/fields_file.hpp"
+#include "distributed/distributed_model.hpp"
+#include "distributed/fields_file.hpp"
 #include "seiche/mechanics/conservative_step.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/scheme.hpp"

@@ -29,8 +29,8 @@
 
 #include <fmt/format.h>
 
-#include "seiche/distributed/cell_system.hpp"
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/cell_system.hpp"
+#include "distributed/decomposition.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
@@ -110,7 +110,6 @@ class DistributedModel {
 
   [[nodiscard]] bool has_driven_sides() const { return driven_; }
   [[nodiscard]] const Local& local() const { return *local_; }
-  [[nodiscard]] Decomposition& decomposition() const { return decomposition_; }
   [[nodiscard]] CellSystem& system() { return system_; }
   [[nodiscard]] const CellSystem& system() const { return system_; }
 

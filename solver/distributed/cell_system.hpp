@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/decomposition.hpp"
 #include "seiche/linear/conjugate_gradients.hpp"
 
 namespace seiche::distributed {

@@ -1,4 +1,4 @@
-#include "seiche/distributed/distributed_flow.hpp"
+#include "distributed/distributed_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

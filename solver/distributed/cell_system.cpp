@@ -1,4 +1,4 @@
-#include "seiche/distributed/cell_system.hpp"
+#include "distributed/cell_system.hpp"
 
 #include "seiche/linear/conjugate_gradients.hpp"
 

@@ -1,7 +1,7 @@
 /// A process's part of a lattice, of which it makes its own model.
 #pragma once
 
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/decomposition.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 

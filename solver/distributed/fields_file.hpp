@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/decomposition.hpp"
 
 namespace seiche::distributed {
 

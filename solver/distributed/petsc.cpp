@@ -1,4 +1,4 @@
-#include "seiche/distributed/petsc.hpp"
+#include "distributed/petsc.hpp"
 
 #include <chrono>
 #include <string_view>

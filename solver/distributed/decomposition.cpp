@@ -1,9 +1,8 @@
-#include "seiche/distributed/decomposition.hpp"
+#include "distributed/decomposition.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <type_traits>
 
 #include <fmt/format.h>
 #include <petscdmda.h>
@@ -52,37 +51,6 @@ Grid grid(plan_lattice::Shape shape, std::size_t numbers, PetscInt width, PetscI
   return made;
 }
 
-std::vector<PetscInt> lengths(const PetscInt* first, PetscInt count) {
-  return {first, first + count};
-}
-
-/// Numbers of a vector that this process holds; const ones are only read.
-template <class Number>
-class Values {
- public:
-  explicit Values(Vec vector) : vector_(vector) {
-    if constexpr (std::is_const_v<Number>) {
-      check(VecGetArrayRead(vector, &values_));
-    } else {
-      check(VecGetArray(vector, &values_));
-    }
-  }
-  Values(const Values&) = delete;
-  Values& operator=(const Values&) = delete;
-  ~Values() {
-    if constexpr (std::is_const_v<Number>) {
-      VecRestoreArrayRead(vector_, &values_);
-    } else {
-      VecRestoreArray(vector_, &values_);
-    }
-  }
-  Number& operator[](std::size_t k) const { return values_[k]; }
-
- private:
-  Vec vector_;
-  Number* values_ = nullptr;
-};
-
 double reduced(double value, MPI_Op operation) {
   double result = value;
   if (MPI_Allreduce(&value, &result, 1, MPI_DOUBLE, operation, PETSC_COMM_WORLD) != MPI_SUCCESS) {
@@ -117,8 +85,8 @@ Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbe
   const PetscInt* columns = nullptr;
   const PetscInt* rows = nullptr;
   check(DMDAGetOwnershipRanges(cells_, &columns, &rows, nullptr));
-  std::vector<PetscInt> node_columns = lengths(columns, blocks_x);
-  std::vector<PetscInt> node_rows = lengths(rows, blocks_y);
+  std::vector<PetscInt> node_columns(columns, columns + blocks_x);
+  std::vector<PetscInt> node_rows(rows, rows + blocks_y);
   require_that((blocks_x == 1 || *std::min_element(node_columns.begin(), node_columns.end()) >= rim) &&
                    (blocks_y == 1 || *std::min_element(node_rows.begin(), node_rows.end()) >= rim),
                "a lattice of {} x {} cells in {} x {} blocks; allowed: blocks of at least {} x {} cells, so use "
@@ -174,18 +142,22 @@ Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbe
 
 void Decomposition::put(std::span<const Place> places, std::size_t numbers, std::span<const double> values, Vec to) {
   const std::size_t stride = values.size() / numbers;
-  const Values<double> own(to);
+  double* own = nullptr;
+  check(VecGetArray(to, &own));
   for (const Place& place : places) {
     for (std::size_t c = 0; c < numbers; ++c) own[place.petsc * numbers + c] = values[c * stride + place.patch];
   }
+  check(VecRestoreArray(to, &own));
 }
 
 void Decomposition::get(std::span<const Place> places, std::size_t numbers, Vec from, std::span<double> values) {
   const std::size_t stride = values.size() / numbers;
-  const Values<const double> ring(from);
+  const double* ring = nullptr;
+  check(VecGetArrayRead(from, &ring));
   for (const Place& place : places) {
     for (std::size_t c = 0; c < numbers; ++c) values[c * stride + place.patch] = ring[place.petsc * numbers + c];
   }
+  check(VecRestoreArrayRead(from, &ring));
 }
 
 void Decomposition::send_nodes(std::span<const double> values) {
@@ -243,9 +215,10 @@ std::vector<double> Decomposition::gathered(std::span<const double> number) {
   check(VecScatterEnd(scatter, ordered, all, INSERT_VALUES, SCATTER_FORWARD));
   PetscInt size = 0;
   check(VecGetLocalSize(all, &size));
-  std::vector<double> result(static_cast<std::size_t>(size));
-  const Values<const double> values(all);
-  for (std::size_t k = 0; k < result.size(); ++k) result[k] = values[k];
+  const double* values = nullptr;
+  check(VecGetArrayRead(all, &values));
+  std::vector<double> result(values, values + size);
+  check(VecRestoreArrayRead(all, &values));
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "seiche/distributed/patches.hpp"
+#include "distributed/patches.hpp"
 
 #include <vector>
 

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "seiche/distributed/petsc.hpp"
+#include "distributed/petsc.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::distributed {
@@ -60,8 +60,6 @@ class Decomposition {
   Decomposition(plan_lattice::Shape lattice, std::size_t node_numbers, std::size_t cell_numbers);
 
   [[nodiscard]] const Patch& patch() const { return patch_; }
-  [[nodiscard]] std::size_t cell_numbers() const { return cell_numbers_; }
-  [[nodiscard]] std::size_t node_numbers() const { return node_numbers_; }
   [[nodiscard]] DM cells() const { return cells_; }
 
   /// Nodes that others own get their owners' numbers.
