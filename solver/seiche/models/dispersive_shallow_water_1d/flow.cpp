@@ -110,12 +110,8 @@ Flow::Crest Flow::crest() const {
 
 }  // namespace seiche::dispersive_shallow_water_1d
 
-namespace seiche::mechanics {
-
-template class OneStep<dispersive_shallow_water_1d::Model>;
-template class ConservativeStep<dispersive_shallow_water_1d::Model>;
-template class SchemeStepper<dispersive_shallow_water_1d::Model>;
-template class Start<dispersive_shallow_water_1d::Model>;
-template class InvariantsWatch<dispersive_shallow_water_1d::Model>;
-
-}  // namespace seiche::mechanics
+template class seiche::mechanics::OneStep<seiche::dispersive_shallow_water_1d::Model>;
+template class seiche::mechanics::ConservativeStep<seiche::dispersive_shallow_water_1d::Model>;
+template class seiche::mechanics::SchemeStepper<seiche::dispersive_shallow_water_1d::Model>;
+template class seiche::mechanics::Start<seiche::dispersive_shallow_water_1d::Model>;
+template class seiche::mechanics::InvariantsWatch<seiche::dispersive_shallow_water_1d::Model>;

@@ -20,15 +20,11 @@
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 
 // The integrators of the model, compiled once and not in every file that steps it.
-namespace seiche::mechanics {
-
-extern template class OneStep<dispersive_shallow_water_1d::Model>;
-extern template class ConservativeStep<dispersive_shallow_water_1d::Model>;
-extern template class SchemeStepper<dispersive_shallow_water_1d::Model>;
-extern template class Start<dispersive_shallow_water_1d::Model>;
-extern template class InvariantsWatch<dispersive_shallow_water_1d::Model>;
-
-}  // namespace seiche::mechanics
+extern template class seiche::mechanics::OneStep<seiche::dispersive_shallow_water_1d::Model>;
+extern template class seiche::mechanics::ConservativeStep<seiche::dispersive_shallow_water_1d::Model>;
+extern template class seiche::mechanics::SchemeStepper<seiche::dispersive_shallow_water_1d::Model>;
+extern template class seiche::mechanics::Start<seiche::dispersive_shallow_water_1d::Model>;
+extern template class seiche::mechanics::InvariantsWatch<seiche::dispersive_shallow_water_1d::Model>;
 
 namespace seiche::dispersive_shallow_water_1d {
 

@@ -191,9 +191,8 @@ class Model {
   void take_friction(double h, Output u, Losses& lost);
   void project_rates(Output u);
 
-  void close();
-  void bound_ends(double left_square, double right_square);
-  void measure();
+  void close(std::ptrdiff_t block, const Segment* segment);
+  void measure(const Segment* segment);
   void require_sound();
   void assemble_and_factor();
 
@@ -204,7 +203,6 @@ class Model {
   void substitute_from_the_middle(const Use& use);
   void assemble_block(std::ptrdiff_t block, double h, Input rates, const double* target, const Segment* segment,
                       Desk& desk);
-  void bound_block(std::ptrdiff_t block, const Segment* segment);
 
   void gather_forces(Interval when);
   void add_dispersion_forces(Input q0, Input q1);
@@ -220,12 +218,10 @@ class Model {
   std::vector<char> level_;  // of blocks
   Weights weights_;
   std::vector<double> mass_, rest_volume_;
-  std::vector<double> inertia_p_,
-      inertia_r_;                          // m and alpha m; 0 where an end allows no motion
-  std::vector<double> dispersion_weight_;  // of cells, with density and gravity
-  std::vector<double> along_, across_;     // body forces per unit mass
-  GhostedArray push_x_,
-      push_y_;  // of a cell on its right marker, and reversed on its left one
+  std::vector<double> inertia_p_, inertia_r_;  // m and alpha m; 0 where an end allows no motion
+  std::vector<double> dispersion_weight_;      // of cells, with density and gravity
+  std::vector<double> along_, across_;         // body forces per unit mass
+  GhostedArray push_x_, push_y_;               // of a cell on its right marker, and reversed on its left one
   mutable GhostedArray p_, r_, impulse_;
   mutable std::array<Desk, 2> desks_;  // of the two ends
   ChannelMatrix matrix_;

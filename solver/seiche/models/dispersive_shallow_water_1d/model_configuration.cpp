@@ -59,29 +59,32 @@ void Model::move_block(std::ptrdiff_t block, Input from, Input u, double h, doub
   advance_rows(desk.bed, level, {0, last - first}, x, x + n_, p, p + n_, h, to_x + first, to_y + first);
 }
 
-/// Ghosts: images in a periodic channel; empty cells at ends, whose mean depth is that of what lies beyond the end.
-void Model::close() {
-  double* const x = rows_.x.row();
-  double* const y = rows_.y.row();
-  const std::ptrdiff_t n = size_;
-  const bool periodic = channel_.periodic();
-  x[-1] = periodic ? x[n - 1] - channel_.period : x[0];
-  x[n] = periodic ? x[0] + channel_.period : x[n - 1];
-  y[-1] = periodic ? y[n - 1] : y[0];
-  y[n] = periodic ? y[0] : y[n - 1];
-  double* const bed = rows_.bed.elevation.row();
-  bed[-1] = bed[periodic ? n - 1 : 0];
-  bed[n] = bed[periodic ? 0 : n - 1];
-  if (periodic) {
-    rows_.bed.set_frame(-1, level(blocks() - 1) ? Frame{} : rows_.bed.frame(n - 1));
-    rows_.bed.set_frame(n, level(0) ? Frame{} : rows_.bed.frame(0));
+/// Ghosts beside the first and the last block: in a periodic channel images; at an end an empty cell, whose mean depth
+/// is that of what lies beyond it. The water there pushes back with g b^2/2, without which still water would not be at
+/// rest.
+void Model::close(std::ptrdiff_t block, const Segment* segment) {
+  const BottomProfile& bottom = *channel_.bottom;
+  const auto close_end = [&](std::ptrdiff_t marker, std::ptrdiff_t ghost, std::ptrdiff_t cell) {
+    for (GhostedArray* array : {&rows_.y, &rows_.step_x, &rows_.step_y}) array->row()[ghost] = array->row()[marker];
+    const auto i = static_cast<std::size_t>(marker);
+    const double bed = rows_.bed.elevation.row()[marker];
+    rows_.width.row()[cell] = 0;
+    rows_.mean.row()[cell] = segment == nullptr ? bed : std::sqrt(bottom.mean_square(segment->q0[i], segment->q1[i]));
+  };
+  const auto copy = [&](std::ptrdiff_t marker, std::ptrdiff_t ghost, double shift) {
+    for (GhostedArray* array : {&rows_.x, &rows_.y, &rows_.step_x, &rows_.step_y, &rows_.bed.elevation}) {
+      array->row()[ghost] = array->row()[marker];
+    }
+    rows_.x.row()[ghost] += shift;
+    rows_.bed.set_frame(ghost, level(marker == 0 ? 0 : blocks() - 1) ? Frame{} : rows_.bed.frame(marker));
+  };
+  if (channel_.periodic()) {
+    copy(size_ - 1, -1, -channel_.period);
+    copy(0, size_, channel_.period);
+    return;
   }
-}
-
-/// The water beyond an end pushes back with g b^2/2, without which still water would not be at rest there.
-void Model::bound_ends(double left_square, double right_square) {
-  rows_.mean.row()[-1] = std::sqrt(left_square);
-  rows_.mean.row()[size_ - 1] = std::sqrt(right_square);
+  if (block == 0) close_end(0, -1, -1);
+  if (block + 1 == blocks()) close_end(size_ - 1, size_, size_ - 1);
 }
 
 void Model::require_sound() {
@@ -108,16 +111,10 @@ void Model::require_sound() {
   }
 }
 
-void Model::measure() {
-  const auto cells = static_cast<std::ptrdiff_t>(cells_);
-  close();
-  measure_cells(rows_, {channel_.periodic() ? -1 : 0, cells});
-  if (!channel_.periodic()) {
-    rows_.width.row()[-1] = rows_.width.row()[cells] = 0;
-    const double left = rows_.bed.elevation.row()[0];
-    const double right = rows_.bed.elevation.row()[size_ - 1];
-    bound_ends(left * left, right * right);
-  }
+void Model::measure(const Segment* segment) {
+  close(0, segment);
+  if (blocks() > 1) close(blocks() - 1, segment);
+  measure_cells(rows_, {channel_.periodic() ? -1 : 0, static_cast<std::ptrdiff_t>(cells_)});
   require_sound();
 }
 
@@ -142,7 +139,7 @@ void Model::place_at(Input q) {
     level_[static_cast<std::size_t>(block)] =
         sample(block, rows_.x.row(), rows_.bed, markers_of(block).first, desks_.front().slope);
   }
-  measure();
+  measure(nullptr);
 }
 
 void Model::linearise(Interval when, Input q) {
@@ -170,19 +167,11 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     place_between(block, q0, q1);
     mean_bed(block, q0, q1, sweep < sweeps_with_new_frames, desks_.front());
   }
-  const bool periodic = channel_.periodic();
-  for (double* const row : {rows_.step_x.row(), rows_.step_y.row()}) {
-    row[-1] = row[periodic ? size_ - 1 : 0];
-    row[size_] = row[periodic ? 0 : size_ - 1];
-  }
-  measure();
-  if (!periodic) {
-    const BottomProfile& bottom = *channel_.bottom;
-    bound_ends(bottom.mean_square(q0[0], q1[0]), bottom.mean_square(q0[n_ - 1], q1[n_ - 1]));
-  }
+  const Segment segment{q0, q1};
+  measure(&segment);
   gather_forces(when);
   add_increment_forces(rows_, {0, size_}, weights_, forces());
-  if (!periodic) {
+  if (!channel_.periodic()) {
     rows_.force_x.row()[0] += release_at_end(0, 1);
     rows_.force_x.row()[size_ - 1] += release_at_end(size_ - 1, -1);
   }

@@ -49,22 +49,6 @@ bool Model::fuses_step() const {
   return !channel_.periodic() && channel_.gamma == 0 && !forcing_.surface_pressure && !forcing_.body_force;
 }
 
-/// Ghosts beside the first and the last block; see close() and bound_ends().
-void Model::bound_block(std::ptrdiff_t block, const Segment* segment) {
-  const BottomProfile& bottom = *channel_.bottom;
-  const auto bound = [&](std::ptrdiff_t marker, std::ptrdiff_t ghost, std::ptrdiff_t cell) {
-    const auto i = static_cast<std::size_t>(marker);
-    const double bed = rows_.bed.elevation.row()[marker];
-    rows_.y.row()[ghost] = rows_.y.row()[marker];
-    rows_.step_x.row()[ghost] = rows_.step_x.row()[marker];
-    rows_.step_y.row()[ghost] = rows_.step_y.row()[marker];
-    rows_.width.row()[cell] = 0;
-    rows_.mean.row()[cell] = segment == nullptr ? bed : std::sqrt(bottom.mean_square(segment->q0[i], segment->q1[i]));
-  };
-  if (block == 0) bound(0, -1, -1);
-  if (block + 1 == blocks()) bound(size_ - 1, size_, size_ - 1);
-}
-
 /// Rows of A mu = target - J u*, u* = u + h W F, for the cells that begin in the block. The marker after the block and
 /// the cells beside it are made here too: they cost less than waiting for the neighbour.
 void Model::assemble_block(std::ptrdiff_t block, double h, Input rates, const double* target, const Segment* segment,
@@ -75,8 +59,8 @@ void Model::assemble_block(std::ptrdiff_t block, double h, Input rates, const do
   const Range wide_markers{markers.first, std::min(markers.last + 1, size_)};
   const Range wide_cells{std::max<std::ptrdiff_t>(markers.first - 1, 0), std::min(markers.last + 1, all_cells)};
   measure_cells(rows_, wide_cells);
-  bound_block(block, segment);
-  if (wide_markers.last == size_) bound_block(blocks() - 1, segment);
+  close(block, segment);
+  if (wide_markers.last == size_) close(blocks() - 1, segment);
   const auto count = static_cast<std::size_t>(wide_markers.last - wide_markers.first);
   desk.force_x.resize(count);
   desk.force_y.resize(count);
@@ -141,21 +125,16 @@ void Model::assemble_from_both_ends(double h, Input rates, Input target, const S
   if (two_threads()) {
     // As far as the ends do not see each other.
     const std::ptrdiff_t apart = (blocks() - 2) / 2;
-    by_two_threads(
-        [&] {
-          for (std::ptrdiff_t block = 0, prepared = 0; block < apart; ++block) {
-            for (; prepared <= block + 1; ++prepared) prepare(prepared, from_front);
-            assemble_block(block, h, rates, aims, segment, from_front);
-            sweep_.eliminate_front(cells_of(block).last);
-          }
-        },
-        [&] {
-          for (std::ptrdiff_t block = last, prepared = last; block > last - apart; --block) {
-            for (; prepared >= block - 1; --prepared) prepare(prepared, from_back);
-            assemble_block(block, h, rates, aims, segment, from_back);
-            sweep_.eliminate_back(cells_of(block).first);
-          }
-        });
+    const auto work = [&](std::ptrdiff_t begin, std::ptrdiff_t step, Desk& desk, const auto& eliminate) {
+      prepare(begin, desk);
+      for (std::ptrdiff_t k = 0; k < apart; ++k) {
+        prepare(begin + (k + 1) * step, desk);
+        assemble_block(begin + k * step, h, rates, aims, segment, desk);
+        eliminate(cells_of(begin + k * step));
+      }
+    };
+    by_two_threads([&] { work(0, 1, from_front, [&](Range cells) { sweep_.eliminate_front(cells.last); }); },
+                   [&] { work(last, -1, from_back, [&](Range cells) { sweep_.eliminate_back(cells.first); }); });
     f = apart;
     front = apart + 1;
     back = last - apart - 1;

@@ -22,8 +22,6 @@ struct SpaceFacts {
   std::size_t unknowns = 0;
   std::size_t inner_cells = 0;     ///< at least half full or so; 0 for spaces without a lattice
   std::size_t free_particles = 0;  ///< with a mass, that fly freely, being spray thinner than a cell
-  double particles_per_cell = 0;   ///< of a full cell, on average: a warning below 25 for cubic splines
-  std::size_t beyond_walls = 0;    ///< that are outside by O(tau^2), and count as on the wall
   /// Largest defect of the normal equations, each divided by the norm of its field, over the norm of the velocities.
   double residual = 0;
   /// Half of the kinetic energy that the penalty takes in the step [J/m].

@@ -61,11 +61,7 @@ std::vector<Point> Flow::markers() const {
 
 }  // namespace seiche::gauss_particles
 
-namespace seiche::mechanics {
-
-template class OneStep<gauss_particles::Model>;
-template class ProjectedStep<gauss_particles::Model>;
-template class Start<gauss_particles::Model>;
-template class InvariantsWatch<gauss_particles::Model>;
-
-}  // namespace seiche::mechanics
+template class seiche::mechanics::OneStep<seiche::gauss_particles::Model>;
+template class seiche::mechanics::ProjectedStep<seiche::gauss_particles::Model>;
+template class seiche::mechanics::Start<seiche::gauss_particles::Model>;
+template class seiche::mechanics::InvariantsWatch<seiche::gauss_particles::Model>;

@@ -27,14 +27,10 @@
 #include "seiche/samples.hpp"
 
 // The integrators of the model, compiled once and not in every file that steps it.
-namespace seiche::mechanics {
-
-extern template class OneStep<gauss_particles::Model>;
-extern template class ProjectedStep<gauss_particles::Model>;
-extern template class Start<gauss_particles::Model>;
-extern template class InvariantsWatch<gauss_particles::Model>;
-
-}  // namespace seiche::mechanics
+extern template class seiche::mechanics::OneStep<seiche::gauss_particles::Model>;
+extern template class seiche::mechanics::ProjectedStep<seiche::gauss_particles::Model>;
+extern template class seiche::mechanics::Start<seiche::gauss_particles::Model>;
+extern template class seiche::mechanics::InvariantsWatch<seiche::gauss_particles::Model>;
 
 namespace seiche::gauss_particles {
 

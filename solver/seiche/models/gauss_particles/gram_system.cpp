@@ -186,32 +186,16 @@ int GramSystem::entry(int a, int b) const {
   return found != end && *found == std::max(a, b) ? static_cast<int>(found - row_.begin()) : -1;
 }
 
-void GramSystem::add_plain(std::span<const std::size_t> unknowns, const double* matrix) {
-  const auto order = static_cast<std::size_t>(degree_ + 1);
-  const std::size_t reach = 2 * order - 1;
-  const std::size_t n = unknowns.size();
-  for (std::size_t a = 0; a < n; ++a) {
-    if (unknowns[a] == ActiveFunctions::none) continue;
-    const std::size_t i = a / order;
-    const std::size_t j = a % order;
-    // Neighbour (k - i, l - j) in the slot's table.
-    const int* const table = stencil_.data() + static_cast<std::size_t>(slot_of_[unknowns[a]]) * reach * reach +
-                             (order - 1 - i) * reach + (order - 1 - j);
-    for (std::size_t b = 0; b <= a; ++b) {
-      if (unknowns[b] == ActiveFunctions::none) continue;
-      values_[static_cast<std::size_t>(table[b / order * reach + b % order])] += matrix[a * n + b];
-    }
-  }
-}
-
 void GramSystem::add(std::span<const std::size_t> unknowns, const double* matrix) {
   const std::size_t n = unknowns.size();
   const long reach = 2 * degree_ + 1;
   for (std::size_t a = 0; a < n; ++a) {
+    if (unknowns[a] == ActiveFunctions::none) continue;
     const int from = slot_of_[unknowns[a]];
+    const Place p = place_[static_cast<std::size_t>(from)];
     for (std::size_t b = 0; b <= a; ++b) {
+      if (unknowns[b] == ActiveFunctions::none) continue;
       const int to = slot_of_[unknowns[b]];
-      const Place p = place_[static_cast<std::size_t>(from)];
       const Place q = place_[static_cast<std::size_t>(to)];
       const long i = column_difference(p.i, q.i);
       const long j = q.j - p.j;

@@ -20,9 +20,7 @@ class GramSystem {
  public:
   /// Clears the matrix for these unknowns.
   void begin(const Lattice& lattice, const ActiveFunctions& functions);
-  /// Adds the matrix of a cell whose (p + 1)^2 functions are these unknowns or none.
-  void add_plain(std::span<const std::size_t> unknowns, const double* matrix);
-  /// Adds the matrix of any unknowns.
+  /// Adds the matrix of these unknowns, or none.
   void add(std::span<const std::size_t> unknowns, const double* matrix);
   /// False when unknowns were coupled that the pattern did not have; it has them now: begin and add once more.
   [[nodiscard]] bool complete() const { return complete_; }

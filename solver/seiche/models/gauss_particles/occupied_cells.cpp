@@ -50,7 +50,6 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x) {
   column_place_.resize(n);
   row_place_.resize(n);
   cell_of_.resize(n);
-  beyond_walls_ = 0;
   const auto along = [&](const SplineAxis& axis, double place, const char* name, double at) {
     double s = (place - axis.begin()) / axis.cell();
     const auto cells = static_cast<double>(axis.cells());
@@ -58,10 +57,7 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x) {
       s -= cells * std::floor(s / cells);
       return s < cells ? s : 0.0;
     }
-    if ((axis.wall_below() && s < 0) || (axis.wall_above() && s > cells)) {
-      ++beyond_walls_;
-      return std::clamp(s, 0.0, cells);
-    }
+    if ((axis.wall_below() && s < 0) || (axis.wall_above() && s > cells)) return std::clamp(s, 0.0, cells);
     const double low = axis.wall_below() ? 0 : static_cast<double>(free_margin);
     const double high = axis.wall_above() ? cells : cells - static_cast<double>(free_margin);
     if (!(s >= low && s <= high)) {
@@ -71,10 +67,8 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x) {
     return s;
   };
   for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t walls = beyond_walls_;
     column_place_[k] = along(lattice.x, x[k], "x", x[k]);
     row_place_[k] = along(lattice.y, height_[k], "height", x[k]);
-    if (beyond_walls_ > walls + 1) --beyond_walls_;  // in a corner, once
     const auto cell = [](double place, const SplineAxis& axis) {
       return std::min(static_cast<long>(place), axis.cells() - 1);
     };

@@ -42,7 +42,6 @@ class OccupiedCells {
   [[nodiscard]] const double* slope() const { return slope_.empty() ? nullptr : slope_.data(); }
   /// The particle of a place, or nobody.
   [[nodiscard]] std::span<const std::size_t> particle() const { return particle_; }
-  [[nodiscard]] std::size_t beyond_walls() const { return beyond_walls_; }
 
  private:
   void sample(const BottomProfile& profile, std::span<const double> x);
@@ -51,7 +50,6 @@ class OccupiedCells {
   std::vector<Cell> cells_;
   std::vector<double> across_, up_, mass_, slope_;
   std::vector<std::size_t> particle_;
-  std::size_t beyond_walls_ = 0;
 
   std::vector<double> height_, ground_slope_;     // of particles; no slopes over level ground
   std::vector<double> column_place_, row_place_;  // in cells from the lattice's corner

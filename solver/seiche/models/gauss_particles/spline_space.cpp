@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -106,19 +107,14 @@ void SplineSpace::visit_cells(const Work& work) const {
   }
 }
 
-double SplineSpace::particles_per_cell(std::span<const double> mass) const {
-  double total = 0;
-  std::size_t count = 0;
-  for (const double m : mass) {
-    total += m;
-    if (m > 0) ++count;
-  }
+void SplineSpace::require_enough(std::span<const double> mass) const {
+  const double total = std::accumulate(mass.begin(), mass.end(), 0.0);
+  const auto count = std::count_if(mass.begin(), mass.end(), [](double m) { return m > 0; });
   const double per_cell = full_mass_ * static_cast<double>(count) / total;
   if (!(per_cell >= fewest_per_cell)) {
     throw mechanics::Infeasible(0, "a full cell holds {:.3g} particles; allowed: at least {:g}", per_cell,
                                 fewest_per_cell);
   }
-  return per_cell;
 }
 
 void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
@@ -129,7 +125,7 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   particles_ = x.size();
   local_ = static_cast<std::size_t>((lattice.x.degree() + 1) * (lattice.x.degree() + 1));
   full_mass_ = settings_.density * lattice.x.cell() * lattice.y.cell();
-  const double per_cell = particles_per_cell(mass);
+  require_enough(mass);
   const double extent = static_cast<double>(lattice.x.cells()) * static_cast<double>(lattice.y.cells());
   if (extent > most_cells_per_particle * static_cast<double>(particles_) + 1e6) {
     throw mechanics::Infeasible(
@@ -146,10 +142,7 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   const double cell = std::sqrt(lattice.x.cell() * lattice.y.cell());
   penalty_factor_ = penalty * settings_.density * std::pow(cell, 3.5);
   if (penalty_factor_ != 0) penalty_.prepare(lattice);
-  facts_ = {.unknowns = functions_.unknowns(),
-            .inner_cells = functions_.inner_cells(),
-            .particles_per_cell = per_cell,
-            .beyond_walls = cells_.beyond_walls()};
+  facts_ = {.unknowns = functions_.unknowns(), .inner_cells = functions_.inner_cells()};
   free_.clear();
   for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
     if (!functions_.free(c)) continue;
@@ -248,7 +241,7 @@ void SplineSpace::add_cell(std::size_t c, const double* matrix) {
   std::array<std::size_t, CellKernels::most_functions> functions{};
   local_functions(c, functions.data());
   for (std::size_t a = 0; a < local_; ++a) functions[a] = functions_.unknown(functions[a]);
-  system_.add_plain({functions.data(), local_}, matrix);
+  system_.add({functions.data(), local_}, matrix);
 }
 
 /// E^T A E of a cell, over the unknowns of which its functions are made.

@@ -78,7 +78,7 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] linear::FactorWork factor_work() const { return system_.factor_work(); }
 
  private:
-  [[nodiscard]] double particles_per_cell(std::span<const double> mass) const;
+  void require_enough(std::span<const double> mass) const;
   void assemble();
   void add_cell(std::size_t c, const double* matrix);
   void add_continued_cell(std::size_t c, const double* matrix);
@@ -116,8 +116,8 @@ class SplineSpace final : public FieldSpace {
   SpaceFacts facts_;
   std::vector<std::uint8_t> free_;  // of particles; empty: none
 
-  std::vector<double> matrices_;                    // of a chunk of cells
-  std::vector<double> extension_, half_, reduced_;  // of one continued cell
+  std::vector<double> matrices_;        // of a chunk of cells
+  std::vector<double> half_, reduced_;  // of one continued cell
   std::vector<std::size_t> involved_;
   std::vector<std::size_t> column_of_;                      // of unknowns, in a continued cell
   std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_, ones_;  // by places of the cells

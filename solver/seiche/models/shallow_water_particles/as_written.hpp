@@ -26,8 +26,8 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
 
 namespace seiche::shallow_water_particles {
 

@@ -9,6 +9,7 @@ namespace seiche::shallow_water_particles {
 using shallow_water::jump_mass_flux;
 using shallow_water::star_state;
 using shallow_water::thrust;
+using shallow_water::two_rarefaction_depth;
 
 Collision::Collision(double gravity, const InteriorJump& right_going, const InteriorJump& left_going, const Array& mass)
     : gravity_(gravity),
@@ -106,15 +107,14 @@ void Collision::renumber(bool more) {
 
 void Collision::advance(double tau, const Array& mass) {
   const double meeting = met_ ? 2 * tau : (track_.right - track_.left) / (track_.left_speed - track_.right_speed);
+  double rest = tau;
   if (meeting < tau) {
     track_ = after_meeting(track_.left + meeting * track_.left_speed);
     met_ = true;
-    track_.left += (tau - meeting) * track_.left_speed;
-    track_.right += (tau - meeting) * track_.right_speed;
-  } else {
-    track_.left += tau * track_.left_speed;
-    track_.right += tau * track_.right_speed;
+    rest = tau - meeting;
   }
+  track_.left += rest * track_.left_speed;
+  track_.right += rest * track_.right_speed;
   const auto locate = [&](double position, std::size_t particle) {
     while (particle > 0 && position < edge_mass(particle, mass)) --particle;
     while (particle + 1 < mass.size() && position > edge_mass(particle + 1, mass)) ++particle;
@@ -123,11 +123,6 @@ void Collision::advance(double tau, const Array& mass) {
   left_particle_ = locate(track_.left, left_particle_);
   right_particle_ = locate(track_.right, right_particle_);
 }
-
-using shallow_water::jump_mass_flux;
-using shallow_water::star_state;
-using shallow_water::thrust;
-using shallow_water::two_rarefaction_depth;
 
 double InteriorJump::size() const {
   return std::abs(behind.depth - ahead.depth);
@@ -144,13 +139,9 @@ Structure structure_of(const InteriorJump& jump) {
   s.particle = jump.particle;
   s.count = 2;
   const double behind = jump.behind_by_volume;
-  if (jump.facing == Facing::right) {
-    s.layers[0] = {jump.behind, behind};
-    s.layers[1] = {jump.ahead, 1 - behind};
-  } else {
-    s.layers[0] = {jump.ahead, 1 - behind};
-    s.layers[1] = {jump.behind, behind};
-  }
+  const std::size_t first = jump.facing == Facing::right ? 0 : 1;
+  s.layers[first] = {jump.behind, behind};
+  s.layers[1 - first] = {jump.ahead, 1 - behind};
   return s;
 }
 

@@ -101,7 +101,7 @@ void ParticleFlow::refresh(std::optional<RowLimits> known) {
   const std::size_t count = now_.size();
   const double* x = now_.edge.data();
   const double* u = now_.velocity.data();
-  const RowLimits limits = known ? *known : measure();
+  const RowLimits limits = known ? *known : measure(0, count);
   if (!limits.sound) {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(now_.width(i) > 0)) {

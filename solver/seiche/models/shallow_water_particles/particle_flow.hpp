@@ -269,9 +269,7 @@ class ParticleFlow {
   void predict_particles(double tau, std::size_t first, std::size_t last, EdgeValues& to) const;
   void solve_edges(double tau);
   void solve_stretch(double tau, std::size_t first, std::size_t last, EdgeValues& values);
-  void move(double tau);
   RowLimits move_and_measure(double tau);
-  RowLimits measure();
   RowLimits measure(std::size_t first, std::size_t last);
   /// Particles that may hold a jump, a few: most blocks hold nothing that could be one.
   void find_suspects();

@@ -112,7 +112,8 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
     a -= forcing_.gravity * surface_slope +
          0.5 * forcing_.gravity * inv_mass_[i] * (now.h_left - now.h_right) * (now.h_left + now.h_right);
   } else {
-    const double dh = wet_half_difference(0.5 * s.surface * width, h);
+    const double most = 0.9 * h;  // neither edge falls below a tenth of the mean depth
+    const double dh = std::clamp(0.5 * s.surface * width, -most, most);
     const double du = 0.5 * s.velocity * width;
     now = {h - dh, h + dh, u - du, u + du};
   }
@@ -221,7 +222,8 @@ std::optional<RowLimits> ParticleFlow::apply(double tau) {
     ledger_.bed_impulse.add(tau * sum);
     for (std::size_t k = 0; k <= count; ++k) x[k] += tau * edge_velocity_[k];
   } else if (forcing_.manning > 0 || end_is<Open>(side(false)) || end_is<Open>(side(true))) {
-    move(tau);  // masses or velocities are going to change once more
+    // Masses or velocities are going to change once more.
+    move_row(x, u, inv_mass_.data(), edge_velocity_.data(), thrust, tau, count, true);
   } else {
     limits = move_and_measure(tau);
   }

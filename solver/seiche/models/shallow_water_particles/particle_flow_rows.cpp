@@ -85,14 +85,9 @@ void ParticleFlow::solve_stretch(double tau, std::size_t first, std::size_t last
              &edge_velocity_[edge], &edge_thrust_[edge], forcing_.gravity},
             last - edge);
   if (!keeps_edge_values()) return;
-  const auto keep = [&](const Array& some, Array& all) {
-    std::copy_n(some.begin() + static_cast<std::ptrdiff_t>(first - from), last - first,
-                all.begin() + static_cast<std::ptrdiff_t>(first));
-  };
-  keep(values.left_depth, values_.left_depth);
-  keep(values.right_depth, values_.right_depth);
-  keep(values.left_velocity, values_.left_velocity);
-  keep(values.right_velocity, values_.right_velocity);
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::copy_n(values.all()[k]->data() + (first - from), last - first, values_.all()[k]->data() + first);
+  }
 }
 
 void ParticleFlow::solve_edges(double tau) {
@@ -108,18 +103,9 @@ void ParticleFlow::solve_edges(double tau) {
   solve_end(side(true), tau);
 }
 
-void ParticleFlow::move(double tau) {
-  move_row(now_.edge.data(), now_.velocity.data(), inv_mass_.data(), edge_velocity_.data(), edge_thrust_.data(), tau,
-           now_.size(), true);
-}
-
 RowLimits ParticleFlow::measure(std::size_t first, std::size_t last) {
   return measure_row(&now_.edge[first], &now_.velocity[first], &now_.mass[first], &depth_[first], forcing_.gravity,
                      last - first, last < now_.size());
-}
-
-RowLimits ParticleFlow::measure() {
-  return measure(0, now_.size());
 }
 
 /// A particle is measured once its right edge and its neighbour have moved: the last of a stretch after all others.

@@ -56,8 +56,7 @@ Array equal_width_edges(double left, double right, std::size_t count) {
   return edges;
 }
 
-Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count,
-                       const std::vector<double>& discontinuities) {
+Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count) {
   Array edges = equal_width_edges(left, right, count);
   const double total = mass_up_to(right) - mass_up_to(left);
   const double start = mass_up_to(left);
@@ -71,17 +70,6 @@ Array equal_mass_edges(const Function& mass_up_to, double left, double right, st
       (mass_up_to(middle) < target ? low : high) = middle;
     }
     edges[k] = 0.5 * (low + high);
-  }
-  std::vector<bool> taken(count + 1, false);
-  for (const double x : discontinuities) {
-    require_within("discontinuity", x, left, right);
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < count; ++k) {
-      if (!taken[k] && (nearest == 0 || std::abs(edges[k] - x) < std::abs(edges[nearest] - x))) nearest = k;
-    }
-    require_that(nearest != 0, "discontinuities: more of them than inner edges");
-    edges[nearest] = x;
-    taken[nearest] = true;
   }
   return edges;
 }

@@ -68,10 +68,8 @@ struct Stretch {
 Array equal_width_edges(double left, double right, std::size_t count);
 
 /// Edges such that every particle holds the same mass of h(x) over [left, right]; `mass_up_to(x)` is the integral of h
-/// from `left`, increasing. Bisection to round-off. An edge is then moved onto each of `discontinuities`: the nearest
-/// inner edge that is not taken yet. Throws std::invalid_argument if a discontinuity lies outside or too few edges.
-Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count,
-                       const std::vector<double>& discontinuities = {});
+/// from `left`, increasing. Bisection to round-off.
+Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count);
 
 /// Particles with masses and momenta from primitives of h and h u: differences of the primitives at the edges.
 Particles particles_from_primitives(Array edges, const Function& mass_up_to, const Function& momentum_up_to);

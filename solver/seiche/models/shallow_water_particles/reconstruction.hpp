@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -21,8 +22,9 @@ struct EdgeValues {
   Array left_velocity;
   Array right_velocity;
 
+  [[nodiscard]] std::array<Array*, 4> all() { return {&left_depth, &right_depth, &left_velocity, &right_velocity}; }
   void resize(std::size_t count) {
-    for (Array* a : {&left_depth, &right_depth, &left_velocity, &right_velocity}) a->resize(count);
+    for (Array* a : all()) a->resize(count);
   }
 };
 
@@ -35,12 +37,6 @@ struct EdgePair {
 inline double slope(double before, double own, double after, double back, double ahead, double theta) {
   return shallow_water::limited_slope((own - before) / back, (after - before) / (back + ahead), (after - own) / ahead,
                                       theta);
-}
-
-/// Depth difference from centre to edge, kept so that neither edge falls below a tenth of the mean depth.
-inline double wet_half_difference(double half, double depth) {
-  const double most = 0.9 * depth;
-  return std::clamp(half, -most, most);
 }
 
 /// Edge values after half a step [tau/2] of a particle on a flat bed: depths follow the width, velocities the pressure

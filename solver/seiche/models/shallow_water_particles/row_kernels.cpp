@@ -20,21 +20,6 @@ SEICHE_INLINE double limited(double backward, double central, double forward, do
   return backward * forward > 0 ? std::copysign(magnitude, backward) : 0.0;
 }
 
-SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t last) {
-  const double* __restrict hl = row.depth_before;
-  const double* __restrict ul = row.velocity_before;
-  const double* __restrict hr = row.depth_behind;
-  const double* __restrict ur = row.velocity_behind;
-  double* __restrict us = row.edge_velocity;
-  double* __restrict ps = row.edge_thrust;
-  const double g = row.gravity;
-  for (std::size_t k = first; k < last; ++k) {
-    const EdgeState e = edge_state(g, hl[k], ul[k], hr[k], ur[k]);
-    us[k] = e.velocity;
-    ps[k] = e.thrust;
-  }
-}
-
 }  // namespace
 
 SEICHE_SIMD_CLONES
@@ -109,8 +94,10 @@ void solve_row(const EdgeRow& row, std::size_t count) {
       const bool smooth = (std::abs(jump) <= little) & (std::abs(c_left - c_right) <= little);
       sharp |= static_cast<int>(!smooth);
     }
-    if (sharp != 0) {
-      newton(row, start, stop);
+    for (std::size_t k = start; sharp != 0 && k < stop; ++k) {
+      const EdgeState e = edge_state(g, hl[k], ul[k], hr[k], ur[k]);
+      us[k] = e.velocity;
+      ps[k] = e.thrust;
     }
   }
 }

@@ -92,11 +92,6 @@ Particles checked(Particles particles, const Settings& settings, double spacing,
   return particles;
 }
 
-template <class... Values>
-std::vector<double> numbers(Values... values) {
-  return {static_cast<double>(values)...};
-}
-
 /// Of a parameter of Flow::parameters().
 std::string name_of(std::size_t parameter) {
   std::istringstream names(
@@ -313,15 +308,15 @@ std::vector<double> Flow::parameters(double time) const {
   const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
   const auto* given = std::get_if<LaminarSps>(&viscosity);
   const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
-  std::vector<double> all =
-      numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, xsph, filter_every, diffusion, shifting,
-              walls, courant, period.x, period.z, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
-              sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
+  std::vector<double> all;
+  const auto add = [&](auto... values) { (all.push_back(static_cast<double>(values)), ...); };
+  add(spacing_, kernel, smoothing, gravity, density, sound_speed, xsph, filter_every, diffusion, shifting, walls,
+      courant, period.x, period.z, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
+      sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
   const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {
-    for (const double value : numbers(paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement,
-                                      at.pose[k].angle, at.rate[k].displacement, at.rate[k].angle))
-      all.push_back(value);
+    add(paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement, at.pose[k].angle, at.rate[k].displacement,
+        at.rate[k].angle);
   }
   return all;
 }

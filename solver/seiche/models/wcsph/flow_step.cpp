@@ -141,11 +141,7 @@ void Flow::commit(double tau) {
   over_blocks<Nothing>(0, n, [&](std::size_t first, std::size_t count, Nothing& /*found*/) {
     StateBlock block;
     moved(tau, poses, first, count, block);
-    std::copy_n(block.x.data(), count, &particles_.x[first]);
-    std::copy_n(block.z.data(), count, &particles_.z[first]);
-    std::copy_n(block.u.data(), count, &particles_.u[first]);
-    std::copy_n(block.w.data(), count, &particles_.w[first]);
-    std::copy_n(block.density.data(), count, &particles_.density[first]);
+    for (const auto& [to, of] : matched(particles_, block)) std::copy_n(of->data(), count, &(*to)[first]);
   });
   time_ += tau;
   ++steps_;

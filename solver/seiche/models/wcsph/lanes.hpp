@@ -101,31 +101,31 @@ struct LaneKernel<Values, WendlandC2> {
 
 /// Records of a cluster.
 template <class Lanes>
-struct Block {
-  typename Lanes::Pack x, z, u, w, density, pressure, smoothing, sound;
+struct Block : Cluster {
+  using Pack = typename Lanes::Pack;
+  Pack x, z, u, w, density, pressure, smoothing, sound;
 
-  SEICHE_INLINE explicit Block(const Record* records) {
+  SEICHE_INLINE Block(const Record* records, const Cluster& cluster) : Cluster(cluster) {
     for (int l = 0; l < Lanes::width; ++l) {
-      x[l] = records[l].x;
-      z[l] = records[l].z;
-      u[l] = records[l].u;
-      w[l] = records[l].w;
-      density[l] = records[l].density;
-      pressure[l] = records[l].pressure;
-      smoothing[l] = records[l].smoothing;
-      sound[l] = records[l].sound;
+      const Record& record = records[first + l];
+      x[l] = record.x;
+      z[l] = record.z;
+      u[l] = record.u;
+      w[l] = record.w;
+      density[l] = record.density;
+      pressure[l] = record.pressure;
+      smoothing[l] = record.smoothing;
+      sound[l] = record.sound;
+    }
+  }
+  SEICHE_INLINE void store(Pack values, double* to) const {
+    if (count == Lanes::width) {
+      __builtin_memcpy(to + first, &values, sizeof values);
+    } else {
+      for (int l = 0; l < count; ++l) to[first + l] = values[l];
     }
   }
 };
-
-template <class Lanes>
-SEICHE_INLINE void store(typename Lanes::Pack values, double* to, const Cluster& cluster) {
-  if (cluster.count == Lanes::width) {
-    __builtin_memcpy(to + cluster.first, &values, sizeof values);
-  } else {
-    for (int l = 0; l < cluster.count; ++l) to[cluster.first + l] = values[l];
-  }
-}
 
 /// Keeps 1/r finite at r = 0, far below any distance squared.
 inline constexpr double least_square = 1e-200;
@@ -151,21 +151,20 @@ struct Distance {
   }
 };
 
-/// Calls visit(candidate, b, pair, shape) with the next few candidates of a cluster, their records, what depends on the
+/// Calls use(candidate, b, pair, shape) with the next few candidates of a cluster, their records, what depends on the
 /// places of the pairs, and the kernel there, until the list ends. Records after them are on their way to the cache
 /// when their turn comes.
 /// @tparam Pair  Distance, or more
-template <class Kernel, class Pair, class Lanes, class Visit>
-SEICHE_INLINE void visit_candidates(const Record* records, const Cluster& cluster, const Block<Lanes>& a, Visit visit) {
-  using Shape = LaneKernel<SideBySide<Lanes>, Kernel>;
-  for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
+template <class Kernel, template <class> class Pair, class Lanes, class Use>
+SEICHE_INLINE void visit(const PairWork& work, const Block<Lanes>& a, Use use) {
+  for (const std::int32_t* candidate = a.begin; candidate < a.end; candidate += abreast) {
     const Record* b[abreast];
     for (int k = 0; k < abreast; ++k) {
-      b[k] = records + candidate[k];
-      __builtin_prefetch(records + candidate[k + candidates_ahead]);
+      b[k] = work.records + candidate[k];
+      __builtin_prefetch(work.records + candidate[k + candidates_ahead]);
     }
-    const Pair pair(a, b);
-    visit(candidate, b, pair, Shape(pair.s, pair.inverse_area, pair.inverse_width));
+    const Pair<Lanes> pair(a, b);
+    use(candidate, b, pair, LaneKernel<SideBySide<Lanes>, Kernel>(pair.s, pair.inverse_area, pair.inverse_width));
   }
 }
 

@@ -276,19 +276,12 @@ void BinnedOrder::sort(const TileGrid& grid, std::span<const double> x, std::spa
   for (std::int32_t bin = 0; bin < grid.size(); ++bin) {
     const auto first = begin_[static_cast<std::size_t>(bin)];
     const auto last = begin_[static_cast<std::size_t>(bin) + 1];
-    if (last - first < 2) continue;
     const double sign = grid.backwards(bin) ? -1 : 1;
-    for (std::int32_t k = first + 1; k < last; ++k) {
-      const std::int32_t moving = order[static_cast<std::size_t>(k)];
-      const double place = sign * x[static_cast<std::size_t>(moving)];
-      std::int32_t to = k;
-      for (; to > first; --to) {
-        const std::int32_t before = order[static_cast<std::size_t>(to - 1)];
-        if (!(place < sign * x[static_cast<std::size_t>(before)])) break;
-        order[static_cast<std::size_t>(to)] = before;
-      }
-      order[static_cast<std::size_t>(to)] = moving;
-    }
+    std::sort(order.begin() + first, order.begin() + last, [&](std::int32_t a, std::int32_t b) {
+      const double place = sign * x[static_cast<std::size_t>(a)];
+      const double other = sign * x[static_cast<std::size_t>(b)];
+      return place < other || (place == other && a < b);
+    });
   }
 }
 

@@ -129,6 +129,13 @@ class Neighbours {
     return record < fluid_count_ || (record >= count_ && record < count_ + fluid_images_.size());
   }
   [[nodiscard]] std::span<const Image> images() const { return images_; }
+  /// What a loop found of particles, for their images.
+  template <class T>
+  void copy_to_images(std::vector<T>& values) const {
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+      values[count_ + k] = values[static_cast<std::size_t>(images_[k].source)];
+    }
+  }
   [[nodiscard]] std::span<const Cluster> clusters() const { return clusters_; }
   [[nodiscard]] std::size_t fluid_clusters() const { return fluid_clusters_; }
   /// Ordered pairs within the support, fluid with fluid or walls.

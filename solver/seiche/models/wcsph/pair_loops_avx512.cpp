@@ -2,7 +2,10 @@
 
 #if SEICHE_PAIR_LOOPS_X86
 
+#pragma GCC diagnostic push  // the header of GCC 12 has undefined values on purpose, and is warned of once inlined
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #include <immintrin.h>
+#pragma GCC diagnostic pop
 
 #ifndef __AVX512F__  // flags that have the instructions may have more, and their intrinsics are not inlined into less
 #pragma GCC target("arch=x86-64-v4")

@@ -41,161 +41,136 @@ struct Separation {
   }
 };
 
-template <class Lanes>
-SEICHE_INLINE typename Lanes::Pack magnitude(typename Lanes::Pack value) {
-  return Lanes::largest(value, -value);
-}
-
-/// Adds (or subtracts) a b of each candidate.
-template <class Lanes>
-SEICHE_INLINE void add(typename Lanes::Pack& sum, const SideBySide<Lanes>& a, const SideBySide<Lanes>& b) {
-  for (int k = 0; k < abreast; ++k) sum += a.at[k] * b.at[k];
-}
-template <class Lanes>
-SEICHE_INLINE void subtract(typename Lanes::Pack& sum, const SideBySide<Lanes>& a, const SideBySide<Lanes>& b) {
-  for (int k = 0; k < abreast; ++k) sum -= a.at[k] * b.at[k];
-}
-
-/// Takes sigma of the next candidates into account: a pair counts within its support.
-template <class Lanes, class Records>
-SEICHE_INLINE void add_limit(typename Lanes::Pack& sigma, const Block<Lanes>& a, const Records& b,
-                             const Separation<Lanes>& pair, const SideBySide<Lanes>& approach) {
-  for (int k = 0; k < abreast; ++k) {
-    const auto rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
-    sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
-  }
-}
-
-/// Largest (c + sigma)/h of the particles of a cluster, sigma of its pairs given.
-template <class Lanes>
-SEICHE_INLINE double largest_limit(const PairWork& work, const Block<Lanes>& a, typename Lanes::Pack sigma,
-                                   const Cluster& cluster) {
-  const double per_scale = 1 / work.sound_scale;
-  const typename Lanes::Pack limit = (a.sound * per_scale + 0.5 * sigma) / a.smoothing;
-  double largest = 0;
-  for (int l = 0; l < cluster.count; ++l) {
-    if (limit[l] > largest) largest = limit[l];
-  }
-  return largest;
-}
-
-template <class Lanes, class Kernel, Friction friction, bool limited>
-void fluid_rates(const PairWork& work, std::size_t first, std::size_t last) {
+/// The rates of change of a cluster.
+template <class Lanes, class Kernel>
+struct RateSums {
   using Pack = typename Lanes::Pack;
   using Values = SideBySide<Lanes>;
   using Shape = LaneKernel<Values, Kernel>;
-  for (std::size_t c = first; c < last; ++c) {
-    const Cluster cluster = work.clusters[c];
-    const Block<Lanes> a(work.records + cluster.first);
+
+  /// Adds (or subtracts) a b of each candidate.
+  SEICHE_INLINE static void add(Pack& sum, const Values& a, const Values& b) {
+    for (int k = 0; k < abreast; ++k) sum += a.at[k] * b.at[k];
+  }
+  SEICHE_INLINE static void subtract(Pack& sum, const Values& a, const Values& b) {
+    for (int k = 0; k < abreast; ++k) sum -= a.at[k] * b.at[k];
+  }
+
+  /// Takes sigma of the next candidates into account: a pair counts within its support.
+  template <class Records>
+  SEICHE_INLINE static void add_limit(Pack& sigma, const Block<Lanes>& a, const Records& b,
+                                      const Separation<Lanes>& pair, const Values& approach) {
+    for (int k = 0; k < abreast; ++k) {
+      const Pack speed = Lanes::largest(approach.at[k], -approach.at[k]);
+      const Pack rate = speed * (pair.viscous.at[k] * (a.density + b[k]->density));
+      sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
+    }
+  }
+
+  /// Largest (c + sigma)/h of the particles of a cluster, sigma of its pairs given.
+  SEICHE_INLINE static double largest_limit(const PairWork& work, const Block<Lanes>& a, Pack sigma) {
+    const double per_scale = 1 / work.sound_scale;
+    const Pack limit = (a.sound * per_scale + 0.5 * sigma) / a.smoothing;
+    double largest = 0;
+    for (int l = 0; l < a.count; ++l) {
+      if (limit[l] > largest) largest = limit[l];
+    }
+    return largest;
+  }
+
+  template <Friction friction, bool limited>
+  static void fluid_rates(const PairWork& work, std::size_t c) {
+    const Block<Lanes> a(work.records, work.clusters[c]);
     Pack xx{}, xz{}, zz{};
     if constexpr (friction == Friction::turbulent) {
       for (int l = 0; l < Lanes::width; ++l) {
-        const auto& stress = work.stress[cluster.first + l];
+        const auto& stress = work.stress[a.first + l];
         xx[l] = stress.xx;
         xz[l] = stress.xz;
         zz[l] = stress.zz;
       }
     }
     Pack du{}, dw{}, ddensity{}, smooth_u{}, smooth_w{}, sigma{};
-    visit_candidates<Kernel, Separation<Lanes>>(
-        work.records, cluster, a,
-        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
-          const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
-          const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
-          const Values approach = pair.x * u + pair.z * w;
-          const Values squared = pair.inverse_width * pair.inverse_width;
-          const Values scaled_mass = Values::of([&](int k) { return work.mass[candidate[k]] * squared.at[k]; });
-          const Values slope = scaled_mass * shape.slope;
-          const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
-          Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
-          if constexpr (friction == Friction::artificial) {
-            const Values sound = Values::of([&](int k) { return a.sound + b[k]->sound; });
-            pressures = pressures + sound * negative(approach) * pair.viscous;
-          }
-          const Values push = pressures * slope;
-          add<Lanes>(ddensity, slope, approach);
-          subtract<Lanes>(du, push, pair.x);
-          subtract<Lanes>(dw, push, pair.z);
-          add<Lanes>(smooth_u, weight, u);
-          add<Lanes>(smooth_w, weight, w);
-          if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
-            const Values square = pair.x * pair.x + pair.z * pair.z;
-            const double viscosity = 4 * work.kinematic_viscosity;
-            const Values drag = viscosity * square * (pair.viscous * pair.inverse_width) * slope;
-            add<Lanes>(du, drag, u);
-            add<Lanes>(dw, drag, w);
-          }
-          if constexpr (friction == Friction::turbulent) {
-            const Values sum_xz = Values::of([&](int k) { return xz + work.stress[candidate[k]].xz; });
-            add<Lanes>(du, slope, Values::of([&](int k) {
-                         return (xx + work.stress[candidate[k]].xx) * pair.x.at[k] + sum_xz.at[k] * pair.z.at[k];
-                       }));
-            add<Lanes>(dw, slope, Values::of([&](int k) {
-                         return sum_xz.at[k] * pair.x.at[k] + (zz + work.stress[candidate[k]].zz) * pair.z.at[k];
-                       }));
-          }
-          if constexpr (limited) add_limit(sigma, a, b, pair, approach);
-        });
+    visit<Kernel, Separation>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+      const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
+      const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
+      const Values approach = pair.x * u + pair.z * w;
+      const Values squared = pair.inverse_width * pair.inverse_width;
+      const Values scaled_mass = Values::of([&](int k) { return work.mass[candidate[k]] * squared.at[k]; });
+      const Values slope = scaled_mass * shape.slope;
+      const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
+      Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
+      if constexpr (friction == Friction::artificial) {
+        const Values sound = Values::of([&](int k) { return a.sound + b[k]->sound; });
+        pressures = pressures + sound * negative(approach) * pair.viscous;
+      }
+      const Values push = pressures * slope;
+      add(ddensity, slope, approach);
+      subtract(du, push, pair.x);
+      subtract(dw, push, pair.z);
+      add(smooth_u, weight, u);
+      add(smooth_w, weight, w);
+      if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
+        const Values square = pair.x * pair.x + pair.z * pair.z;
+        const double viscosity = 4 * work.kinematic_viscosity;
+        const Values drag = viscosity * square * (pair.viscous * pair.inverse_width) * slope;
+        add(du, drag, u);
+        add(dw, drag, w);
+      }
+      if constexpr (friction == Friction::turbulent) {
+        const Values sum_xz = Values::of([&](int k) { return xz + work.stress[candidate[k]].xz; });
+        add(du, slope, Values::of([&](int k) {
+              return (xx + work.stress[candidate[k]].xx) * pair.x.at[k] + sum_xz.at[k] * pair.z.at[k];
+            }));
+        add(dw, slope, Values::of([&](int k) {
+              return sum_xz.at[k] * pair.x.at[k] + (zz + work.stress[candidate[k]].zz) * pair.z.at[k];
+            }));
+      }
+      if constexpr (limited) add_limit(sigma, a, b, pair, approach);
+    });
     // Deferred constants; densities were sums, not means.
     const double xsph = 2 * work.xsph * Shape::weight_factor;
-    store<Lanes>(a.u - xsph * smooth_u, work.dx, cluster);
-    store<Lanes>(a.w - xsph * smooth_w, work.dz, cluster);
-    store<Lanes>(Shape::slope_factor * du, work.du, cluster);
-    store<Lanes>(Shape::slope_factor * dw - work.gravity, work.dw, cluster);
-    store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
-    if constexpr (limited) work.limit[c] = largest_limit<Lanes>(work, a, sigma, cluster);
+    a.store(a.u - xsph * smooth_u, work.dx);
+    a.store(a.w - xsph * smooth_w, work.dz);
+    a.store(Shape::slope_factor * du, work.du);
+    a.store(Shape::slope_factor * dw - work.gravity, work.dw);
+    a.store(Shape::slope_factor * ddensity, work.ddensity);
+    if constexpr (limited) work.limit[c] = largest_limit(work, a, sigma);
   }
-}
 
-template <class Lanes, class Kernel, bool limited>
-void wall_rates(const PairWork& work, std::size_t first, std::size_t last) {
-  using Pack = typename Lanes::Pack;
-  using Values = SideBySide<Lanes>;
-  using Shape = LaneKernel<Values, Kernel>;
-  for (std::size_t c = first; c < last; ++c) {
-    const Cluster cluster = work.clusters[c];
+  template <bool limited>
+  static void wall_rates(const PairWork& work, std::size_t c) {
     Pack ddensity{}, sigma{};
-    const Block<Lanes> a(work.records + cluster.first);
-    visit_candidates<Kernel, Separation<Lanes>>(
-        work.records, cluster, a,
-        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
-          const Values approach =
-              Values::of([&](int k) { return pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w); });
-          const Values slope = Values::of([&](int k) {
-            const Pack inverse_width = pair.inverse_width.at[k];
-            return work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k];
-          });
-          add<Lanes>(ddensity, slope, approach);
-          if constexpr (limited) add_limit(sigma, a, b, pair, approach);
-        });
-    store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
-    if constexpr (limited) work.limit[c] = largest_limit<Lanes>(work, a, sigma, cluster);
+    const Block<Lanes> a(work.records, work.clusters[c]);
+    visit<Kernel, Separation>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+      const Values approach =
+          Values::of([&](int k) { return pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w); });
+      const Values slope = Values::of([&](int k) {
+        const Pack inverse_width = pair.inverse_width.at[k];
+        return work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k];
+      });
+      add(ddensity, slope, approach);
+      if constexpr (limited) add_limit(sigma, a, b, pair, approach);
+    });
+    a.store(Shape::slope_factor * ddensity, work.ddensity);
+    if constexpr (limited) work.limit[c] = largest_limit(work, a, sigma);
   }
-}
 
-/// tau/rho = 2 nu_t (S - (1/3) tr S) - (2/3) C_I Delta^2 |S|^2, nu_t = (C_S Delta)^2 |S|, |S| = sqrt(2 S:S).
-template <class Lanes, class Kernel>
-void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
-  using Pack = typename Lanes::Pack;
-  using Values = SideBySide<Lanes>;
-  using Shape = LaneKernel<Values, Kernel>;
-  for (std::size_t c = first; c < last; ++c) {
-    const Cluster cluster = work.clusters[c];
-    const Block<Lanes> a(work.records + cluster.first);
+  /// tau/rho = 2 nu_t (S - (1/3) tr S) - (2/3) C_I Delta^2 |S|^2, nu_t = (C_S Delta)^2 |S|, |S| = sqrt(2 S:S).
+  static void strain_stress(const PairWork& work, std::size_t c) {
+    const Block<Lanes> a(work.records, work.clusters[c]);
     Pack u_x{}, u_z{}, w_x{}, w_z{};
-    visit_candidates<Kernel, Distance<Lanes>>(
-        work.records, cluster, a,
-        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
-          const Values squared = pair.inverse_width * pair.inverse_width;
-          const Values slope =
-              Values::of([&](int k) { return work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k]; });
-          const Values u = Values::of([&](int k) { return slope.at[k] * (a.u - b[k]->u); });
-          const Values w = Values::of([&](int k) { return slope.at[k] * (a.w - b[k]->w); });
-          add<Lanes>(u_x, u, pair.x);
-          add<Lanes>(u_z, u, pair.z);
-          add<Lanes>(w_x, w, pair.x);
-          add<Lanes>(w_z, w, pair.z);
-        });
+    visit<Kernel, Distance>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+      const Values squared = pair.inverse_width * pair.inverse_width;
+      const Values slope =
+          Values::of([&](int k) { return work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k]; });
+      const Values u = Values::of([&](int k) { return slope.at[k] * (a.u - b[k]->u); });
+      const Values w = Values::of([&](int k) { return slope.at[k] * (a.w - b[k]->w); });
+      add(u_x, u, pair.x);
+      add(u_z, u, pair.z);
+      add(w_x, w, pair.x);
+      add(w_z, w, pair.z);
+    });
     constexpr double factor = -Shape::slope_factor;
     const Pack xx = factor * u_x;
     const Pack zz = factor * w_z;
@@ -208,21 +183,21 @@ void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
     const Pack stress_xx = (eddy * (xx - trace) - isotropic) / a.density;
     const Pack stress_zz = (eddy * (zz - trace) - isotropic) / a.density;
     const Pack stress_xz = eddy * xz / a.density;
-    for (int l = 0; l < cluster.count; ++l) {
-      auto& stress = work.stress[cluster.first + l];
+    for (int l = 0; l < a.count; ++l) {
+      auto& stress = work.stress[a.first + l];
       stress.xx = stress_xx[l];
       stress.xz = stress_xz[l];
       stress.zz = stress_zz[l];
     }
   }
-}
+};
 
 template <class Lanes>
 Found search(const Record* records, double skin, const Cluster& cluster, const IndexRange* ranges, std::size_t count,
              std::int32_t* list) {
   using Pack = typename Lanes::Pack;
   const unsigned valid = (1U << cluster.count) - 1;
-  const Block<Lanes> a(records + cluster.first);
+  const Block<Lanes> a(records, cluster);
   Found found;
   for (std::size_t r = 0; r < count; ++r) {
     for (std::int32_t j = ranges[r].begin; j < ranges[r].end; ++j) {
@@ -241,26 +216,34 @@ Found search(const Record* records, double skin, const Cluster& cluster, const I
   return found;
 }
 
+/// Clusters first, ..., last - 1, one after the other.
+template <void (*sum)(const PairWork& work, std::size_t cluster)>
+void clusters(const PairWork& work, std::size_t first, std::size_t last) {
+  for (std::size_t c = first; c < last; ++c) sum(work, c);
+}
+
 template <class Lanes, class Kernel>
 constexpr PairLoops loops_of() {
-  return {
-      .lanes = static_cast<std::size_t>(Lanes::width),
-      .search = search<Lanes>,
-      .fluid = {{fluid_rates<Lanes, Kernel, Friction::none, false>, fluid_rates<Lanes, Kernel, Friction::none, true>},
-                {fluid_rates<Lanes, Kernel, Friction::artificial, false>,
-                 fluid_rates<Lanes, Kernel, Friction::artificial, true>},
-                {fluid_rates<Lanes, Kernel, Friction::laminar, false>,
-                 fluid_rates<Lanes, Kernel, Friction::laminar, true>},
-                {fluid_rates<Lanes, Kernel, Friction::turbulent, false>,
-                 fluid_rates<Lanes, Kernel, Friction::turbulent, true>}},
-      .wall = {wall_rates<Lanes, Kernel, false>, wall_rates<Lanes, Kernel, true>},
-      .strain = strain_stress<Lanes, Kernel>,
-      .density_gradient = density_gradient<Lanes, Kernel>,
-      .diffusion = density_diffusion<Lanes, Kernel>,
-      .surface = find_surface<Lanes, Kernel>,
-      .shift = shift<Lanes, Kernel>,
-      .wall_pressure = wall_pressure<Lanes, Kernel>,
-      .filter = filter_moments<Lanes, Kernel>};
+  using Rates = RateSums<Lanes, Kernel>;
+  using Corrections = CorrectionSums<Lanes, Kernel>;
+  return {.lanes = static_cast<std::size_t>(Lanes::width),
+          .search = search<Lanes>,
+          .fluid = {{clusters<Rates::template fluid_rates<Friction::none, false>>,
+                     clusters<Rates::template fluid_rates<Friction::none, true>>},
+                    {clusters<Rates::template fluid_rates<Friction::artificial, false>>,
+                     clusters<Rates::template fluid_rates<Friction::artificial, true>>},
+                    {clusters<Rates::template fluid_rates<Friction::laminar, false>>,
+                     clusters<Rates::template fluid_rates<Friction::laminar, true>>},
+                    {clusters<Rates::template fluid_rates<Friction::turbulent, false>>,
+                     clusters<Rates::template fluid_rates<Friction::turbulent, true>>}},
+          .wall = {clusters<Rates::template wall_rates<false>>, clusters<Rates::template wall_rates<true>>},
+          .strain = clusters<Rates::strain_stress>,
+          .density_gradient = clusters<Corrections::density_gradient>,
+          .diffusion = clusters<Corrections::density_diffusion>,
+          .surface = clusters<Corrections::find_surface>,
+          .shift = clusters<Corrections::shift>,
+          .wall_pressure = clusters<Corrections::wall_pressure>,
+          .filter = clusters<Corrections::filter_moments>};
 }
 
 }  // namespace seiche::wcsph

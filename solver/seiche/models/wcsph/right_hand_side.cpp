@@ -6,17 +6,17 @@
 namespace seiche::wcsph {
 
 RightHandSide::RightHandSide(const Settings& settings, double spacing)
-    : loops_(&pair_loops(settings.kernel)), gravity_(settings.gravity), xsph_(settings.xsph) {
+    : loops_(&pair_loops(settings.kernel)), constants_{.gravity = settings.gravity, .xsph = settings.xsph} {
   if (const auto* artificial = std::get_if<ArtificialViscosity>(&settings.viscosity);
       artificial && artificial->alpha > 0) {
     friction_ = Friction::artificial;
-    sound_scale_ = -0.5 * artificial->alpha;
+    constants_.sound_scale = -0.5 * artificial->alpha;
   } else if (const auto* sps = std::get_if<LaminarSps>(&settings.viscosity)) {
     const bool turbulent = sps->smagorinsky > 0 || sps->isotropic > 0;
     friction_ = turbulent ? Friction::turbulent : Friction::laminar;
-    kinematic_viscosity_ = sps->kinematic_viscosity;
-    eddy_factor_ = sps->smagorinsky * spacing * sps->smagorinsky * spacing;
-    isotropic_factor_ = 2.0 / 3 * sps->isotropic * spacing * spacing;
+    constants_.kinematic_viscosity = sps->kinematic_viscosity;
+    constants_.eddy_factor = sps->smagorinsky * spacing * sps->smagorinsky * spacing;
+    constants_.isotropic_factor = 2.0 / 3 * sps->isotropic * spacing * spacing;
   }
 }
 
@@ -26,7 +26,7 @@ void RightHandSide::resize(std::size_t particles) {
 
 void RightHandSide::evaluate(Stage& stage, const Neighbours& neighbours, bool limited) {
   limit_.resize(neighbours.clusters().size());
-  PairWork work = stage.work(neighbours);
+  PairWork work = stage.work(neighbours, constants_);
   work.dx = rates_.dx.data();
   work.dz = rates_.dz.data();
   work.du = rates_.du.data();
@@ -34,18 +34,12 @@ void RightHandSide::evaluate(Stage& stage, const Neighbours& neighbours, bool li
   work.ddensity = rates_.ddensity.data();
   work.limit = limit_.data();
   work.stress = stage.stress().data();
-  work.gravity = gravity_;
-  work.xsph = xsph_;
-  work.sound_scale = sound_scale_;
-  work.kinematic_viscosity = kinematic_viscosity_;
-  work.eddy_factor = eddy_factor_;
-  work.isotropic_factor = isotropic_factor_;
 
   // Step 1: stresses of unresolved eddies (4).
   if (friction_ == Friction::turbulent) {
     stage.refresh_volumes();
     neighbours.over_fluid(loops_->strain, work);
-    stage.refresh_image_stresses();
+    neighbours.copy_to_images(stage.stress());
   }
   // Step 2: rates of the fluid and density of the walls.
   const std::size_t fluid = neighbours.fluid_clusters();
@@ -85,15 +79,6 @@ double filtered(const FilterMoments& m, double smoothing) {
   return neighbours >= least_neighbours_of_mean ? m0 / a00 : NAN;
 }
 
-/// What a loop found of particles, for their images.
-template <class T>
-void copy_to_images(const Neighbours& neighbours, std::vector<T>& values) {
-  const std::size_t particles = neighbours.particles();
-  for (std::size_t k = 0; k < neighbours.images().size(); ++k) {
-    values[particles + k] = values[static_cast<std::size_t>(neighbours.images()[k].source)];
-  }
-}
-
 }  // namespace
 
 Corrections::Corrections(const Settings& settings, double spacing)
@@ -116,7 +101,7 @@ void Corrections::add_diffusion(const Stage& stage, const Neighbours& neighbours
   work.ddensity = ddensity.data();
   work.diffusion = diffusion_;
   neighbours.over_fluid(loops_->density_gradient, work);
-  copy_to_images(neighbours, gradients_);
+  neighbours.copy_to_images(gradients_);
   neighbours.over_fluid(loops_->diffusion, work);
 }
 
@@ -149,7 +134,7 @@ void Corrections::shift(double tau, const Stage& stage, const Neighbours& neighb
   work.spacing = spacing_;
   work.travel = 4 * std::sqrt(fastest) * tau;
   neighbours.over_fluid(loops_->surface, work);
-  copy_to_images(neighbours, at_surface_);
+  neighbours.copy_to_images(at_surface_);
   neighbours.over_fluid(loops_->shift, work);
 }
 

@@ -36,19 +36,14 @@ class RightHandSide {
   /// A particle beside it: the first of the cluster that has it.
   [[nodiscard]] std::size_t most_limited() const { return most_limited_; }
   /// Factor of the sound speed in records.
-  [[nodiscard]] double sound_scale() const { return sound_scale_; }
+  [[nodiscard]] double sound_scale() const { return constants_.sound_scale; }
   /// Whether stresses of unresolved eddies are among the forces.
   [[nodiscard]] bool turbulent() const { return friction_ == Friction::turbulent; }
 
  private:
   const PairLoops* loops_;
   Friction friction_ = Friction::none;
-  double gravity_;
-  double xsph_;
-  double sound_scale_ = 1;
-  double kinematic_viscosity_ = 0;
-  double eddy_factor_ = 0;
-  double isotropic_factor_ = 0;
+  PairWork constants_;
   Rates rates_;
   std::vector<double> limit_;  ///< of each cluster
   std::size_t most_limited_ = 0;

@@ -23,12 +23,6 @@ constexpr double whole_number_tolerance = 1e-9;
 /// A number of cells that fits no memory is a mistake in a length.
 constexpr double most_cells = 1e9;
 
-/// Of staggered particles.
-struct WallRows {
-  int count = 2;
-  bool corners_twice = false;
-};
-
 /// What all scenes have in common: lengths in whole spacings, densities, masses, walls.
 class SceneBuilder {
  public:
@@ -76,28 +70,36 @@ class SceneBuilder {
   void walls(std::span<const Place> places, Surface surface, Kind kind = Kind::wall) {
     for (const Place& place : places) solid(place, hydrostatic(surface(place.x) - place.z), kind);
   }
-  /// Walls of an open basin, columns x wall_rows cells from the origin: staggered rows along `corners`; or, for
+  /// Walls of an open basin, columns x wall_height cells from the origin, up to `top`: staggered rows; or, for
   /// pressures that are extrapolated and have to fill the whole support, the lattice of the water continued behind the
-  /// walls. Returns how far behind the effective walls they reach [m].
+  /// walls.
   template <class Surface>
-  double basin_walls(std::span<const Place> corners, long columns, long wall_rows, const WallRows& rows,
-                     Surface surface) {
-    if (!walls_continue_lattice_) {
-      walls(wall(corners, scene.spacing, rows.count, rows.corners_twice), surface);
-      return scene.spacing / 2 * rows.count;
-    }
-    walls(lattice_frame(columns, wall_rows), surface);
-    return length(frame_cells_);
+  void enclose(long columns, long wall_height, double top, int rows, bool corners_twice, Surface surface) {
+    const double half = scene.spacing / 2;
+    const double far = scene.far_wall = length(columns);
+    const std::array<Place, 4> corners{{{-half, top}, {-half, -half}, {far + half, -half}, {far + half, top}}};
+    walls(walls_continue_lattice_ ? lattice_frame(columns, wall_height)
+                                  : wall(corners, scene.spacing, rows, corners_twice),
+          surface);
+    const double back = walls_continue_lattice_ ? length(frame_cells_) : half * rows;
+    scene.extents = {-back, far + back, -back, top};
   }
-  /// The same of a level bottom alone, `columns` cells long; `places` are its staggered rows.
+  /// The same of a level bottom alone that repeats itself, `columns` cells long; the first row has its particles below
+  /// those of the square lattice.
   template <class Surface>
-  void bottom(std::span<const Place> places, long columns, Surface surface) {
+  void bottom(long columns, int rows, Surface surface) {
     if (walls_continue_lattice_) {
-      const double thickness = length(frame_cells_);
-      walls(rectangle(lattice_, scene.spacing, 0, -thickness, columns, frame_cells_), surface);
-    } else {
-      walls(places, surface);
+      walls(rectangle(lattice_, scene.spacing, 0, -length(frame_cells_), columns, frame_cells_), surface);
+      return;
     }
+    std::vector<Place> places;
+    for (int row = 0; row < rows; ++row) {
+      for (long i = 0; i < columns; ++i) {
+        const double x = (static_cast<double>(i) + (row % 2 == 0 ? 0.5 : 0)) * scene.spacing;
+        places.push_back({x, -(row + 1) * scene.spacing / 2});
+      }
+    }
+    walls(places, surface);
   }
   /// Lattice points in whole cells from the origin, at rest below a level surface.
   void still_water(long columns, long rows, bool hydrostatic_start = true) {
@@ -149,58 +151,10 @@ class SceneBuilder {
 
 constexpr double dry = -std::numeric_limits<double>::infinity();
 
-/// Corners of an open basin from the top of the rear wall to that of the far one; places of the front rows.
-std::array<Place, 4> basin(double left, double right, double bottom, double top) {
-  return {{{left, top}, {left, bottom}, {right, bottom}, {right, top}}};
-}
-
-/// How far behind its place at rest the paddle comes, its rows of particles included.
-double reach_behind(const Flume& flume, double paddle_top) {
-  const double amplitude = flume.stroke / 2;
-  const double rows = flume.spacing * flume.paddle_rows;
-  if (flume.wavemaking == Wavemaking::piston) return amplitude + rows;
-  const double depth = flume.depth - flume.hinge;
-  return (paddle_top - flume.hinge) * amplitude / std::hypot(amplitude, depth) + rows;
-}
-
-/// Depth of the water below its surface.
-class Depth {
- public:
-  explicit Depth(const PeriodicLayer& layer) : layer_(layer) {}
-
-  [[nodiscard]] double at(double x) const {
-    const double elevation = layer_.elevation ? layer_.elevation(x) : 0;
-    require_that(std::isfinite(elevation) && elevation > -layer_.depth,
-                 "elevation = {:g} at x = {:g} is out of range: must be finite and above {:g}, the bottom", elevation,
-                 x, -layer_.depth);
-    return layer_.depth + elevation;
-  }
-  /// Mean over the strip of a line, by Gauss's rule of three points.
-  [[nodiscard]] double mean(const LatticeLine& line) const {
-    const double offset = std::sqrt(0.6) * line.width / 2;
-    return (5 * at(line.x - offset) + 8 * at(line.x) + 5 * at(line.x + offset)) / 18;
-  }
-
- private:
-  const PeriodicLayer& layer_;
-};
-
-/// The rows of a level bottom that repeats itself; the first row has its particles below those of the square lattice.
-std::vector<Place> periodic_bottom(double spacing, long columns, int rows) {
-  std::vector<Place> places;
-  for (int row = 0; row < rows; ++row) {
-    for (long i = 0; i < columns; ++i) {
-      places.push_back({(static_cast<double>(i) + (row % 2 == 0 ? 0.5 : 0)) * spacing, -(row + 1) * spacing / 2});
-    }
-  }
-  return places;
-}
-
 }  // namespace
 
 Scene dam_break(const DamBreak& dam, const Settings& settings) {
   SceneBuilder builder(dam.spacing, dam.lattice, settings);
-  const double half = dam.spacing / 2;
   const long columns = builder.whole("width", dam.width);
   const long rows = builder.whole("height", dam.height);
   const long tank = builder.whole("tank_length", dam.tank_length, 2);
@@ -213,23 +167,19 @@ Scene dam_break(const DamBreak& dam, const Settings& settings) {
 
   builder.still_water(columns, rows, dam.hydrostatic);
   if (rows_ahead > 0) builder.water_at_rest(columns, tank - 1 - columns, rows_ahead, dam.hydrostatic);
-  Scene& scene = builder.scene;
-  scene.far_wall = builder.length(tank - 1);
-  const std::array<Place, 4> corners = basin(-half, scene.far_wall + half, -half, builder.length(wall_height) - half);
   const double column_end = builder.length(columns);
   const double level_ahead = rows_ahead > 0 ? builder.length(rows_ahead) : dry;
   const auto surface = [&](double x) {
     if (!dam.hydrostatic) return dry;
-    return x <= column_end ? scene.still_water : level_ahead;
+    return x <= column_end ? builder.scene.still_water : level_ahead;
   };
-  const double back = builder.basin_walls(corners, tank - 1, wall_height, {dam.wall_rows, dam.corners_twice}, surface);
-  scene.extents = {-back, scene.far_wall + back, -back, corners[0].z};
+  builder.enclose(tank - 1, wall_height, builder.length(wall_height) - dam.spacing / 2, dam.wall_rows,
+                  dam.corners_twice, surface);
   return std::move(builder.scene);
 }
 
 Scene tank(const Tank& parameters, const Settings& settings) {
   SceneBuilder builder(parameters.spacing, parameters.lattice, settings);
-  const double half = parameters.spacing / 2;
   const long columns = builder.whole("width", parameters.width);
   const long rows = builder.whole("depth", parameters.depth);
   require_not_negative("wall_height", parameters.wall_height);
@@ -238,12 +188,8 @@ Scene tank(const Tank& parameters, const Settings& settings) {
   require_within("wall_rows", parameters.wall_rows, 1, 3);
 
   builder.still_water(columns, rows, parameters.hydrostatic);
-  Scene& scene = builder.scene;
-  scene.far_wall = builder.length(columns);
-  const std::array<Place, 4> corners = basin(-half, scene.far_wall + half, -half, builder.length(wall_height) + half);
-  const double back = builder.basin_walls(corners, columns, wall_height, {parameters.wall_rows},
-                                          [&](double) { return parameters.hydrostatic ? scene.still_water : dry; });
-  scene.extents = {-back, scene.far_wall + back, -back, corners[0].z};
+  builder.enclose(columns, wall_height, builder.length(wall_height) + parameters.spacing / 2, parameters.wall_rows,
+                  false, [&](double) { return parameters.hydrostatic ? builder.scene.still_water : dry; });
   return std::move(builder.scene);
 }
 
@@ -283,21 +229,20 @@ Scene flume(const Flume& parameters, const Settings& settings) {
   require_within("wall_rows", parameters.wall_rows, 1, 3);
   require_within("paddle_rows", parameters.paddle_rows, 1, 3);
   require_within("stroke", parameters.stroke, 0, parameters.length);
-  require_within("hinge", parameters.hinge, -10 * parameters.depth, 0);
   const double paddle_top = builder.length(paddle_height) + half;
-  const double sweep = parameters.sweep.value_or(reach_behind(parameters, paddle_top));
-  require_not_negative("sweep", sweep);
-  require_within("stroke", parameters.stroke, 0, 2 * sweep);
+  const bool piston_moves = parameters.wavemaking == Wavemaking::piston;
 
   builder.still_water(columns, rows);
   Scene& scene = builder.scene;
   scene.far_wall = builder.length(columns);
-  scene.paddles.push_back(
-      parameters.wavemaking == Wavemaking::piston
-          ? piston(parameters.stroke, parameters.frequency)
-          : flap(0, parameters.hinge, scene.still_water - parameters.hinge, parameters.stroke, parameters.frequency));
+  scene.paddles.push_back(piston_moves ? piston(parameters.stroke, parameters.frequency)
+                                       : flap(0, 0, scene.still_water, parameters.stroke, parameters.frequency));
   const auto surface = [&](double) { return scene.still_water; };
-  const double behind = builder.length(static_cast<long>(std::ceil(sweep / spacing))) + half;
+  // How far behind its place at rest the paddle comes, its rows of particles included.
+  const double amplitude = parameters.stroke / 2;
+  const double turned = paddle_top * amplitude / std::hypot(amplitude, parameters.depth);
+  const double reach = (piston_moves ? amplitude : turned) + spacing * parameters.paddle_rows;
+  const double behind = builder.length(static_cast<long>(std::ceil(reach / spacing))) + half;
   const double top = builder.length(wall_height) + half;
   const std::array<Place, 3> standing{{{-behind, -half}, {scene.far_wall + half, -half}, {scene.far_wall + half, top}}};
   builder.walls(wall(standing, spacing, parameters.wall_rows), surface);
@@ -318,10 +263,18 @@ Scene periodic_layer(const PeriodicLayer& layer, const Settings& settings) {
   require_at_least("particles in the depth", rows, 1);
   require_within("wall_rows", layer.wall_rows, 1, 3);
   const double spacing = layer.spacing;
-  const Depth depth(layer);
+  const auto depth = [&](double x) {
+    const double elevation = layer.elevation ? layer.elevation(x) : 0;
+    require_that(std::isfinite(elevation) && elevation > -layer.depth,
+                 "elevation = {:g} at x = {:g} is out of range: must be finite and above {:g}, the bottom", elevation,
+                 x, -layer.depth);
+    return layer.depth + elevation;
+  };
 
   for (const LatticeLine& line : lattice_lines(layer.lattice, spacing, 0, columns)) {
-    const double water = depth.mean(line);
+    // Mean over the strip of the line, by Gauss's rule of three points.
+    const double offset = std::sqrt(0.6) * line.width / 2;
+    const double water = (5 * depth(line.x - offset) + 8 * depth(line.x) + 5 * depth(line.x + offset)) / 18;
     const long count = layer.fitting == Fitting::stretched ? rows : std::max(1L, std::lround(water / spacing));
     const double step = water / static_cast<double>(count);
     for (long k = 0; k < count; ++k) {
@@ -336,7 +289,7 @@ Scene periodic_layer(const PeriodicLayer& layer, const Settings& settings) {
   scene.period.x = builder.length(columns);
   scene.far_wall = scene.period.x;
   scene.still_water = layer.depth;
-  builder.bottom(periodic_bottom(spacing, columns, layer.wall_rows), columns, [&](double x) { return depth.at(x); });
+  builder.bottom(columns, layer.wall_rows, depth);
   scene.extents.bottom = -spacing / 2 * layer.wall_rows;
   return std::move(builder.scene);
 }

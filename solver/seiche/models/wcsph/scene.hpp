@@ -21,7 +21,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,9 +86,6 @@ struct Flume {
   Wavemaking wavemaking = Wavemaking::flap;
   double stroke = 0;     ///< S at the still-water level [m]; X_w = (S/2) sin(omega t)
   double frequency = 0;  ///< omega [1/s]
-  double hinge = 0;      ///< z of the flap's hinge [m], at or below the bottom; d counts from it
-  /// Length of the bottom behind the paddle [m], at least S/2; not given: as far as the paddle reaches.
-  std::optional<double> sweep = {};
   double spacing = 0;
   Lattice lattice = Lattice::square;
   int wall_rows = 2;

@@ -11,16 +11,6 @@
 namespace seiche::wcsph {
 namespace {
 
-void validate_viscosity(const Inviscid&) {}
-void validate_viscosity(const ArtificialViscosity& viscosity) {
-  require_not_negative("alpha", viscosity.alpha);
-}
-void validate_viscosity(const LaminarSps& viscosity) {
-  require_not_negative("kinematic_viscosity", viscosity.kinematic_viscosity);
-  require_not_negative("smagorinsky", viscosity.smagorinsky);
-  require_not_negative("isotropic", viscosity.isotropic);
-}
-
 void validate_period(std::string_view name, double length) {
   if (!(std::isinf(length) && length > 0)) require_positive(name, length);
 }
@@ -51,7 +41,14 @@ void validate(const Settings& settings) {
   require_not_negative("gravity", settings.gravity);
   require_positive("density", settings.density);
   require_positive("sound_speed", settings.sound_speed);
-  std::visit([](const auto& viscosity) { validate_viscosity(viscosity); }, settings.viscosity);
+  if (const auto* artificial = std::get_if<ArtificialViscosity>(&settings.viscosity)) {
+    require_not_negative("alpha", artificial->alpha);
+  }
+  if (const auto* sps = std::get_if<LaminarSps>(&settings.viscosity)) {
+    require_not_negative("kinematic_viscosity", sps->kinematic_viscosity);
+    require_not_negative("smagorinsky", sps->smagorinsky);
+    require_not_negative("isotropic", sps->isotropic);
+  }
   require_within("xsph", settings.xsph, 0, 1);
   require_at_least("filter_every", settings.filter_every, 0);
   require_not_negative("density_diffusion", settings.density_diffusion);

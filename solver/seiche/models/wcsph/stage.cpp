@@ -27,14 +27,6 @@ SEICHE_SIMD_CLONES void smoothing_lengths(const double* density, std::size_t cou
   for (std::size_t k = 0; k < count; ++k) smoothing[k] = h / std::sqrt(density[k] * inverse);
 }
 
-void copy(const Particles& particles, std::size_t first, std::size_t count, StateBlock& block) {
-  std::copy_n(&particles.x[first], count, block.x.data());
-  std::copy_n(&particles.z[first], count, block.z.data());
-  std::copy_n(&particles.u[first], count, block.u.data());
-  std::copy_n(&particles.w[first], count, block.w.data());
-  std::copy_n(&particles.density[first], count, block.density.data());
-}
-
 }  // namespace
 
 struct Stage::Derived {
@@ -119,8 +111,9 @@ double Stage::fill(const Source& source) {
 }
 
 double Stage::fill(const Particles& particles) {
-  return fill(
-      [&particles](std::size_t first, std::size_t count, StateBlock& block) { copy(particles, first, count, block); });
+  return fill([&](std::size_t first, std::size_t count, StateBlock& block) {
+    for (const auto& [of, to] : matched(particles, block)) std::copy_n(&(*of)[first], count, to->data());
+  });
 }
 
 void Stage::set_density(std::size_t i, double density) {
@@ -145,12 +138,6 @@ void Stage::refresh_volumes() {
   const std::size_t count = count_ + images_.size();
 #pragma omp parallel for schedule(static) if (count > 2048)
   for (std::size_t i = 0; i < count; ++i) stress_[i].volume = mass_[i] / records_[i].density;
-}
-
-void Stage::refresh_image_stresses() {
-  for (std::size_t k = 0; k < images_.size(); ++k) {
-    stress_[count_ + k] = stress_[static_cast<std::size_t>(images_[k].source)];
-  }
 }
 
 }  // namespace seiche::wcsph

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "seiche/models/wcsph/neighbours.hpp"
@@ -20,6 +21,13 @@ struct StateBlock {
   static constexpr std::size_t size = 64;
   std::array<double, size> x, z, u, w, density;
 };
+
+/// The same five quantities of both: (x, x), ..., (density, density).
+template <class All, class Others>
+auto matched(All& all, Others& others) {
+  return std::array{std::pair{&all.x, &others.x}, std::pair{&all.z, &others.z}, std::pair{&all.u, &others.u},
+                    std::pair{&all.w, &others.w}, std::pair{&all.density, &others.density}};
+}
 
 /// Calls work(first, count, found) for blocks of the particles first, ..., last - 1, on all threads if they are many;
 /// found.add(what another thread found) must not mind the order.
@@ -65,15 +73,17 @@ class Stage {
   /// Copies what changed since fill() to the images.
   void refresh_images();
   void refresh_volumes();
-  void refresh_image_stresses();
 
   /// Of particles and images, padded for loops that load whole blocks.
   [[nodiscard]] std::span<const Record> records() const { return records_; }
   [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
   [[nodiscard]] std::vector<Stress>& stress() { return stress_; }  ///< empty where stresses were not asked for
-  /// What all loops read.
-  [[nodiscard]] PairWork work(const Neighbours& neighbours) const {
-    return {.records = records_.data(), .mass = mass_.data(), .clusters = neighbours.clusters().data()};
+  /// With what all loops read.
+  [[nodiscard]] PairWork work(const Neighbours& neighbours, PairWork work = {}) const {
+    work.records = records_.data();
+    work.mass = mass_.data();
+    work.clusters = neighbours.clusters().data();
+    return work;
   }
   /// Of adopt().
   [[nodiscard]] const Base& base() const { return base_; }
