@@ -111,8 +111,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     row.emplace_back(r.levels[k].back().errors.reconstructed.depth.l1);
   }
   auto& panel =
-      exhibit.figure("convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.")
-          .panel({.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
+      add_panel(exhibit, "convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.",
+                {.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
   for (std::size_t level = 0; level < errors.size(); ++level) {
     panel.points(particle_schemes[level], counts, errors[level], Role::computed);
   }

@@ -240,11 +240,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const StandingLoad& load = r.gentle.load;
   exhibit.measure("wavelength", load.wavelength);
   exhibit.measure("period", r.gentle.period());
-  auto& panel =
-      exhibit
-          .figure("history", "Forces over time",
-                  fmt::format("A small standing wave of {:.3g} depths.", load.wavelength), {"frank-breakwater"})
-          .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  auto& panel = add_panel(exhibit, "history", "Forces over time",
+                          fmt::format("A small standing wave of {:.3g} depths.", load.wavelength),
+                          {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, r.gentle.history);
 }
 

@@ -399,12 +399,10 @@ void draw_momentum(const WatchedWave& high, evidence::Exhibit& exhibit) {
     rate.push_back(step.rate);
     forces.push_back(step.left + step.right + step.bottom);
   }
-  auto& panel = exhibit
-                    .figure("momentum", "Balance of the horizontal momentum",
-                            "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
-                            "on the water, step by step.",
-                            {"frank-breakwater"})
-                    .panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"});
+  auto& panel = add_panel(exhibit, "momentum", "Balance of the horizontal momentum",
+                          "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
+                          "on the water, step by step.",
+                          {.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}, {"frank-breakwater"});
   panel.line("forces", time, forces, Role::exact);
   panel.line("rate of momentum", time, rate, Role::computed);
 }
@@ -420,20 +418,18 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("plain_wall_peak", r.plain_peak());
   exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
   exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
-  auto& panel = exhibit
-                    .figure("history", "Forces of the high wave",
-                            fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
-                                        "the same wave before a plain wall.",
-                                        r.high.small.load.wavelength, s.height),
-                            {"frank-breakwater"})
-                    .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  auto& panel = add_panel(exhibit, "history", "Forces of the high wave",
+                          fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
+                                      "the same wave before a plain wall.",
+                                      r.high.small.load.wavelength, s.height),
+                          {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
   draw_momentum(r.high, exhibit);
   const MeshWindow window{-s.berm.width - 2.5, 0.1};
-  draw_mesh(exhibit.figure("mesh", "The mesh over the berm", "At the end of the high wave's run.")
-                .panel(mesh_axes("", window)),
-            "mesh", r.high.wave.flow, window);
+  draw_mesh(
+      add_panel(exhibit, "mesh", "The mesh over the berm", "At the end of the high wave's run.", mesh_axes("", window)),
+      "mesh", r.high.wave.flow, window);
 }
 
 }  // namespace

@@ -366,12 +366,10 @@ void draw_loads(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
     periodic_length.push_back(one.small.load.wavelength);
     periodic.push_back(one.relative());
   }
-  auto& panel = exhibit
-                    .figure("loads", "Load of periodic waves",
-                            "Total force over that on a plain wall: periodic waves from the paddle, and small standing "
-                            "waves of a basin, joined by lines.",
-                            {"frank-breakwater"})
-                    .panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
+  auto& panel = add_panel(exhibit, "loads", "Load of periodic waves",
+                          "Total force over that on a plain wall: periodic waves from the paddle, and small standing "
+                          "waves of a basin, joined by lines.",
+                          {.x = "wavelength [depth]", .y = "|total|/plain wall"}, {"frank-breakwater"});
   panel.line("standing waves", length, relative, Role::exact);
   panel.points("periodic waves", periodic_length, periodic, Role::computed);
   panel.line("a tenth", std::vector{length.back(), length.front()}, std::vector{0.1, 0.1}, Role::guide);

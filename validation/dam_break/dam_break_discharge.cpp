@@ -123,8 +123,8 @@ Results compute(const Run& run) {
 void draw_levels(evidence::Exhibit& exhibit, const std::string& id, const std::string& title,
                  const FlowProblem& problem, const std::vector<std::string>& atlas) {
   auto& panel =
-      exhibit.figure(id, title, "Levels above and below the dam at several times; all curves meet at the dam.", atlas)
-          .panel({.x = "x - dam [m]", .y = "depth h [m]"});
+      add_panel(exhibit, id, title, "Levels above and below the dam at several times; all curves meet at the dam.",
+                {.x = "x - dam [m]", .y = "depth h [m]"}, atlas);
   for (const double t : {1.0, 2.0, 3.0}) {
     const ProfileCurve curve = exact_curve(problem, problem.start, problem.end, t);
     panel.line(fmt::format("t = {:g} s", t), curve.x, curve.depth, Role::computed);
@@ -146,10 +146,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exact.panel({.x = "x - dam [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
   exact.panel({.x = "x - dam [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 
-  auto& panel =
-      exhibit
-          .figure("discharge", "Discharge through the section of the dam", "By particles, relative to the exact one.")
-          .panel({.x = "t [s]", .y = "q / q exact"});
+  auto& panel = add_panel(exhibit, "discharge", "Discharge through the section of the dam",
+                          "By particles, relative to the exact one.", {.x = "t [s]", .y = "q / q exact"});
   const std::vector<Setting> all = settings(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Setting& s = all[k];

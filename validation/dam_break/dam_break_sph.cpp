@@ -119,10 +119,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     evidence::Table& table = add_table(exhibit, "roundings", "Lengths that were rounded", "", {"what"});
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
   }
-  auto& panel = exhibit
-                    .figure("front", "Position of the front",
-                            fmt::format("Over the width of the column; {}.", computed.resolution()))
-                    .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  auto& panel = add_panel(exhibit, "front", "Position of the front",
+                          fmt::format("Over the width of the column; {}.", computed.resolution()),
+                          {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
   if (compared) compare(exhibit, computed, data, dam, panel);
   auto& energy = exhibit.figure("energy", "Energy", "Over the initial energy, from the bottom of the tank.");

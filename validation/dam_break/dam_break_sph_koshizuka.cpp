@@ -110,8 +110,8 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
     measure_convergence(exhibit, "shift_" + data.name, sizes, shifts);
     measure_convergence(exhibit, "rms_" + data.name, sizes, rms);
   }
-  auto& panel = exhibit.figure("front", "Position of the front", "As it stands; the far wall is at 4.")
-                    .panel({.x = "t sqrt(2g/L)", .y = "X/L", .y_min = 1, .y_max = tank});
+  auto& panel = add_panel(exhibit, "front", "Position of the front", "As it stands; the far wall is at 4.",
+                          {.x = "t sqrt(2g/L)", .y = "X/L", .y_min = 1, .y_max = tank});
   for (const auto& [first_run, one] : runs) {
     panel.line(fmt::format("SPH, L/{:.0f}", width / one.spacing), one.T, one.front,
                &one == &finest ? Role::computed : Role::peer);

@@ -209,10 +209,9 @@ void draw(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& da
         frames, finest.particles[k], finest.series().spacing,
         {.title = fmt::format("t = {:.3f} s", times[k]), .frame = {-0.03 * a, (tank + 0.03) * a, -0.03 * a, 2.2 * a}});
   }
-  auto& panel = exhibit
-                    .figure("front", "Position of the front",
-                            "Beside the square column of Martin and Moyce: as it stands, and with one shift.")
-                    .panel({.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
+  auto& panel = add_panel(exhibit, "front", "Position of the front",
+                          "Beside the square column of Martin and Moyce: as it stands, and with one shift.",
+                          {.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
   for (const Frames& one : runs) {
     panel.line(fmt::format("SPH, a/{:.0f}", a / one.series().spacing), one.series().T, one.series().front,
                &one == &finest ? Role::computed : Role::peer);

@@ -81,10 +81,9 @@ double largest_retreat(const std::vector<double>& X) {
 void draw(const ColumnFront& data, const SubmittedGroup& front, const FrontFit& fit, evidence::Record& record) {
   const std::vector<double>& X = front.values.at("X");
   auto& panel =
-      record
-          .figure("shifted", "Position of the front",
-                  "As it stands, and with the shift of the time origin and the rate of its clock that suit it best.")
-          .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+      add_panel(record, "shifted", "Position of the front",
+                "As it stands, and with the shift of the time origin and the rate of its clock that suit it best.",
+                {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   std::vector<double> fitted = front.abscissa;
   for (double& T : fitted) T = T / fit.rate + fit.shift;
   panel.line("as it stands", front.abscissa, X, evidence::Role::computed);

@@ -223,10 +223,9 @@ void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
 }
 
 void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
-  auto& panel = exhibit
-                    .figure("pressure", "The pressure at the middle",
-                            "Fitted to the reactions of single steps, and Dirichlet's.", {"frank-ellipse"})
-                    .panel({.x = "t", .y = "p(0, 0)/density"});
+  auto& panel = add_panel(exhibit, "pressure", "The pressure at the middle",
+                          "Fitted to the reactions of single steps, and Dirichlet's.",
+                          {.x = "t", .y = "p(0, 0)/density"}, {"frank-ellipse"});
   const std::vector<double> time = evenly(0, r.set_up.end, 101);
   const std::vector<double> exact = each(time, [&](double t) { return r.set_up.drop.at(t).central_pressure; });
   panel.points("fitted", r.pressure_time, r.pressure, Role::computed);

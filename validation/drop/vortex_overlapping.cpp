@@ -322,10 +322,9 @@ void draw_velocities(const Results& r, evidence::Exhibit& exhibit) {
     if (b >= 0 && b < bins)
       density[static_cast<std::size_t>(b)] += 1 / (width * static_cast<double>(r.residual.size()));
   }
-  auto& panel = exhibit
-                    .figure("velocities", "Velocities without the exact flow",
-                            "Of all particles of all copies, over their standard deviation.", {"frank-overlapping"})
-                    .panel({.x = "velocity", .y = "density"});
+  auto& panel = add_panel(exhibit, "velocities", "Velocities without the exact flow",
+                          "Of all particles of all copies, over their standard deviation.",
+                          {.x = "velocity", .y = "density"}, {"frank-overlapping"});
   panel.points(fmt::format("t = {:g}", r.set_up.at), middle, density, Role::computed);
   panel.line("Gaussian", middle, gaussian, Role::exact);
 }

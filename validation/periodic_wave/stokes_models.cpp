@@ -270,10 +270,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                   {"Lagrangian mesh", "row", r.mesh, Role::peer},
                                   {"dispersive shallow water", "marker spacing", r.dispersive, Role::data},
                                   {"SPH", "particle spacing", r.sph, Role::guide}};
-  auto& cost = exhibit
-                   .figure("cost", "Error against processor time",
-                           "Rms error of the surface after one period, over the height; coarse to fine.")
-                   .panel({.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
+  auto& cost = add_panel(exhibit, "cost", "Error against processor time",
+                         "Rms error of the surface after one period, over the height; coarse to fine.",
+                         {.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
   evidence::Table& table =
       add_table(exhibit, "models", "Error and processor time",
                 "After one period; of the mesh, a third of the time for three waves.",
@@ -287,8 +286,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     }
   }
   exhibit.measure("equations_apart", equations_apart(r.waves));
-  auto& profile = exhibit.figure("profile", "The wave after one period", "The finest of each, and the exact wave.")
-                      .panel({.x = "(x - c t)/L", .y = "elevation"});
+  auto& profile = add_panel(exhibit, "profile", "The wave after one period", "The finest of each, and the exact wave.",
+                            {.x = "(x - c t)/L", .y = "elevation"});
   const std::vector<double> at = evenly(-0.5, 0.5, 401);
   std::vector<double> exact = each(at, [&](const double x) { return r.waves.euler.elevation(x * r.waves.length()); });
   profile.line("exact", at, exact, Role::exact);

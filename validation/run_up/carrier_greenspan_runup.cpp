@@ -65,10 +65,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("law", r.wave.law());
   exhibit.measure("breaking_amplitude", r.wave.breaking_amplitude());
   exhibit.measure("reference_uncertainty", r.wave.uncertainty());
-  auto& panel = exhibit
-                    .figure("shoreline", "The shoreline",
-                            "Elevation of the shoreline; the crest is at the toe of the beach at t = 0.")
-                    .panel({.x = "t [s]", .y = "elevation [m]"});
+  auto& panel = add_panel(exhibit, "shoreline", "The shoreline",
+                          "Elevation of the shoreline; the crest is at the toe of the beach at t = 0.",
+                          {.x = "t [s]", .y = "elevation [m]"});
   panel.line("exact", r.time, r.elevation, Role::exact);
   const std::vector<double> ends{r.time.front(), r.time.back()};
   panel.line("run-up law", ends, std::vector<double>(2, r.wave.law()), Role::guide);

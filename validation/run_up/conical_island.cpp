@@ -353,10 +353,8 @@ void draw_shown(evidence::Exhibit& exhibit, const Results& r, double height) {
                 .y_max = 8.0})
         .plan("surface", {.columns = plan.columns, .rows = plan.rows, .x = plan.x, .y = plan.y, .z = plan.z});
   }
-  auto& panel = exhibit
-                    .figure("shoreline", "The shoreline in front of and behind the island",
-                            "Elevations over the height of the wave.")
-                    .panel({.x = "t [s]", .y = "elevation/A"});
+  auto& panel = add_panel(exhibit, "shoreline", "The shoreline in front of and behind the island",
+                          "Elevations over the height of the wave.", {.x = "t [s]", .y = "elevation/A"});
   panel.line("front", r.shown.time, r.shown.front);
   panel.line("back", r.shown.time, r.shown.back, Role::peer);
   exhibit.measure("runup_front", r.shown.at(0));

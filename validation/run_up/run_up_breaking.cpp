@@ -289,11 +289,10 @@ Results compute(const Run& run) {
 
 /// Fates over slopes and heights in units of the limit.
 void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
-  auto& panel = exhibit
-                    .figure("map", "Where the model ends",
-                            "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
-                            "run-up, 0.8183 cot^(-10/9).")
-                    .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "map", "Where the model ends",
+                          "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
+                          "run-up, 0.8183 cot^(-10/9).",
+                          {.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
   const auto limit = each(mapped_slopes, backwash_limit);
   panel.line("breaks running back", mapped_slopes, limit, Role::exact);
   panel.line("breaks running up", mapped_slopes, each(limit, [](double a) { return 0.8183 / 0.479 * a; }), Role::guide);

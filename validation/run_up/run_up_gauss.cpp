@@ -422,8 +422,8 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
     panel.line("bottom", x, ground, Role::bed);
     panel.line("surface", frame->line_x, frame->line_y, Role::computed);
   }
-  auto& history = exhibit.figure("history", "Level at the shore", "Highest marker beyond the toe, or at the wall.")
-                      .panel({.x = "t [sqrt(depth/g)]", .y = "level [depth]"});
+  auto& history = add_panel(exhibit, "history", "Level at the shore", "Highest marker beyond the toe, or at the wall.",
+                            {.x = "t [sqrt(depth/g)]", .y = "level [depth]"});
   history.line("particles", run.times, run.levels, Role::computed);
   const std::vector<double> ends{run.times.front(), run.times.back()};
   if (!std::isnan(r.exact)) history.line("exact run-up", ends, std::vector<double>(2, r.exact), Role::exact);

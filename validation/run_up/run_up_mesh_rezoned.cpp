@@ -288,10 +288,9 @@ void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& ex
 
 void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   tabulate(all, values, exhibit);
-  auto& panel =
-      exhibit
-          .figure("convergence", "Convergence of the run-up", "To the exact values of the Euler equations, over them.")
-          .panel({.x = "h1 [depth]", .y = "|R/R_exact - 1|", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "convergence", "Convergence of the run-up",
+                          "To the exact values of the Euler equations, over them.",
+                          {.x = "h1 [depth]", .y = "|R/R_exact - 1|", .log_x = true, .log_y = true});
   for (const Climbed& one : all) {
     const double exact = exact_runup(values, one.climb);
     panel.points(one.climb.title(), one.spacings(),

@@ -254,12 +254,11 @@ Points points_of(const std::vector<Row>& rows, const Series& series, const Absci
 
 /// The columns of the table side by side at every slope.
 void draw_table(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
-  auto& panel = exhibit
-                    .figure("runup", "Run-up over amplitude, all columns of the table",
-                            "Columns are drawn side by side at every slope, one point per amplitude; the next figure "
-                            "shows the amplitudes.",
-                            {"frank-table-runup"})
-                    .panel({.x = "cotangent of the slope", .y = "R/A", .log_x = true, .log_y = true});
+  auto& panel =
+      add_panel(exhibit, "runup", "Run-up over amplitude, all columns of the table",
+                "Columns are drawn side by side at every slope, one point per amplitude; the next figure "
+                "shows the amplitudes.",
+                {.x = "cotangent of the slope", .y = "R/A", .log_x = true, .log_y = true}, {"frank-table-runup"});
   constexpr double side_step = 1.025;
   double side = std::pow(side_step, -3);
   std::vector<Series> all = printed_series;

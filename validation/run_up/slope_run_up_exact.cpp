@@ -91,8 +91,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     time.push_back(shore.time);
     level.push_back(shore.level);
   }
-  exhibit.figure("shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.")
-      .panel({.x = "t sqrt(g/depth)", .y = "elevation [m]"})
+  add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
+            {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
       .line("shore", time, level, Role::exact);
 }
 

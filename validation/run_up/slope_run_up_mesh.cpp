@@ -421,13 +421,13 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
   }
   const std::string title = fmt::format("A = {:g}, slope of tangent {:g}, {}.", one.climb.wave.amplitude(),
                                         one.climb.tan_slope, one.climb.resolution());
-  exhibit.figure("shoreline", "Elevation of the contact point", title)
-      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
+  add_panel(exhibit, "shoreline", "Elevation of the contact point", title,
+            {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("contact point", one.time, one.level);
   const double highest = std::isnan(one.run.runup) ? largest(one.level) : one.run.runup;
   const MeshWindow window{one.climb.toe - 4, one.climb.toe + (1 + 1.1 * highest) / one.climb.tan_slope};
   draw_mesh(
-      exhibit.figure("mesh", "The mesh at the maximum run-up", title, {"frank-slopes-2d"}).panel(mesh_axes("", window)),
+      add_panel(exhibit, "mesh", "The mesh at the maximum run-up", title, mesh_axes("", window), {"frank-slopes-2d"}),
       "mesh", one.run.flow.model().mesh(), one.x, one.y, window);
 }
 

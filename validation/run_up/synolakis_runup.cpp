@@ -131,10 +131,9 @@ Results compute(const Run& run) {
 }
 
 void show_refinement(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("refinement", "The maximum run-up as the spacing goes to zero",
-                            "A = 0.019. The mass of the shoreline marker decides how fast it converges.")
-                    .panel({.x = "h [depth]", .y = "R [depth]"});
+  auto& panel = add_panel(exhibit, "refinement", "The maximum run-up as the spacing goes to zero",
+                          "A = 0.019. The mass of the shoreline marker decides how fast it converges.",
+                          {.x = "h [depth]", .y = "R [depth]"});
   for (const auto& [sequence, id, label] : {std::tuple{&r.elementary, "elementary", "tip V/4, the thesis's"},
                                             std::tuple{&r.consistent, "consistent", "tip V/6"}}) {
     panel.line(label, sequence->spacing, sequence->runup, Role::computed);
@@ -153,10 +152,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const Laboratory& all = r.laboratory;
   exhibit.measure("laboratory_runups", static_cast<double>(all.off_measured.count()));
   exhibit.measure("laboratory_runup_bias", all.off_measured.value());
-  auto& panel = exhibit
-                    .figure("laboratory_runups", "Run-up on the beach 1 : 19.85",
-                            "Measured, also for waves that break (A > 0.045); law and model where they do not.")
-                    .panel({.x = "A [depth]", .y = "R [depth]", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "laboratory_runups", "Run-up on the beach 1 : 19.85",
+                          "Measured, also for waves that break (A > 0.045); law and model where they do not.",
+                          {.x = "A [depth]", .y = "R [depth]", .log_x = true, .log_y = true});
   const io::Table table = values.table("synolakis_1987_runup");
   panel.points("laboratory", table.column("A_over_d"), table.column("R_over_d"), Role::data);
   std::vector<double> a, height, law;

@@ -228,12 +228,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     panel.line(name, times(force.size()), Curve(force.begin() + static_cast<std::ptrdiff_t>(r.first), force.end()),
                role);
   };
-  auto& panel = exhibit
-                    .figure("force", "Force on the wall",
-                            fmt::format("Beyond that at rest, per unit width; wave of {:g} depths, each model on its "
-                                        "finest resolution.",
-                                        values.real("amplitude")))
-                    .panel({.x = "t [sqrt(depth/g)]", .y = "force - 1/2 [rho g depth^2]"});
+  auto& panel = add_panel(exhibit, "force", "Force on the wall",
+                          fmt::format("Beyond that at rest, per unit width; wave of {:g} depths, each model on its "
+                                      "finest resolution.",
+                                      values.real("amplitude")),
+                          {.x = "t [sqrt(depth/g)]", .y = "force - 1/2 [rho g depth^2]"});
   evidence::Table table{.id = "force",
                         .title = "Largest force, and the dip between two maxima",
                         .caption = "Means over a tenth of sqrt(depth/g), beyond the force at rest.",

@@ -155,10 +155,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("delay_of_maximum", r.up.time - r.climb.time_to(0));
   exhibit.measure("su_mirie", WallRunup::su_mirie(r.climb.amplitude));
   measure_comparison(exhibit, r.comparison);
-  exhibit
-      .figure("wall", "Water level at the wall",
-              fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude))
-      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
+  add_panel(exhibit, "wall", "Water level at the wall",
+            fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude),
+            {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("model", r.time, r.level, Role::computed);
   draw_comparison(exhibit, r.comparison);
 }

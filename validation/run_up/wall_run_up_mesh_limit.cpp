@@ -210,11 +210,10 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
 }
 
 void draw_runup(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("runup", "Run-up of the variants",
-                            "Up to the first height that does not reach its maximum run-up; exact values of the Euler "
-                            "equations end at A = 0.6.")
-                    .panel({.x = "A [depth]", .y = "R/A", .x_min = 0.38});
+  auto& panel = add_panel(exhibit, "runup", "Run-up of the variants",
+                          "Up to the first height that does not reach its maximum run-up; exact values of the Euler "
+                          "equations end at A = 0.6.",
+                          {.x = "A [depth]", .y = "R/A", .x_min = 0.38});
   std::vector<double> ratio;
   for (std::size_t k = 0; k < exact.column("a").size(); ++k)
     ratio.push_back(exact.column("R")[k] / exact.column("a")[k]);

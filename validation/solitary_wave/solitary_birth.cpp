@@ -392,8 +392,8 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
 
 /// The wave of the parameters: its birth, and its profile at the end.
 void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& resolution) {
-  auto& surface = exhibit.figure("birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".")
-                      .panel({.x = "x [depth]", .y = "elevation [depth]"});
+  auto& surface = add_panel(exhibit, "birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".",
+                            {.x = "x [depth]", .y = "elevation [depth]"});
   for (const Surface& s : r.birth) surface.line(fmt::format("t = {:.0f}", s.time), s.x, s.y, Role::computed);
 
   const double crest = r.own.track.place.back();

@@ -234,10 +234,9 @@ Results compute(const Run& run) {
 }
 
 void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
-  auto& errors = exhibit
-                     .figure("errors", "Errors against the height of the cells",
-                             "At the end of the run; cells twice as wide as high, five steps to a column.")
-                     .panel({.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
+  auto& errors = add_panel(exhibit, "errors", "Errors against the height of the cells",
+                           "At the end of the run; cells twice as wide as high, five steps to a column.",
+                           {.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
   auto& history = exhibit.figure(
       "history", "The crest on its way",
       "The wave of the mesh is not quite the exact one: the crest falls back while the difference is left behind.");

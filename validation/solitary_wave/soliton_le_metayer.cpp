@@ -353,10 +353,9 @@ void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture&
   std::vector<double> before = each(x, [&](const double at) { return exact.elevation(at); });
   std::vector<double> after = each(x, [&](const double at) { return exact.elevation(at, wave.time); });
   auto& panel =
-      exhibit
-          .figure("wave", "The wave at the beginning and at the end",
-                  fmt::format("One-step scheme, {} cells, steps of {:.3g} s.", picture.x.size() - 1, picture.tau))
-          .panel({.x = "x [m]", .y = "elevation [m]"});
+      add_panel(exhibit, "wave", "The wave at the beginning and at the end",
+                fmt::format("One-step scheme, {} cells, steps of {:.3g} s.", picture.x.size() - 1, picture.tau),
+                {.x = "x [m]", .y = "elevation [m]"});
   panel.line("exact", x, after, Role::exact);
   panel.line("at the beginning", x, before, Role::guide);
   panel.points("markers", picture.x, picture.y, Role::computed);
@@ -365,11 +364,10 @@ void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture&
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("tail_at_walls", r.tail);
   exhibit.measure("pilot_space_error", r.space_error);
-  auto& by_time = exhibit
-                      .figure("work_precision", "Error against processor time",
-                              "Largest error of the elevation over the amplitude after 32 depths. Basilisk's time is "
-                              "from another machine.")
-                      .panel({.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
+  auto& by_time = add_panel(exhibit, "work_precision", "Error against processor time",
+                            "Largest error of the elevation over the amplitude after 32 depths. Basilisk's time is "
+                            "from another machine.",
+                            {.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
   auto& figure = exhibit.figure("cells_and_work", "Error against cells and work", "The same, free of any machine.");
   auto& by_cells = figure.panel({.x = "cells", .y = "error/a", .log_x = true, .log_y = true});
   auto& by_work = figure.panel({.x = "markers x solves", .y = "error/a", .log_x = true, .log_y = true});

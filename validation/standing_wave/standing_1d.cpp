@@ -290,13 +290,12 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
 
 /// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
 void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("coefficient", "How the frequency of standing waves depends on amplitude",
-                            "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines "
-                            "are theory, circles are measured, vertical lines the critical wavelengths, 5.938 depths "
-                            "in water and 6.671 in the model.",
-                            {"frank-standing"})
-                    .panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
+  auto& panel = add_panel(exhibit, "coefficient", "How the frequency of standing waves depends on amplitude",
+                          "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines "
+                          "are theory, circles are measured, vertical lines the critical wavelengths, 5.938 depths "
+                          "in water and 6.671 in the model.",
+                          {.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6},
+                          {"frank-standing"});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
   const auto line = [&](const std::string& label, Role role, const auto& correction) {
     panel.line(label, lengths, values_at(lengths, [&](double length) { return correction(2 * pi / length); }), role);
@@ -313,11 +312,10 @@ void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
 
 /// Frequencies of Frank's model over amplitude.
 void draw_frequencies(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("frequency", "Frequency of Frank's model over amplitude",
-                            "Circles are measured, the parabolas are third-order theory; the middle wave has the "
-                            "model's critical wavelength.")
-                    .panel({.x = "a/H", .y = "Omega/omega - 1"});
+  auto& panel = add_panel(exhibit, "frequency", "Frequency of Frank's model over amplitude",
+                          "Circles are measured, the parabolas are third-order theory; the middle wave has the "
+                          "model's critical wavelength.",
+                          {.x = "a/H", .y = "Omega/omega - 1"});
   const std::vector<double> fine = evenly(0, 0.1, 61);
   for (std::size_t k = 0; k < drawn_depths.size(); ++k) {
     const double c = DispersiveStandingWave::frequency_correction(drawn_depths[k], frank_model);

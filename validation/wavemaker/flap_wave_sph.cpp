@@ -374,11 +374,9 @@ void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void draw(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel =
-      exhibit
-          .figure("gauge", "Elevation at x = L from the flap wavemaker",
-                  "SPH, the exact transient from rest, and the settled wave, which is not there yet.", {"sph-fig-5"})
-          .panel({.x = "t/T", .y = "elevation [m]"});
+  auto& panel = add_panel(exhibit, "gauge", "Elevation at x = L from the flap wavemaker",
+                          "SPH, the exact transient from rest, and the settled wave, which is not there yet.",
+                          {.x = "t/T", .y = "elevation [m]"}, {"sph-fig-5"});
   std::vector<double> phase = each(r.linear.time, [&](const double t) { return t / r.design.period; });
   panel.line("transient, linear theory", phase, r.linear.transient[at_gauge], Role::exact);
   panel.line("settled, linear theory", phase, r.linear.settled, Role::guide);
@@ -389,10 +387,9 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   panel.line(fmt::format("SPH, {}, {} layers", more_neighbours.name, r.wide.back().layers), phase,
              r.wide.back().elevation[at_gauge], Role::peer);
 
-  auto& along = exhibit
-                    .figure("loss", "Height of the waves along the flume",
-                            "Root of the mean square of the elevation after one period, over the exact transient's.")
-                    .panel({.x = "x/L", .y = "share of the height", .y_min = 0});
+  auto& along = add_panel(exhibit, "loss", "Height of the waves along the flume",
+                          "Root of the mean square of the elevation after one period, over the exact transient's.",
+                          {.x = "x/L", .y = "share of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
     std::vector<double> share;
     for (std::size_t k = 0; k < places.size(); ++k) share.push_back(r.share(one, k));

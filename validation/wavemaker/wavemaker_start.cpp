@@ -71,10 +71,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("wave_height", start.steady().wave_height());
   exhibit.measure("wavelength", start.steady().wavelength());
   auto& panel =
-      exhibit
-          .figure("gauge", "Elevation at the gauge",
-                  fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge_of(values)))
-          .panel({.x = "t [s]", .y = "elevation [m]"});
+      add_panel(exhibit, "gauge", "Elevation at the gauge",
+                fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge_of(values)),
+                {.x = "t [s]", .y = "elevation [m]"});
   panel.line("start from rest", times_of(values), r.elevation, Role::exact);
   panel.line("settled", times_of(values), r.settled, Role::guide);
 }

@@ -125,11 +125,9 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
 
 void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
   auto& cost =
-      exhibit
-          .figure("cost", "Error against processor time",
-                  fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
-          .panel(
-              {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
+      add_panel(exhibit, "cost", "Error against processor time",
+                fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end),
+                {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
   const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
   evidence::Table& table = add_table(
       exhibit, "side_by_side", "The models side by side",
