@@ -358,8 +358,8 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
                 .y_max = 0.4})
         .line("surface", curve.first, curve.second, Role::exact);
   }
-  auto& jets = exhibit.figure("jet", "Path of the tip of the jet", "Until it touches the water ahead.");
-  auto& panel = jets.panel({.x = "x/L", .y = "z/L", .equal_aspect = true});
+  auto& panel = add_panel(exhibit, "jet", "Path of the tip of the jet", "Until it touches the water ahead.",
+                          {.x = "x/L", .y = "z/L", .equal_aspect = true});
   for (std::size_t m = 0; m < models.size(); ++m) {
     const auto scaled_by_length = [](double place) { return place / wavelength; };
     const std::vector<double> x = each(r.runs[m].back().jet_x, scaled_by_length);

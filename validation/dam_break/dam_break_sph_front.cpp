@@ -187,11 +187,10 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
     x[which].push_back(start.x[p] / a);
     z[which].push_back(start.z[p] / a);
   }
-  auto& domain =
-      exhibit.figure("domain", "Domain of the dam break",
-                     fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
-                     {"sph-fig-1"});
-  auto& sketch = domain.panel({.x = "x/a", .y = "z/a", .equal_aspect = true});
+  auto& sketch =
+      add_panel(exhibit, "domain", "Domain of the dam break",
+                fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
+                {.x = "x/a", .y = "z/a", .equal_aspect = true}, {"sph-fig-1"});
   sketch.points("water", x[0], z[0], Role::computed);
   sketch.points("walls", x[1], z[1], Role::data);
 

@@ -205,9 +205,9 @@ void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& ex
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_pressure(r, values, exhibit);
   const RefinementStudy study = study_of_table();
-  auto& figure = exhibit.figure("convergence", "Error against the mesh, for five stabilisations",
-                                "Root mean square over the cells inside; grey lines have slopes 1 and 2.");
-  study.draw(r.tabulated, figure.panel({.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));
+  study.draw(r.tabulated, add_panel(exhibit, "convergence", "Error against the mesh, for five stabilisations",
+                                    "Root mean square over the cells inside; grey lines have slopes 1 and 2.",
+                                    {.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));
   study.tabulate(r.tabulated, exhibit);
 }
 

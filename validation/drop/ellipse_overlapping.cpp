@@ -272,9 +272,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_drops(r, exhibit);
   if (r.refinement.n().size() > 1) {
     const RefinementStudy study = study_of_orders();
-    auto& figure = exhibit.figure("convergence", "Errors against the lattice",
-                                  "Spacings to the radius; grey lines have slopes 1 and 2.");
-    study.draw(r.refinement, figure.panel({.x = "1/h", .y = "error", .log_x = true, .log_y = true}));
+    study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors against the lattice",
+                                       "Spacings to the radius; grey lines have slopes 1 and 2.",
+                                       {.x = "1/h", .y = "error", .log_x = true, .log_y = true}));
     study.tabulate(r.refinement, exhibit);
   }
   exhibit.measure("stretch_smaller", r.own.stretch.smaller);

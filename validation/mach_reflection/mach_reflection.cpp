@@ -201,11 +201,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 void draw_surface(evidence::Exhibit& exhibit, const Configuration& one) {
   const Reflection& r = one.finest();
-  auto& figure = exhibit.figure("surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
-                                fmt::format("a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: "
-                                            "the crests that are measured; lines: fitted to them.",
-                                            r.run.amplitude, r.run.resolution(), r.growth_flag()));
-  auto& plan = figure.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
+  auto& plan = add_panel(exhibit, "surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
+                         fmt::format("a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: "
+                                     "the crests that are measured; lines: fitted to them.",
+                                     r.run.amplitude, r.run.resolution(), r.growth_flag()),
+                         {.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
   plan.plan("elevation", r.surface.lattice());
   const auto crests = [&](const std::string& name, const std::vector<Crest>& found, const StraightLine& line) {
     std::vector<double> x, y, fitted;
@@ -222,10 +222,10 @@ void draw_surface(evidence::Exhibit& exhibit, const Configuration& one) {
 }
 
 void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
-  auto& figure = exhibit.figure("wall", "Amplitude at the wall",
-                                "Over the measured incident amplitude, on the finest lattice; dashed: the limit of an "
-                                "exponential fitted to the last half.");
-  auto& panel = figure.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"});
+  auto& panel = add_panel(exhibit, "wall", "Amplitude at the wall",
+                          "Over the measured incident amplitude, on the finest lattice; dashed: the limit of an "
+                          "exponential fitted to the last half.",
+                          {.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"});
   for (const Configuration& one : all) {
     const Reflection& r = one.finest();
     std::vector<double> ratio = r.wall;

@@ -149,9 +149,9 @@ void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries
 }
 
 void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, const AngleLaw& law, double last) {
-  auto& figure = exhibit.figure("angle-law", "The reflected amplitude against the square of the angle",
-                                fmt::format("{}. Fit up to {:g} deg.", name_of(series), last), {"frank-ar-law"});
-  auto& panel = figure.panel({.x = "psi_i^2 [rad^2]", .y = "a_r [depth]", .x_min = 0, .y_min = 0});
+  auto& panel = add_panel(exhibit, "angle-law", "The reflected amplitude against the square of the angle",
+                          fmt::format("{}. Fit up to {:g} deg.", name_of(series), last),
+                          {.x = "psi_i^2 [rad^2]", .y = "a_r [depth]", .x_min = 0, .y_min = 0}, {"frank-ar-law"});
   std::vector<double> square, amplitude, error;
   for (const Reflection& r : series.reflections) {
     if (!r.pattern.reflected) continue;
@@ -170,11 +170,11 @@ void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, 
 }
 
 void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& figure = exhibit.figure(
-      "angles", "The angle of reflection",
+  auto& panel = add_panel(
+      exhibit, "angles", "The angle of reflection",
       "Bars: twice the standard error of the line through the reflected crest. Where reflection is irregular, psi_r "
-      "falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, drawn up to it. Then the two angles are equal.");
-  auto& panel = figure.panel({.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
+      "falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, drawn up to it. Then the two angles are equal.",
+      {.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
     panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
                  Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().half_width(); }));

@@ -56,9 +56,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("frequency", wave.frequency());
   exhibit.measure("critical_depth", exact::StandingWave::critical_depth());
   const std::vector<double> x = evenly(0, std::numbers::pi / wave.wavenumber(), 201);
-  auto& figure = exhibit.figure("surface", "Half a wavelength at five instants",
-                                "From the highest surface at the left wall to the lowest.");
-  auto& panel = figure.panel({.x = "x [m]", .y = "elevation [m]"});
+  auto& panel =
+      add_panel(exhibit, "surface", "Half a wavelength at five instants",
+                "From the highest surface at the left wall to the lowest.", {.x = "x [m]", .y = "elevation [m]"});
   for (const double phase : {0.0, 0.125, 0.25, 0.375, 0.5}) {
     std::vector<double> eta = each(x, [&](const double at) { return wave.elevation(at, phase * wave.period()); });
     panel.line(phase == 0 ? "t = 0" : phase == 0.5 ? "half a period" : "", x, eta, Role::exact);

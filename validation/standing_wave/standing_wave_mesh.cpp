@@ -304,10 +304,9 @@ void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::s
 }
 
 void draw_frequencies(evidence::Exhibit& exhibit, const std::vector<Frequencies>& all) {
-  auto& figure =
-      exhibit.figure("frequency", "Frequency of standing waves over amplitude",
-                     "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.");
-  auto& frequency = figure.panel({.x = "a/H", .y = "Omega/omega - 1"});
+  auto& frequency = add_panel(exhibit, "frequency", "Frequency of standing waves over amplitude",
+                              "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.",
+                              {.x = "a/H", .y = "Omega/omega - 1"});
   const std::vector<double> fine = evenly(0, 0.1, 41);
   for (const Frequencies& one : all) {
     std::vector<double> parabola = each(fine, [&](const double a) { return in_water(one.wavelength) * a * a; });
