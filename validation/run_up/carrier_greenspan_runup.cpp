@@ -21,6 +21,7 @@ others: `seiche score carrier_greenspan_runup` takes the maximum run-up, and the
 #include "seiche/require.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::carrier_greenspan_runup {
 namespace {
@@ -36,10 +37,7 @@ exact::SolitaryRunup wave_of(const Values& values) {
 std::vector<double> times_of(const Values& values, const exact::SolitaryRunup& wave) {
   const double beach =
       values.real("depth") * values.real("cot_slope") / std::sqrt(values.real("gravity") * values.real("depth"));
-  const double end = std::min(4 * beach, 0.999 * wave.breaking_time());
-  std::vector<double> times;
-  for (int k = 0; k <= 200; ++k) times.push_back(end * k / 200);
-  return times;
+  return evenly(0, std::min(4 * beach, 0.999 * wave.breaking_time()), 201);
 }
 
 struct Results {
@@ -54,9 +52,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 Results compute(const Run& run) {
   const exact::SolitaryRunup wave = wave_of(run);
-  Results r{.wave = wave, .identities = wave.self_test(), .time = times_of(run, wave), .elevation = {}};
-  for (const double t : r.time) r.elevation.push_back(wave.shoreline(t).elevation);
-  return r;
+  const std::vector<double> times = times_of(run, wave);
+  return {wave, wave.self_test(), times, each(times, [&](double t) { return wave.shoreline(t).elevation; })};
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {

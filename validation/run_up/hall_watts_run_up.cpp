@@ -45,13 +45,12 @@ Results compute(const Run& run) {
 void show(const Results& /*results*/, const Values& values, evidence::Exhibit& exhibit) {
   const HallWatts law = law_of(values);
   const std::vector<double> a = evenly(0.05, 0.3, 51);
-  const std::vector<double> runup = each(a, [&](const double amplitude) { return law.runup(amplitude); });
   auto& panel = add_panel(exhibit, "runup", "Run-up of solitary waves on a plane beach",
                           fmt::format("The law on the slope 1 : {:g}, and what Frank read off the measurements on "
                                       "slopes of up to a hundredth of that beside it.",
                                       values.real("cot_slope")),
                           {.x = "a [depth]", .y = "R [depth]"});
-  panel.line("law", a, runup, Role::guide);
+  panel.line("law", a, each(a, [&](const double amplitude) { return law.runup(amplitude); }), Role::guide);
   const io::Table table = values.table("frank_1994_runup_hall_watts");
   std::vector<double> measured_a, measured_r;
   for (std::size_t k = 0; k < table.rows(); ++k) {

@@ -72,28 +72,22 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (const double cotangent : {1.0, 2.0}) {
     auto& panel = figure.panel(
         {.x = "amplitude/depth", .y = "run-up/amplitude", .title = fmt::format("cotangent {:g}", cotangent)});
-    std::vector<double> a, ratio, law;
-    for (std::size_t k = 0; k < table.rows(); ++k) {
-      if (table.column("cot_slope")[k] != cotangent) continue;
-      a.push_back(table.column("A")[k]);
-      ratio.push_back(table.column("R")[k] / a.back());
-      law.push_back(exact::HallWatts(1, 1 / cotangent).runup(a.back()) / a.back());
-    }
+    const io::Table rows = rows_where(table, {{"cot_slope", cotangent}});
+    const std::vector<double>& a = rows.column("A");
+    std::vector<double> ratio = rows.column("R");
+    for (std::size_t k = 0; k < a.size(); ++k) ratio[k] /= a[k];
+    const exact::HallWatts law(1, 1 / cotangent);
     panel.points("exact, tabulated", a, ratio, Role::exact);
-    panel.line("Hall and Watts", a, law, Role::guide);
+    panel.line("Hall and Watts", a, each(a, [&](double height) { return law.runup(height) / height; }), Role::guide);
     if (values.real("cotangent") == cotangent) {
       panel.points("this run", std::vector{values.real("amplitude") / values.real("depth")},
                    std::vector{r.runup / values.real("amplitude")}, Role::computed);
     }
   }
-  std::vector<double> time, level;
-  for (const auto& shore : r.shore) {
-    time.push_back(shore.time);
-    level.push_back(shore.level);
-  }
-  add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
-            {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
-      .line("shore", time, level, Role::exact);
+}
+add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
+          {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
+    .line("shore", time, level, Role::exact);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
