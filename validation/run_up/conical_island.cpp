@@ -41,6 +41,7 @@ four times as high at the sides as the water of the experiment.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/plan/island_flow.hpp"
@@ -71,8 +72,6 @@ std::size_t waves_in(Tier tier) {
 
 io::Table measured(const io::Table& table, double height) {
   return rows_where(table, {{"H_over_d", height}});
-}
-return rows;
 }
 
 struct Passed {
@@ -319,7 +318,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
     panel.line("model", angle, runup);
     const std::vector<double>& at = data.column("angle");
     const std::vector<double>& climbed = data.column("R_over_A");
-    panel.points("measured", at, climbed, Role::data, each(climbed, [](double r) { return 0.1 * r; }));
+    panel.points("measured", at, climbed, Role::data, each(climbed, [](double ratio) { return 0.1 * ratio; }));
     panel.line("Liu et al.", at, data.column("R_over_A_liu"), Role::peer);
   }
 }

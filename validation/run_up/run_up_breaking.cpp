@@ -17,6 +17,7 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <string>
 

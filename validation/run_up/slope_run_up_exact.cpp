@@ -20,6 +20,8 @@ tension, and no measured tongue is followed to where it is thinner than a film.
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/case/reference_table.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::slope_run_up_exact {
 namespace {
@@ -84,10 +86,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                    std::vector{r.runup / values.real("amplitude")}, Role::computed);
     }
   }
-}
-add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
-          {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
-    .line("shore", time, level, Role::exact);
+  add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
+            {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
+      .line("shore", each(r.shore, &exact::SlopeRunup::Shore::time), each(r.shore, &exact::SlopeRunup::Shore::level),
+            Role::exact);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

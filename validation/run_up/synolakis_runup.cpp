@@ -12,7 +12,9 @@ all 29 laboratory waves that do not break, $A \le 0.045$.
 at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theories say, higher ones less high.
 */
 #include <cmath>
+#include <functional>
 #include <map>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -20,6 +22,7 @@ at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theori
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
@@ -157,14 +160,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                           {.x = "A [depth]", .y = "R [depth]", .log_x = true, .log_y = true});
   const io::Table table = values.table("synolakis_1987_runup");
   panel.points("laboratory", table.column("A_over_d"), table.column("R_over_d"), Role::data);
-  std::vector<double> a, height, law;
-  for (const auto& [amplitude, runup] : all.runup) {
-    a.push_back(amplitude);
-    height.push_back(runup);
-    law.push_back(runup_law(cot_slope, amplitude));
-  }
-  panel.line("run-up law", a, law, Role::guide);
-  panel.line("model", a, height, Role::computed);
+  const std::vector<double> a = each(std::views::keys(all.runup), std::identity{});
+  panel.line("run-up law", a, each(a, [](double height) { return runup_law(cot_slope, height); }), Role::guide);
+  panel.line("model", a, each(std::views::values(all.runup), std::identity{}), Role::computed);
 }
 
 }  // namespace

@@ -233,10 +233,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                       "finest resolution.",
                                       values.real("amplitude")),
                           {.x = "t [sqrt(depth/g)]", .y = "force - 1/2 [rho g depth^2]"});
-  evidence::Table table{.id = "force",
-                        .title = "Largest force, and the dip between two maxima",
-                        .caption = "Means over a tenth of sqrt(depth/g), beyond the force at rest.",
-                        .columns = {{"model", ""}, {"largest force", "1"}, {"over the exact", "1"}, {"dip", "1"}}};
+  evidence::Table& table = add_table(exhibit, "force", "Largest force, and the dip between two maxima",
+                                     "Means over a tenth of sqrt(depth/g), beyond the force at rest.",
+                                     {"model", "largest force [1]", "over the exact [1]", "dip [1]"});
   const auto row = [&](const std::string& name, const Curve& force) {
     const double largest = force.empty() ? 0 : std::ranges::max(force);
     table.rows.push_back({name, largest, largest / r.largest, dip(force) / r.largest});
@@ -249,7 +248,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     if (force.size() > r.first) draw(panel, entry.name, force, entry.role == Role::data ? Role::peer : entry.role);
     row(entry.name, force);
   }
-  exhibit.table(std::move(table));
   r.contest.show(exhibit, {.size = "depth", .error = "largest force", .time = "sqrt(depth/g)"});
 }
 

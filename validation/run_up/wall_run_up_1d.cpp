@@ -76,8 +76,7 @@ Comparison compare(const Run& run) {
 Worst over_series(const Comparison& all) {
   Worst worst;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    const double series = std::abs(WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]);
-    worst.add(all.gap(k) / series, all.amplitude[k]);
+    worst.add(all.gap(k) / (WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]), all.amplitude[k]);
   }
   return worst;
 }

@@ -49,8 +49,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
   const io::Table table = values.table("wall_runup_exact");
   const std::vector<double>& a = table.column("a");
-  std::vector<double> ratio;
-  for (std::size_t k = 0; k < a.size(); ++k) ratio.push_back(table.column("R")[k] / a[k]);
+  std::vector<double> ratio = table.column("R");
+  for (std::size_t k = 0; k < a.size(); ++k) ratio[k] /= a[k];
   const std::vector<double> fine = evenly(0.05, a.back(), 101);
   auto& panel = add_panel(
       exhibit, "runup", "Run-up over amplitude",
