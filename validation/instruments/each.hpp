@@ -1,6 +1,7 @@
 /// Numbers of several things: one of each, or extremes and means over all.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -12,6 +13,12 @@ std::vector<double> each(Things&& things,
                          Get get) {  // NOLINT(cppcoreguidelines-missing-std-forward): views are not const
   std::vector<double> numbers;
   for (const auto& thing : things) numbers.push_back(std::invoke(get, thing));
+  return numbers;
+}
+
+/// Entry by entry.
+inline std::vector<double> quotients(std::vector<double> numbers, const std::vector<double>& by) {
+  std::ranges::transform(numbers, by, numbers.begin(), std::divides{});
   return numbers;
 }
 

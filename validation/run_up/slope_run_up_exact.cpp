@@ -76,10 +76,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
         {.x = "amplitude/depth", .y = "run-up/amplitude", .title = fmt::format("cotangent {:g}", cotangent)});
     const io::Table rows = rows_where(table, {{"cot_slope", cotangent}});
     const std::vector<double>& a = rows.column("A");
-    std::vector<double> ratio = rows.column("R");
-    for (std::size_t k = 0; k < a.size(); ++k) ratio[k] /= a[k];
     const exact::HallWatts law(1, 1 / cotangent);
-    panel.points("exact, tabulated", a, ratio, Role::exact);
+    panel.points("exact, tabulated", a, quotients(rows.column("R"), a), Role::exact);
     panel.line("Hall and Watts", a, each(a, [&](double height) { return law.runup(height) / height; }), Role::guide);
     if (values.real("cotangent") == cotangent) {
       panel.points("this run", std::vector{values.real("amplitude") / values.real("depth")},

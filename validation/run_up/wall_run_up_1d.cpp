@@ -92,18 +92,17 @@ void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
-  std::vector<double> euler, serre, gap;
+  std::vector<double> serre, gap;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    euler.push_back(all.euler[k] / all.amplitude[k]);
-    serre.push_back(all.serre(k) / all.amplitude[k]);
+    serre.push_back(all.serre(k));
     gap.push_back(all.gap(k));
   }
   auto& figure = exhibit.figure("runup", "Run-up on a vertical wall",
                                 "Model extrapolated to zero spacing, exact values of the Euler equations, and series; "
                                 "then the difference of model and Euler equations.");
   auto& heights = figure.panel({.x = "A [depth]", .y = "R/A"});
-  heights.line("Euler equations", all.amplitude, euler, Role::exact);
-  heights.points("model", all.amplitude, serre, Role::computed);
+  heights.line("Euler equations", all.amplitude, quotients(all.euler, all.amplitude), Role::exact);
+  heights.points("model", all.amplitude, quotients(serre, all.amplitude), Role::computed);
   heights.line("Su and Mirie", fine, each(fine, [](double a) { return WallRunup::su_mirie(a) / a; }), Role::guide);
   heights.line("Byatt-Smith", fine, each(fine, [](double a) { return WallRunup::byatt_smith(a) / a; }), Role::guide);
   auto& difference = figure.panel({.x = "A [depth]", .y = "|R - R_Euler| [depth]", .log_x = true, .log_y = true});
