@@ -274,16 +274,11 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                 "As they stand, and later by one shift of the time origin.");
   auto& panel = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "X/a"});
   panel.line("particles", run.T, run.front, Role::computed);
-  std::vector<double> later = run.T;
-  for (double& T : later) T += r.fit.shift;
+  const std::vector<double> later = each(run.T, [&](double T) { return T + r.fit.shift; });
   if (r.fit.points > 0) panel.line(fmt::format("{:.2f} later", r.fit.shift), later, run.front, Role::peer);
-  std::vector<double> T, X;
-  for (std::size_t k = 0; k < data.T.size(); ++k) {
-    if (data.T[k] > run.T.back()) continue;
-    T.push_back(data.T[k]);
-    X.push_back(data.X[k]);
-  }
-  panel.points(data.label, T, X, Role::data, std::vector<double>(X.size(), data.uncertainty));
+  const auto shown = static_cast<std::size_t>(std::ranges::upper_bound(data.T, run.T.back()) - data.T.begin());
+  panel.points(data.label, std::span(data.T).first(shown), std::span(data.X).first(shown), Role::data,
+               std::vector<double>(shown, data.uncertainty));
   const double ritter_end = (run.front.back() - 1) / 2;
   panel.line("Ritter, shallow water", std::vector{0.0, ritter_end}, std::vector{1.0, run.front.back()}, Role::guide);
   auto& heights = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "H/a"});
