@@ -31,6 +31,7 @@ tenth of what a plain wall does. Waves much longer push on both together.
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/berm_load.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater {
 namespace {
@@ -177,9 +178,7 @@ std::vector<double> changes_by_refinement(const SetUp& s) {
 Worst rest(const SetUp& s) {
   Flow flow(s.berm.mesh(s.mesh.columns(s.berm), s.mesh.rows));
   flow.advance(s.tau);
-  Worst fastest;
-  for (const double u : flow.state().u) fastest.add(u / s.tau);
-  return fastest;
+  return over<Worst>(flow.state().u, [&](double u) { return u / s.tau; });
 }
 
 SmallWave small_wave(const SetUp& s, double wavelength) {

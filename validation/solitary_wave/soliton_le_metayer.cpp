@@ -63,17 +63,15 @@ struct SerreWave {
   [[nodiscard]] exact::SerreSolitary exact() const { return exact::SerreSolitary(amplitude, depth, gravity, alpha); }
   [[nodiscard]] double length() const { return end - begin; }
   /// Width at rest of so many cells of equal volume [m]: the channel's length and what the wave adds to it.
-  [[nodiscard]] double spacing(long cells) const;
+  [[nodiscard]] double spacing(long cells) const {
+    const exact::SerreSolitary wave = exact();
+    const double excess = wave.excess_up_to(end) - wave.excess_up_to(begin);
+    return (length() + excess / depth) / static_cast<double>(cells);
+  }
 };
 
 using dispersive_shallow_water_1d::Channel;
 using dispersive_shallow_water_1d::End;
-
-double SerreWave::spacing(long cells) const {
-  const exact::SerreSolitary wave = exact();
-  const double excess = wave.excess_up_to(end) - wave.excess_up_to(begin);
-  return (length() + excess / depth) / static_cast<double>(cells);
-}
 
 /// The wave on markers `spacing` apart when at rest.
 Flow start(const SerreWave& wave, double spacing, Scheme scheme) {
@@ -350,14 +348,12 @@ void show_costs(evidence::Exhibit& exhibit, const std::string& id, const Curve& 
 void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture& picture) {
   const exact::SerreSolitary exact = wave.exact();
   const std::vector<double> x = evenly(wave.begin, wave.end, 701);
-  std::vector<double> before = each(x, [&](const double at) { return exact.elevation(at); });
-  std::vector<double> after = each(x, [&](const double at) { return exact.elevation(at, wave.time); });
   auto& panel =
       add_panel(exhibit, "wave", "The wave at the beginning and at the end",
                 fmt::format("One-step scheme, {} cells, steps of {:.3g} s.", picture.x.size() - 1, picture.tau),
                 {.x = "x [m]", .y = "elevation [m]"});
-  panel.line("exact", x, after, Role::exact);
-  panel.line("at the beginning", x, before, Role::guide);
+  panel.line("exact", x, each(x, [&](double at) { return exact.elevation(at, wave.time); }), Role::exact);
+  panel.line("at the beginning", x, each(x, [&](double at) { return exact.elevation(at); }), Role::guide);
   panel.points("markers", picture.x, picture.y, Role::computed);
 }
 
