@@ -383,10 +383,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Wave& wave = r.life[i];
     const auto time = each(wave.time, [](double t) { return t / period(); });
-    const auto amplitude = each(wave.amplitude, [&](double a) { return a / values.real("amplitude"); });
     const std::string label =
         fmt::format("{}{}", all[i].name, all[i].stabilisation > 0 ? fmt::format(" by {:g}", all[i].stabilisation) : "");
-    waves.line(label, time, amplitude);
+    waves.line(label, time, each(wave.amplitude, [&](double a) { return a / values.real("amplitude"); }));
     noises.line(label, time, wave.noise);
     exhibit.measure(fmt::format("lost_{}", all[i].id), wave.lost);
   }
