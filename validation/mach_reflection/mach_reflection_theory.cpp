@@ -101,7 +101,7 @@ struct Results {
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), theory_of(values).self_test(), source);
+  claim_identities(claims.from(source).of(&Results::identities), theory_of(values).self_test());
   const std::vector<KnownReflection> known = known_reflections(values);
   const auto run = std::ranges::find_if(known, [&](const KnownReflection& one) {
     return std::abs(one.amplitude - values.real("amplitude")) < 1e-9 &&

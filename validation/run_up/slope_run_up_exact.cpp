@@ -40,8 +40,8 @@ double formula(const Values& values) {
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities),
-                   exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")), source);
+  claim_identities(claims.from(source).of(&Results::identities),
+                   exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")));
   claims.only_if(values.real("cotangent") > 0, "measurements are of slopes")
       .check(
           "measurements", "The run-up lies above the measured one, by no more than friction and scatter explain.",

@@ -31,8 +31,8 @@ struct Results {
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities),
-                   exact::WallRunup::identities(values.real("amplitude") / values.real("depth")), source);
+  claim_identities(claims.from(source).of(&Results::identities),
+                   exact::WallRunup::identities(values.real("amplitude") / values.real("depth")));
 }
 
 Results compute(const Run& run) {
