@@ -185,14 +185,12 @@ void claims(const Values& values, const Claims<Motion>& claims) {
   const double phase = 2 * pi * periods * std::pow(0.5 * pi * cell / values.real("radius"), 2) / 24;
   const bool first_order = scheme == "muscl" || scheme == "G1";
   for (const Shoreline& shoreline : shorelines) {
-    at.from("Thacker (1981)")
+    at.where("t = {:g} s")
+        .from("Thacker (1981)")
         .check(
             fmt::format("shoreline-{}", shoreline.side),
             fmt::format("The {} shoreline follows the exact one at all times.", shoreline.side), "largest distance [m]",
-            [shoreline, bowl](const Motion& motion) -> Measurement {
-              const Worst distance = shoreline.error(motion, bowl);
-              return {.value = distance.value(), .where = fmt::format("t = {:g} s", distance.where())};
-            },
+            [shoreline, bowl](const Motion& motion) { return shoreline.error(motion, bowl); },
             Bound{.limit = first_order ? 4 * cell : phase * displacement,
                   .reason = "second order: the displacement by the phase error (k w)^2/24 of a half-wave across the "
                             "water, over all periods; fixed-grid and first-order schemes: four cells"});

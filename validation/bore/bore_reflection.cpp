@@ -48,20 +48,18 @@ struct Mirrored {
   }
   [[nodiscard]] std::vector<double> breakpoints(double t) const { return {mirrored(reflection.position(t))}; }
   /// The two states of a time, and where and since when they are beside each other.
-  [[nodiscard]] JudgedStates states(double t) const;
+  [[nodiscard]] JudgedStates states(double t) const {
+    const exact::Bore& incident = reflection.incident();
+    const double meeting = reflection.reflection_time();
+    const bool reflected = t > meeting;
+    State before = incident.behind();
+    const State after = reflected ? State{reflection.reflected_depth(), 0} : incident.ahead();
+    const double place = mirrored(reflected ? end : incident.position(0));
+    if (left_wall) before.velocity = -before.velocity;
+    const exact::Riemann solution(incident.gravity(), left_wall ? after : before, left_wall ? before : after, place);
+    return {.solution = solution, .since = reflected ? t - meeting : t, .start = start, .end = end};
+  }
 };
-
-JudgedStates Mirrored::states(double t) const {
-  const exact::Bore& incident = reflection.incident();
-  const double meeting = reflection.reflection_time();
-  const bool reflected = t > meeting;
-  State before = incident.behind();
-  const State after = reflected ? State{reflection.reflected_depth(), 0} : incident.ahead();
-  const double place = mirrored(reflected ? end : incident.position(0));
-  if (left_wall) before.velocity = -before.velocity;
-  const exact::Riemann solution(incident.gravity(), left_wall ? after : before, left_wall ? before : after, place);
-  return {.solution = solution, .since = reflected ? t - meeting : t, .start = start, .end = end};
-}
 
 /// h0 of the paper, from its u1 = 1.3 m/s and h1 = 1 m with g = 9.81 m/s^2 by the jump conditions. All digits count:
 /// with eight of them the velocity would be right to 3e-9 only.

@@ -183,9 +183,8 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] - history.work[k] - first;
     return values;
   };
-  std::vector<double> law = each(history.time, [&](const double t) { return -bore.energy_loss_rate() * t; });
-  std::vector<double> front = each(history.time, [&](const double t) { return bore.position(t); });
-  energy.line("-D t", history.time, law, Role::exact);
+  energy.line("-D t", history.time, each(history.time, [&](double t) { return -bore.energy_loss_rate() * t; }),
+              Role::exact);
   energy.points("two-state reconstruction", history.time, less_work(history.energy), Role::computed);
   energy.line("particle means", history.time, less_work(history.mean_energy), Role::peer);
 
@@ -194,10 +193,10 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
                           {.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
   const std::size_t edges = history.edges.front().size();
   for (std::size_t e = edges / 4; e < edges * 3 / 4; e += 2) {
-    std::vector<double> x = each(history.edges, [&](const auto& row) { return row[e]; });
-    paths.line(e == edges / 4 ? "edges" : "", x, history.time, Role::computed);
+    paths.line(e == edges / 4 ? "edges" : "", each(history.edges, [&](const auto& row) { return row[e]; }),
+               history.time, Role::computed);
   }
-  paths.line("exact bore", front, history.time, Role::exact);
+  paths.line("exact bore", each(history.time, [&](double t) { return bore.position(t); }), history.time, Role::exact);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -215,14 +214,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
       fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step);
   claim_states(flow.at(resolution), s.states(), length / static_cast<double>(s.discretisation.particles));
   claims.at(resolution)
+      .where("t = {:g} s")
       .from("D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6")
       .check(
           "energy", "Energy falls at exactly the rate of the jump conditions.",
           "largest deviation of the two-state energy [m^4/s^3 s]",
-          [s](const Results& r) -> Measurement {
-            const Worst deviation = energy_deviation(r.history, s.bore);
-            return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
-          },
+          [s](const Results& r) { return energy_deviation(r.history, s.bore); },
           Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
                    .scale = initial_flow(s).energy(),
                    .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
