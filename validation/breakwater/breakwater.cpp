@@ -200,25 +200,18 @@ Results compute(const Run& run) {
 }
 
 void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibit) {
-  std::vector<double> length, front, rear, total, relative;
-  for (const StandingLoad& one : all) {
-    length.push_back(one.wavelength);
-    front.push_back(one.force.front);
-    rear.push_back(one.force.rear);
-    total.push_back(one.force.total());
-    relative.push_back(one.relative());
-  }
+  const std::vector<double> length = each(all, &StandingLoad::wavelength);
   auto& figure =
       exhibit.figure("forces", "Forces on a structure loaded in antiphase",
                      "Small standing waves: force on the front, on the rear and on both, over the height at the far "
                      "wall, at the moment when the rear is pushed; then the total over the force on a plain wall.",
                      {"frank-breakwater"});
   auto& forces = figure.panel({.x = "wavelength [depth]", .y = "force/height [rho g depth]"});
-  forces.line("front", length, front, Role::computed);
-  forces.line("rear", length, rear, Role::peer);
-  forces.line("total", length, total, Role::exact);
+  forces.line("front", length, each(all, [](const StandingLoad& one) { return one.force.front; }), Role::computed);
+  forces.line("rear", length, each(all, [](const StandingLoad& one) { return one.force.rear; }), Role::peer);
+  forces.line("total", length, each(all, [](const StandingLoad& one) { return one.force.total(); }), Role::exact);
   auto& relation = figure.panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
-  relation.line("total", length, relative, Role::exact);
+  relation.line("total", length, each(all, &StandingLoad::relative), Role::exact);
   relation.line("a tenth", std::vector{length.front(), length.back()}, std::vector{0.1, 0.1}, Role::guide);
 }
 

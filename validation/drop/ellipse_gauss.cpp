@@ -29,6 +29,7 @@ cut cells, the sums over particles, and the steps.
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/drop/affine_outline.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"
 #include "validation/studies/gauss_particles/gauss_frame.hpp"
@@ -192,21 +193,13 @@ void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
   for (const GaussFrame& frame : r.frames) {
     auto& panel =
         figure.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
-    std::vector<double> x, y;
-    const Eigen::Matrix2d deformation = r.set_up.drop.at(frame.time).deformation;
-    for (int k = 0; k <= 200; ++k) {
-      const double angle = 2 * std::numbers::pi * k / 200;
-      const Eigen::Vector2d place = deformation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      x.push_back(place.x());
-      y.push_back(place.y());
-    }
     std::vector<double> marker_x, marker_y;
     for (std::size_t k = 0; k < frame.line_x.size(); k += drawn) {
       marker_x.push_back(frame.line_x[k]);
       marker_y.push_back(frame.line_y[k]);
     }
     panel.points("markers", marker_x, marker_y, Role::computed);
-    panel.line("exact", x, y, Role::exact);
+    draw_outline(panel, r.set_up.drop, frame.time);
   }
 }
 
