@@ -13,12 +13,6 @@
 
 namespace seiche::validation {
 
-SphDam SphDam::with_spacing(double spacing) const {
-  SphDam other = *this;
-  other.geometry.spacing = spacing;
-  return other;
-}
-
 Curve SphCollapse::free_front() const {
   const auto count = std::isnan(reaches_wall)
                          ? T.size()

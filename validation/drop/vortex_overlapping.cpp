@@ -206,9 +206,6 @@ struct Results {
   Worst energy, angular_momentum;
 
   [[nodiscard]] double time(std::size_t step) const { return set_up.tau * static_cast<double>(step); }
-  [[nodiscard]] double incoherent_of_first(double at) const {
-    return first.incoherent.at(static_cast<std::size_t>(std::lround(at / set_up.tau)));
-  }
   /// When a quarter of the first flow's energy was noise; NaN: never.
   [[nodiscard]] double quarter_time() const {
     const auto found = std::ranges::find_if(first.incoherent, [](double c) { return c > quarter; });
