@@ -107,15 +107,12 @@ Results compute(const Run& run) {
   const double dx = run.real("dx");
   const std::array spacings{2 * dx, dx};
   std::vector<Rest> rests(options.size() * spacings.size());
-  on_threads(
-      rests.size(), workers_of(run.tier()),
-      [&](std::size_t k) {
-        const std::size_t costly_first = rests.size() - 1 - k;
-        Settings settings = settings_of(run);
-        options[costly_first % options.size()].change(settings);
-        rests[costly_first] = stay(settings, spacings[costly_first / options.size()], run.real("time"));
-      },
-      [&](std::size_t done) { run.progress(static_cast<double>(done) / static_cast<double>(rests.size())); });
+  on_threads(run, rests.size(), [&](std::size_t k) {
+    const std::size_t costly_first = rests.size() - 1 - k;
+    Settings settings = settings_of(run);
+    options[costly_first % options.size()].change(settings);
+    rests[costly_first] = stay(settings, spacings[costly_first / options.size()], run.real("time"));
+  });
   const auto middle = rests.begin() + static_cast<std::ptrdiff_t>(options.size());
   return {.wide = {rests.begin(), middle}, .fine = {middle, rests.end()}};
 }
@@ -126,12 +123,8 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
   const bool extrapolated = option.name == "extrapolated";
   const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity,
                          double Rest::*member, const Bound& bound) {
-    claims.check(
-        fmt::format("{}-{}", id, option.name), fmt::format("{} ({}).", text, option.name), quantity,
-        [member](const Rest& rest) -> Measurement {
-          return {.value = rest.*member, .resolution = sph_resolution(rest.spacing, rest.particles)};
-        },
-        bound);
+    claims.check(fmt::format("{}-{}", id, option.name), fmt::format("{} ({}).", text, option.name), quantity, member,
+                 bound);
   };
   const Bound pressure =
       extrapolated ? Bound{.limit = cell, .reason = "the pressure of one spacing of water: no wall is known better"}
@@ -162,7 +155,10 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
 
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < options.size(); ++k) {
-    claim_rest(claims.of([k](const Results& r) -> const Rest& { return r.fine.at(k); }), options[k], values);
+    claim_rest(claims.of([k](const Results& r) -> const Rest& { return r.fine.at(k); }).at([](const Rest& rest) {
+      return sph_resolution(rest.spacing, rest.particles);
+    }),
+               options[k], values);
   }
   const auto converges = [](const Option& option) {
     return evidence::Claim{"converges-" + option.name,

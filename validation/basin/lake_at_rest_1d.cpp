@@ -115,7 +115,7 @@ struct Unrest {
     velocity.add(other.velocity);
     elevation.add(other.elevation);
     displacement.add(other.displacement);
-    if (other.steps > steps) steps = other.steps;
+    steps = std::max(steps, other.steps);
   }
 };
 
@@ -147,10 +147,6 @@ struct OfLake {
   }
 };
 
-struct Results {
-  std::vector<OfLake> lakes;
-};
-
 void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
   auto& figure = exhibit.figure("lakes", "The lakes", "Bottoms, still water, and the markers on its surface.");
   for (const Lake& lake : lakes) {
@@ -166,19 +162,19 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
   }
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
+void claims(const Values& values, const Claims<std::vector<OfLake>>& claims) {
   const std::vector<Lake> all = lakes(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,
                                   const std::string& unit, Worst Unrest::*of) {
-      claims.from("heights counted from the still-water level")
+      claims
+          .at([k](const std::vector<OfLake>& r) {
+            return fmt::format("{} markers, {} steps", r.at(k).markers, r[k].largest().steps);
+          })
+          .from("heights counted from the still-water level")
           .check(
               all[k].id + "-" + id, fmt::format("{} ({})", text, all[k].name), fmt::format("{} [{}]", quantity, unit),
-              [k, of](const Results& r) -> Measurement {
-                const Unrest unrest = r.lakes.at(k).largest();
-                return {.value = (unrest.*of).value(),
-                        .resolution = fmt::format("{} markers, {} steps", r.lakes[k].markers, unrest.steps)};
-              },
+              [k, of](const std::vector<OfLake>& r) { return (r.at(k).largest().*of).value(); },
               Bound{0, "every force is a product with an elevation, which is zero"});
     };
     exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
@@ -188,14 +184,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
   }
 }
 
-Results compute(const Run& run) {
+std::vector<OfLake> compute(const Run& run) {
   const std::vector<Lake> all = lakes(run);
   const std::vector<NamedScheme> named = schemes(run.text("scheme"));
   const auto parts = static_cast<double>(all.size() * named.size());
   double done = 0;
-  Results r;
+  std::vector<OfLake> r;
   for (const Lake& lake : all) {
-    OfLake& of = r.lakes.emplace_back();
+    OfLake& of = r.emplace_back();
     of.markers = lake.markers.size();
     for (const auto& [name, scheme] : named) {
       Unrest& unrest = of.by_scheme.emplace_back();
@@ -208,7 +204,7 @@ Results compute(const Run& run) {
   return r;
 }
 
-void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+void show(const std::vector<OfLake>& r, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<Lake> all = lakes(values);
   const std::vector<NamedScheme> named = schemes(values.text("scheme"));
   evidence::Table& table =
@@ -216,7 +212,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                 {"lake", "scheme", "steps [1]", "velocity [(g H)^(1/2)]", "elevation [H]", "displacement [H]"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (std::size_t j = 0; j < named.size(); ++j) {
-      const Unrest& unrest = r.lakes[k].by_scheme[j];
+      const Unrest& unrest = r[k].by_scheme[j];
       table.rows.push_back({all[k].name, named[j].name, static_cast<double>(unrest.steps), unrest.velocity.value(),
                             unrest.elevation.value(), unrest.displacement.value()});
     }

@@ -185,14 +185,12 @@ void claims(const Values& values, const Claims<Motion>& claims) {
   const double phase = 2 * pi * periods * std::pow(0.5 * pi * cell / values.real("radius"), 2) / 24;
   const bool first_order = scheme == "muscl" || scheme == "G1";
   for (const Shoreline& shoreline : shorelines) {
-    at.from("Thacker (1981)")
+    at.where("t = {:g} s")
+        .from("Thacker (1981)")
         .check(
             fmt::format("shoreline-{}", shoreline.side),
             fmt::format("The {} shoreline follows the exact one at all times.", shoreline.side), "largest distance [m]",
-            [shoreline, bowl](const Motion& motion) -> Measurement {
-              const Worst distance = shoreline.error(motion, bowl);
-              return {.value = distance.value(), .where = fmt::format("t = {:g} s", distance.where())};
-            },
+            [shoreline, bowl](const Motion& motion) { return shoreline.error(motion, bowl); },
             Bound{.limit = first_order ? 4 * cell : phase * displacement,
                   .reason = "second order: the displacement by the phase error (k w)^2/24 of a half-wave across the "
                             "water, over all periods; fixed-grid and first-order schemes: four cells"});
@@ -216,8 +214,8 @@ Motion compute(const Run& run) {
 
 void draw_shorelines(evidence::Exhibit& exhibit, const Motion& motion, const exact::Thacker& bowl,
                      const std::string& scheme) {
-  auto& panel = exhibit.figure("shorelines", "The two shorelines", "Against time, with the exact motion.")
-                    .panel({.x = "t [s]", .y = "x [m]"});
+  auto& panel = add_panel(exhibit, "shorelines", "The two shorelines", "Against time, with the exact motion.",
+                          {.x = "t [s]", .y = "x [m]"});
   const Role role = scheme == "muscl" ? Role::peer : Role::computed;
   for (const Shoreline& shoreline : shorelines) {
     const std::vector<double> exact = each(motion.time, [&](const double t) { return (bowl.*shoreline.exact)(t); });
@@ -234,8 +232,8 @@ void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const Values& v
   const std::vector<double> x = evenly(0, channel_length(values), 201);
   const auto bed = [&](double at) { return bowl.elevation(at); };
   const auto surface = [&](double at) { return bowl.at(at, end_of(values)).depth + bed(at); };
-  auto& panel = exhibit.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
-                    .panel({.x = "x [m]", .y = "elevation [m]"});
+  auto& panel = add_panel(exhibit, "bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.",
+                          {.x = "x [m]", .y = "elevation [m]"});
   panel.fill("water", x, each(x, surface), Role::water);
   panel.fill("bed", x, each(x, bed), Role::bed);
   std::vector<double> centre, level;

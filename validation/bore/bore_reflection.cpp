@@ -48,20 +48,18 @@ struct Mirrored {
   }
   [[nodiscard]] std::vector<double> breakpoints(double t) const { return {mirrored(reflection.position(t))}; }
   /// The two states of a time, and where and since when they are beside each other.
-  [[nodiscard]] JudgedStates states(double t) const;
+  [[nodiscard]] JudgedStates states(double t) const {
+    const exact::Bore& incident = reflection.incident();
+    const double meeting = reflection.reflection_time();
+    const bool reflected = t > meeting;
+    State before = incident.behind();
+    const State after = reflected ? State{reflection.reflected_depth(), 0} : incident.ahead();
+    const double place = mirrored(reflected ? end : incident.position(0));
+    if (left_wall) before.velocity = -before.velocity;
+    const exact::Riemann solution(incident.gravity(), left_wall ? after : before, left_wall ? before : after, place);
+    return {.solution = solution, .since = reflected ? t - meeting : t, .start = start, .end = end};
+  }
 };
-
-JudgedStates Mirrored::states(double t) const {
-  const exact::Bore& incident = reflection.incident();
-  const double meeting = reflection.reflection_time();
-  const bool reflected = t > meeting;
-  State before = incident.behind();
-  const State after = reflected ? State{reflection.reflected_depth(), 0} : incident.ahead();
-  const double place = mirrored(reflected ? end : incident.position(0));
-  if (left_wall) before.velocity = -before.velocity;
-  const exact::Riemann solution(incident.gravity(), left_wall ? after : before, left_wall ? before : after, place);
-  return {.solution = solution, .since = reflected ? t - meeting : t, .start = start, .end = end};
-}
 
 /// h0 of the paper, from its u1 = 1.3 m/s and h1 = 1 m with g = 9.81 m/s^2 by the jump conditions. All digits count:
 /// with eight of them the velocity would be right to 3e-9 only.
@@ -141,9 +139,8 @@ struct Results {
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const Mirrored& solution) {
   const auto& bore = solution.reflection.incident();
   const double h1 = bore.behind().depth;
-  auto& panel =
-      exhibit.figure("setup", "Reflection of a bore: the problem", "The bore before it meets the wall.", {"bzz-fig-13"})
-          .panel({.x = "x [m]", .y = "elevation [m]", .y_min = -0.1, .y_max = 1.6 * h1});
+  auto& panel = add_panel(exhibit, "setup", "Reflection of a bore: the problem", "The bore before it meets the wall.",
+                          {.x = "x [m]", .y = "elevation [m]", .y_min = -0.1, .y_max = 1.6 * h1}, {"bzz-fig-13"});
   const ProfileCurve before = exact_curve(problem, problem.start, problem.end, 0);
   panel.fill("water", before.x, before.depth, Role::water);
   const double wall = solution.left_wall ? problem.start : problem.end;
@@ -244,8 +241,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_sketches(exhibit, s.problem, s.solution);
   show_figure(r.figure, exhibit, "A bore before and after it met the wall", {"bzz-fig-15"});
   if (!r.time.empty()) {
-    auto& panel = exhibit.figure("wall", "Depth at the wall by the rearrangement as written", "After every step.")
-                      .panel({.x = "t [s]", .y = "depth h [m]"});
+    auto& panel = add_panel(exhibit, "wall", "Depth at the wall by the rearrangement as written", "After every step.",
+                            {.x = "t [s]", .y = "depth h [m]"});
     panel.line("as written", r.time, r.wall, Role::computed);
     panel.line("jump conditions", std::vector<double>{s.since_the_wall_is_left(), r.time.back()},
                std::vector<double>(2, s.reflection().reflected_depth()), Role::exact);

@@ -15,6 +15,7 @@ jumps, and then both that leave it.
 */
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
@@ -98,23 +99,18 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_flow(r.flow, exhibit, "Two bores meet", {});
   evidence::Table& table = add_table(exhibit, "levels", "Error of the levels", "Cell L1(h) after the collision.",
                                      {"particles", "G1 [m]", "M2 [m]", "H2 [m]", "H2 reconstructed [m]"});
-  std::vector<double> counts;
-  std::vector<std::vector<double>> errors(particle_schemes.size());
   for (std::size_t k = 0; k < r.levels.size(); ++k) {
-    counts.push_back(static_cast<double>(s.particles[k]));
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(counts.back());
-    for (std::size_t level = 0; level < errors.size(); ++level) {
-      errors[level].push_back(r.levels[k][level].errors.cell.depth.l1);
-      row.emplace_back(errors[level].back());
-    }
+    std::vector<Cell>& row = table.rows.emplace_back(1, static_cast<double>(s.particles[k]));
+    for (const Contestant& level : r.levels[k]) row.emplace_back(level.errors.cell.depth.l1);
     row.emplace_back(r.levels[k].back().errors.reconstructed.depth.l1);
   }
   auto& panel =
-      exhibit.figure("convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.")
-          .panel({.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
-  for (std::size_t level = 0; level < errors.size(); ++level) {
-    panel.points(particle_schemes[level], counts, errors[level], Role::computed);
+      add_panel(exhibit, "convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.",
+                {.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
+  const std::vector<double> counts(s.particles.begin(), s.particles.end());
+  for (std::size_t level = 0; level < particle_schemes.size(); ++level) {
+    panel.points(particle_schemes[level], counts,
+                 each(r.levels, [&](const auto& one) { return one[level].errors.cell.depth.l1; }), Role::computed);
   }
   exhibit.measure("max_courant", r.flow.max_courant);
   measure_own(wanted_states(s.states()), submitted_profile(r.flow.profile()), exhibit);

@@ -121,23 +121,24 @@ void draw_setup(evidence::Exhibit& exhibit, const exact::Bore& bore) {
   const double h1 = bore.behind().depth;
   const double u1 = bore.behind_velocity();
   auto& piston =
-      exhibit
-          .figure("setup-piston", "A piston drives a bore",
-                  "The piston at the left moves at the velocity of the water behind the bore.", {"bzz-fig-9"})
-          .panel({.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1});
+      add_panel(exhibit, "setup-piston", "A piston drives a bore",
+                "The piston at the left moves at the velocity of the water behind the bore.",
+                {.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1},
+                {"bzz-fig-9"});
   const std::vector<double> x{start, start, start + 30, start + 30, length};
   piston.fill("water", x, std::vector<double>{0, h1, h1, h0, h0}, Role::water);
   piston.line("piston", std::vector<double>{start, start}, std::vector<double>{0, 1.3 * h1}, Role::guide);
   piston.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 
-  auto& panel = exhibit.figure("setup", "The bore: the problem", "Depths and velocities at t = 0.", {"bzz-fig-10"})
-                    .panel({.x = "x [m]",
-                            .y = "elevation [m]",
-                            .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
-                            .x_min = 0,
-                            .x_max = length,
-                            .y_min = -0.1,
-                            .y_max = 1.5 * h1});
+  auto& panel = add_panel(exhibit, "setup", "The bore: the problem", "Depths and velocities at t = 0.",
+                          {.x = "x [m]",
+                           .y = "elevation [m]",
+                           .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
+                           .x_min = 0,
+                           .x_max = length,
+                           .y_min = -0.1,
+                           .y_max = 1.5 * h1},
+                          {"bzz-fig-10"});
   panel.fill("water", std::vector<double>{0, start, start, length}, std::vector<double>{h1, h1, h0, h0}, Role::water);
   panel.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 }
@@ -173,32 +174,29 @@ History follow(const SetUp& s) {
 
 void draw_history(evidence::Exhibit& exhibit, const History& history, const exact::Bore& bore) {
   auto& energy =
-      exhibit
-          .figure("energy", "Energy against time",
-                  "Energy less the work of the piston. Of the two-state reconstruction it falls along the straight "
-                  "line of the jump conditions; of particle means it wavers as the transition particle fills.")
-          .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
+      add_panel(exhibit, "energy", "Energy against time",
+                "Energy less the work of the piston. Of the two-state reconstruction it falls along the straight "
+                "line of the jump conditions; of particle means it wavers as the transition particle fills.",
+                {.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
   const auto less_work = [&](std::vector<double> values) {
     const double first = values.front();
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] - history.work[k] - first;
     return values;
   };
-  std::vector<double> law = each(history.time, [&](const double t) { return -bore.energy_loss_rate() * t; });
-  std::vector<double> front = each(history.time, [&](const double t) { return bore.position(t); });
-  energy.line("-D t", history.time, law, Role::exact);
+  energy.line("-D t", history.time, each(history.time, [&](double t) { return -bore.energy_loss_rate() * t; }),
+              Role::exact);
   energy.points("two-state reconstruction", history.time, less_work(history.energy), Role::computed);
   energy.line("particle means", history.time, less_work(history.mean_energy), Role::peer);
 
-  auto& paths = exhibit
-                    .figure("paths", "Paths of particle edges",
-                            "Each line is an edge in the (x, t) plane; the jump is the line along which they bend.")
-                    .panel({.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
+  auto& paths = add_panel(exhibit, "paths", "Paths of particle edges",
+                          "Each line is an edge in the (x, t) plane; the jump is the line along which they bend.",
+                          {.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
   const std::size_t edges = history.edges.front().size();
   for (std::size_t e = edges / 4; e < edges * 3 / 4; e += 2) {
-    std::vector<double> x = each(history.edges, [&](const auto& row) { return row[e]; });
-    paths.line(e == edges / 4 ? "edges" : "", x, history.time, Role::computed);
+    paths.line(e == edges / 4 ? "edges" : "", each(history.edges, [&](const auto& row) { return row[e]; }),
+               history.time, Role::computed);
   }
-  paths.line("exact bore", front, history.time, Role::exact);
+  paths.line("exact bore", each(history.time, [&](double t) { return bore.position(t); }), history.time, Role::exact);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -216,14 +214,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
       fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step);
   claim_states(flow.at(resolution), s.states(), length / static_cast<double>(s.discretisation.particles));
   claims.at(resolution)
+      .where("t = {:g} s")
       .from("D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6")
       .check(
           "energy", "Energy falls at exactly the rate of the jump conditions.",
           "largest deviation of the two-state energy [m^4/s^3 s]",
-          [s](const Results& r) -> Measurement {
-            const Worst deviation = energy_deviation(r.history, s.bore);
-            return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
-          },
+          [s](const Results& r) { return energy_deviation(r.history, s.bore); },
           Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
                    .scale = initial_flow(s).energy(),
                    .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});

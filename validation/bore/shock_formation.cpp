@@ -132,9 +132,8 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& panel =
-      exhibit.figure("profile", "A bore forms inside a compression wave", fmt::format("Depth at t = {:g} s.", time))
-          .panel({.x = "x [m]", .y = "depth h [m]"});
+  auto& panel = add_panel(exhibit, "profile", "A bore forms inside a compression wave",
+                          fmt::format("Depth at t = {:g} s.", time), {.x = "x [m]", .y = "depth h [m]"});
   const std::vector<double> depths = means_of(r.finest).depth;
   panel.steps(fmt::format("{} particles", r.set_up.n.back()), r.finest.edges, depths, Role::computed);
   const evidence::GridConvergence study = r.convergence();

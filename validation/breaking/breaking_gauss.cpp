@@ -63,18 +63,34 @@ using gauss_particles::SplineSpace;
 // cell: by as much as the exact water sticks out of the discs of a cell's width that fit into it the distance may be
 // larger.
 
+constexpr double forced_length = 2 * std::numbers::pi;
+constexpr double depth = std::numbers::pi;
+
 /// In units of 1/k, g and the density; the depth is pi.
 class PressureBreakingReference {
  public:
-  PressureBreakingReference(double height, double pressure);
+  PressureBreakingReference(double height, double pressure)
+      : wave_({.amplitude = height / 2,
+               .wavelength = forced_length,
+               .depth = depth,
+               .gravity = 1,
+               .pressure = pressure}) {}
 
   [[nodiscard]] const exact::PressureForcedWave& wave() const { return wave_; }
   /// One wavelength of the surface.
-  [[nodiscard]] Polyline surface(double time) const;
+  [[nodiscard]] Polyline surface(double time) const {
+    auto profile = wave_.profile(time, 1601);
+    return {std::move(profile.x), std::move(profile.y)};
+  }
   [[nodiscard]] bool has_jet(double time) const { return time > vertical_tangent(); }
-  [[nodiscard]] double vertical_tangent() const;
+  [[nodiscard]] double vertical_tangent() const {
+    return wave_.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
+  }
   /// See above.
-  [[nodiscard]] double largest_distance(double time, double cell) const;
+  [[nodiscard]] double largest_distance(double time, double cell) const {
+    if (has_jet(time)) return cell / 2 + thin_part(surface(time), cell);
+    return std::min(wave_.largest_curvature(time) * cell * cell / 8, cell / 2);
+  }
 
  private:
   exact::PressureForcedWave wave_;
@@ -108,31 +124,11 @@ struct BreakingLattice {
   double cell, tau;
 };
 
-constexpr double forced_length = 2 * std::numbers::pi;
-constexpr double depth = std::numbers::pi;
 /// Below it an outline is the bottom's.
 constexpr double below_waves = -1;
 
 const std::string cauchy =
     "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
-
-PressureBreakingReference::PressureBreakingReference(double height, double pressure)
-    : wave_(
-          {.amplitude = height / 2, .wavelength = forced_length, .depth = depth, .gravity = 1, .pressure = pressure}) {}
-
-Polyline PressureBreakingReference::surface(double time) const {
-  auto profile = wave_.profile(time, 1601);
-  return {std::move(profile.x), std::move(profile.y)};
-}
-
-double PressureBreakingReference::vertical_tangent() const {
-  return wave_.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-double PressureBreakingReference::largest_distance(double time, double cell) const {
-  if (has_jet(time)) return cell / 2 + thin_part(surface(time), cell);
-  return std::min(wave_.largest_curvature(time) * cell * cell / 8, cell / 2);
-}
 
 ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
                         double spacing) {
@@ -219,7 +215,6 @@ const std::string source =
     "Frank, Discrete models of incompressible fluid (1994), figure 10; Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 "
     "(1976) 1";
 
-constexpr double half_length = std::numbers::pi;
 const std::vector<double> frame_times{0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4};
 
 constexpr double film_begin = 3;
@@ -250,24 +245,24 @@ struct Results {
 };
 
 exact::StokesWave wave_of(const Values& values) {
-  return {values.real("height") / 2, 2 * half_length, depth, 1};
+  return {values.real("height") / 2, forced_length, depth, 1};
 }
 
 Flow flow_of(const Values& values, long cells) {
   const exact::StokesWave wave = wave_of(values);
-  const double h = 2 * half_length / static_cast<double>(cells);
+  const double h = forced_length / static_cast<double>(cells);
   const long side = values.integer("per_cell");
   const double strength = values.real("pressure");
-  return Flow(gauss_particles::layer({.begin = -half_length,
-                                      .end = half_length,
+  return Flow(gauss_particles::layer({.begin = -forced_length / 2,
+                                      .end = forced_length / 2,
                                       .columns = static_cast<std::size_t>(cells * side),
                                       .rows = static_cast<std::size_t>(std::lround(depth / h) * side),
                                       .surface = [&](double x) { return wave.elevation(x); },
                                       .bottom = [](double) { return -depth; },
                                       .markers = 400}),
               std::make_unique<SplineSpace>(LatticePlan{.cell_x = h,
-                                                        .left_wall = -half_length,
-                                                        .period = 2 * half_length,
+                                                        .left_wall = -forced_length / 2,
+                                                        .period = forced_length,
                                                         .bottom = true,
                                                         .ground = {.level = -depth},
                                                         .shift = true}),
@@ -293,12 +288,12 @@ std::vector<long> lattices(const Values& values) {
 }
 
 BreakingLattice lattice(const Values& values, long cells) {
-  return {.cell = 2 * half_length / static_cast<double>(cells),
+  return {.cell = forced_length / static_cast<double>(cells),
           .tau = values.real("tau") * static_cast<double>(values.integer("cells")) / static_cast<double>(cells)};
 }
 
 Point highest(const std::vector<Point>& line) {
-  return *std::max_element(line.begin(), line.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
+  return std::ranges::max(line, {}, &Point::y);
 }
 
 Frame frame_of(const Flow& flow) {
@@ -306,7 +301,7 @@ Frame frame_of(const Flow& flow) {
   Frame frame{.time = flow.time(), .crest_x = highest(line).x};
   for (const int period : {-1, 0, 1}) {
     for (const Point& marker : line) {
-      frame.x.push_back(marker.x + 2 * half_length * period);
+      frame.x.push_back(marker.x + forced_length * period);
       frame.y.push_back(marker.y);
     }
   }
@@ -318,7 +313,7 @@ Frame frame_of(const Flow& flow, const PressureBreakingReference& reference, con
   const Polyline exact = reference.surface(flow.time());
   for (const int period : {-1, 0, 1}) {
     for (std::size_t k = 0; k < exact.x.size(); ++k) {
-      frame.exact.x.push_back(exact.x[k] + 2 * half_length * period);
+      frame.exact.x.push_back(exact.x[k] + forced_length * period);
       frame.exact.y.push_back(exact.y[k]);
     }
   }
@@ -336,8 +331,8 @@ Results break_on(const Run& run, long cells, const PressureBreakingReference* re
   ComparedLattice exactly{.cell = cell};
   std::vector<double> times{at};
   if (finest || reference) times.insert(times.end(), frame_times.begin(), frame_times.end());
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::ranges::sort(times);
+  times.erase(std::ranges::unique(times).begin(), times.end());
   for (const double time : times) {
     march(flow, time, tau, [&] {
       flow.observe();
@@ -409,7 +404,7 @@ void claims(const Values& values, const Claims<Results>& all) {
              "work of the pressure on a wavelength [rho g/k^3]", &Results::work,
              Bound{.limit = last * last,
                    .reason = "theory of finite amplitude changes the energy by a part (k a)^2",
-                   .expected = half_length * (last * last - first * first),
+                   .expected = forced_length / 2 * (last * last - first * first),
                    .relative = true});
   claims.only_if(values.real("at") <= 6.2, "the crest then is a jet, which no lattice resolves")
       .check("crest", fmt::format("The crest height at t = {:g} agrees with cells a third wider.", values.real("at")),
@@ -434,8 +429,7 @@ void draw_frames(evidence::Figure& figure, const std::vector<Frame>& frames) {
                                 .x_max = 1.6,
                                 .y_min = -0.5,
                                 .y_max = 0.8});
-    std::vector<double> x = each(frame.x, [&](const double place) { return place - frame.crest_x; });
-    panel.line("surface", x, frame.y, Role::computed);
+    panel.line("surface", each(frame.x, [&](double place) { return place - frame.crest_x; }), frame.y, Role::computed);
     const auto from_crest = [&](Polyline line) {
       for (double& place : line.x) place -= frame.crest_x;
       return line;

@@ -79,6 +79,8 @@ struct SphPlunged {
   Largest cavity;                                                ///< area of the air that is enclosed [m^2]
   std::vector<double> jet_time, jet_x, jet_z;                    ///< tip of the jet before it touches
   wcsph::Extremes extremes;
+
+  [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
 };
 
 wcsph::Scene scene_of(const SphPlunging& setup) {
@@ -233,37 +235,31 @@ Results compute(const Run& run) {
 }
 
 void claim_model(const Claims<Runs>& claims, const Model& model) {
-  const auto on_finest = [](auto measure) {
-    return [measure](const Runs& runs) -> Measurement {
-      const SphPlunged& finest = runs.back();
-      return {.value = measure(finest), .resolution = sph_resolution(finest.spacing, finest.particles)};
-    };
-  };
-  claims.check("plunges-" + model.id, fmt::format("The second wave behind the flap overturns ({}).", model.name),
-               "it does", on_finest([](const SphPlunged& run) { return std::isnan(run.hangs_over) ? 0.0 : 1.0; }),
-               Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
-                           .reason = "a wave as high as the water is deep is above the steepest permanent one"});
-  claims.check("contained-" + model.id,
-               fmt::format("The number of particles behind the flap or through a wall is zero ({}).", model.name),
-               "particles outside at the end",
-               on_finest([](const SphPlunged& run) { return static_cast<double>(run.lost); }),
-               Bound{.limit = 0, .reason = "walls are tight"});
+  const auto on_finest =
+      claims.of([](const Runs& runs) -> const SphPlunged& { return runs.back(); }).at(&SphPlunged::resolution);
+  on_finest.check(
+      "plunges-" + model.id, fmt::format("The second wave behind the flap overturns ({}).", model.name), "it does",
+      [](const SphPlunged& run) { return !std::isnan(run.hangs_over); },
+      Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
+                  .reason = "a wave as high as the water is deep is above the steepest permanent one"});
+  on_finest.check("contained-" + model.id,
+                  fmt::format("The number of particles behind the flap or through a wall is zero ({}).", model.name),
+                  "particles outside at the end", &SphPlunged::lost, Bound{.limit = 0, .reason = "walls are tight"});
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
+void claims(const Values& values, const Claims<Results>& all) {
+  const Claims<Results> claims = all.at([](const Results& r) { return r.runs.front().back().resolution(); });
   const std::vector<Model> models = models_of(values);
   for (std::size_t m = 0; m < models.size(); ++m) {
     claim_model(claims.of([m](const Results& r) -> const Runs& { return r.runs.at(m); }), models[m]);
   }
   const auto more = [](auto number) {
-    return [number](const Results& r) -> Measurement {
+    return [number](const Results& r) {
       const auto with_stress = [&](std::size_t coarser) {
         const auto of = [&](const Runs& runs) { return number(runs.at(runs.size() - 1 - coarser)); };
         return of(r.runs.back()) - of(r.runs.front());
       };
-      const SphPlunged& finest = r.runs.front().back();
-      return {.value = with_stress(0) > std::abs(with_stress(0) - with_stress(1)) ? 1.0 : 0.0,
-              .resolution = sph_resolution(finest.spacing, finest.particles)};
+      return with_stress(0) > std::abs(with_stress(0) - with_stress(1));
     };
   };
   const std::string detector = "a difference above its change from the next coarser lattice";
@@ -285,11 +281,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .check(
           "touch-down", "The jet without the stress of unresolved eddies touches down at 0.46 T.",
           "time after the first period [T]",
-          [](const Results& r) -> Measurement {
+          [](const Results& r) {
             const SphPlunged& standard = r.runs.front().back();
-            // A whole period where it has not at the last frame.
-            return {.value = std::isnan(standard.touches) ? 1 : standard.touches - 1,
-                    .resolution = sph_resolution(standard.spacing, standard.particles)};
+            return std::isnan(standard.touches) ? 1 : standard.touches - 1;
           },
           Bound{.limit = 0.04,
                 .reason = "half of the time between two frames of the publication",
@@ -311,9 +305,8 @@ void show_model(evidence::Exhibit& exhibit, const Model& model, const Runs& runs
     measure(fmt::format("largest_speed_at_{:.2f}", frames[k]), finest.speed[k]);
   }
   if (finest.jet_time.size() >= 4) measure("jet_speed", straight_line(finest.jet_time, finest.jet_x).slope);
-  std::vector<double> sizes = each(runs, [](const SphPlunged& one) { return one.spacing; });
-  std::vector<double> times = each(runs, [](const SphPlunged& one) { return one.hangs_over; });
-  measure_convergence(exhibit, "overhang_periods_" + model.id, sizes, times);
+  measure_convergence(exhibit, "overhang_periods_" + model.id, each(runs, &SphPlunged::spacing),
+                      each(runs, &SphPlunged::hangs_over));
 }
 
 void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Results& r, double period) {
@@ -358,13 +351,14 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
                 .y_max = 0.4})
         .line("surface", curve.first, curve.second, Role::exact);
   }
-  auto& jets = exhibit.figure("jet", "Path of the tip of the jet", "Until it touches the water ahead.");
-  auto& panel = jets.panel({.x = "x/L", .y = "z/L", .equal_aspect = true});
+  auto& panel = add_panel(exhibit, "jet", "Path of the tip of the jet", "Until it touches the water ahead.",
+                          {.x = "x/L", .y = "z/L", .equal_aspect = true});
   for (std::size_t m = 0; m < models.size(); ++m) {
+    const SphPlunged& finest = r.runs[m].back();
     const auto scaled_by_length = [](double place) { return place / wavelength; };
-    const std::vector<double> x = each(r.runs[m].back().jet_x, scaled_by_length);
-    const std::vector<double> z = each(r.runs[m].back().jet_z, scaled_by_length);
-    if (!x.empty()) panel.points(models[m].name, x, z, m == 0 ? Role::computed : Role::peer);
+    if (finest.jet_x.empty()) continue;
+    panel.points(models[m].name, each(finest.jet_x, scaled_by_length), each(finest.jet_z, scaled_by_length),
+                 m == 0 ? Role::computed : Role::peer);
   }
 }
 

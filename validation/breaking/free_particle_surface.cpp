@@ -1,5 +1,6 @@
 #include "validation/breaking/free_particle_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -72,10 +73,7 @@ Polyline marker_line(const gauss_particles::Flow& flow) {
 }
 
 bool goes_backwards(const std::vector<Point>& line) {
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    if (line[k].x < line[k - 1].x) return true;
-  }
-  return false;
+  return !std::ranges::is_sorted(line, {}, &Point::x);
 }
 
 double thin_part(const Polyline& surface, double diameter) {

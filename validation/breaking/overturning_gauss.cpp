@@ -55,30 +55,13 @@ constexpr long side = 6;  ///< particles to a cell's
 /// Of its period, as far as potential flow is computed.
 constexpr double last_phase = 0.6;
 
-struct Instant {
-  std::string id;
-  std::string when;  ///< begins a sentence
-};
-const std::array instants{Instant{"half", "Halfway to a vertical front"}, Instant{"steep", "With a steep front"},
-                          Instant{"vertical", "With a vertical front"},
-                          Instant{"turning", "Halfway from there to a developed jet"},
-                          Instant{"jet", "With a developed jet"}};
+const auto& instants = overturning_instants;
 
 SteepWave wave_of(const Values& values) {
   return {.amplitude = 0.5 * values.real("height") * wavelength,
           .wavelength = wavelength,
           .depth = values.real("depth") * wavelength,
           .gravity = 1};
-}
-
-double period_of(const SteepWave& wave) {
-  return wavelength / exact::AiryDispersion(wave.gravity, wave.depth).phase_speed(1);
-}
-
-std::vector<double> times_of(const OverturningWave& wave) {
-  const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
-  const double jet = std::min(wave.well_resolved_until(), wave.end_time());
-  return {0.5 * vertical, 0.8 * vertical, vertical, 0.5 * (vertical + jet), jet};
 }
 
 /// How far the surface may be from the exact one: what a curve bends within a cell, half a cell at most; of a jet, half
@@ -116,7 +99,7 @@ double cell_of(long cells) {
 }
 
 double step_of(const SteepWave& wave, long cells) {
-  return 0.1 * cell_of(cells) * period_of(wave) / wavelength;
+  return 0.1 * cell_of(cells) * wave.period() / wavelength;
 }
 
 Flow flow_of(const SteepWave& wave, long cells) {
@@ -184,12 +167,7 @@ Computed turned_sph(const Run& run, const SteepWave& wave, const std::vector<dou
 
 Results compute(const Run& run) {
   const SteepWave wave = wave_of(run);
-  const OverturningWave exact({.amplitude = wave.amplitude,
-                               .wavelength = wave.wavelength,
-                               .depth = wave.depth,
-                               .gravity = wave.gravity,
-                               .markers = 256,
-                               .last_time = last_phase * period_of(wave)});
+  const OverturningWave exact = wave.exact(256, last_phase);
   run.progress(0.1);
   const long cells = run.integer("cells");
   Results r{.times = times_of(exact), .limits = {}, .exact = {}, .particles = {}, .sph = {}};
@@ -241,7 +219,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       "takes for half a cell.",
       "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const Results& r) { return r.turned - r.vertical; },
-      Bound{.limit = cell * period_of(wave) / (2 * wavelength) + tau,
+      Bound{.limit = cell * wave.period() / (2 * wavelength) + tau,
             .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
                       "every step"});
   claims.check(
@@ -253,7 +231,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check("energy", "The energy changes by what the penalty takes, to round-off.",
              "largest defect over the kinetic energy", &Results::energy,
-             Roundoff{.operations = std::ceil(last_phase * period_of(wave) / tau),
+             Roundoff{.operations = std::ceil(last_phase * wave.period() / tau),
                       .scale = 2,
                       .reason = "one rounding per step of the kinetic and the potential energy"});
 }
@@ -275,15 +253,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                      {"", "cell or spacing [1/k]"});
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "1/k");
   table.columns.emplace_back("time", "s");
-  std::vector<const Computed*> all;
-  for (const Computed& one : r.particles) all.push_back(&one);
-  all.push_back(&r.sph);
-  for (const Computed* one : all) {
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(one->model);
-    row.emplace_back(one->size);
-    for (const PolylineDistance& distance : one->distances) row.emplace_back(distance.rms);
-    row.emplace_back(one->seconds);
+  std::vector<Computed> all = r.particles;
+  all.push_back(r.sph);
+  for (const Computed& one : all) {
+    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{one.model, one.size});
+    for (const PolylineDistance& distance : one.distances) row.emplace_back(distance.rms);
+    row.emplace_back(one.seconds);
   }
   for (std::size_t i = 0; i < instants.size(); ++i) {
     exhibit.measure("rms_distance_sph_" + instants[i].id, r.sph.distances[i].rms);

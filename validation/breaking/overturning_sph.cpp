@@ -57,25 +57,7 @@ wcsph::Settings settings_of(const Values& values) {
   return sph_settings(values, gravity, 1000, std::sqrt(gravity * wave_of(values).depth));
 }
 
-double period_of(const SteepWave& wave) {
-  return 2 * std::numbers::pi /
-         exact::AiryDispersion(wave.gravity, wave.depth).frequency(2 * std::numbers::pi / wave.wavelength);
-}
-
-struct Instant {
-  std::string id;
-  std::string when;  ///< begins a sentence
-};
-const std::array instants{Instant{"half", "Halfway to a vertical front"}, Instant{"steep", "With a steep front"},
-                          Instant{"vertical", "With a vertical front"},
-                          Instant{"turning", "Halfway from there to a developed jet"},
-                          Instant{"jet", "With a developed jet"}};
-
-std::vector<double> times_of(const exact::OverturningWave& wave) {
-  const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
-  const double jet = std::min(wave.well_resolved_until(), wave.end_time());
-  return {0.5 * vertical, 0.8 * vertical, vertical, 0.5 * (vertical + jet), jet};
-}
+const auto& instants = overturning_instants;
 
 /// Another scheme of the same kind, on the lattice of half as many columns.
 struct Variant {
@@ -106,9 +88,7 @@ struct Results {
   std::vector<std::vector<double>> others_rms;           ///< [variant][instant]
 
   [[nodiscard]] const SphOverturned& finest() const { return runs.back(); }
-  [[nodiscard]] std::vector<double> sizes() const {
-    return each(runs, [](const SphOverturned& one) { return one.spacing; });
-  }
+  [[nodiscard]] std::vector<double> sizes() const { return each(runs, &SphOverturned::spacing); }
 };
 
 void measure_distances(Results& r) {
@@ -128,12 +108,7 @@ constexpr double last_phase = 0.6;
 
 Results compute(const Run& run) {
   const SteepWave wave = wave_of(run);
-  const exact::OverturningWave exact({.amplitude = wave.amplitude,
-                                      .wavelength = wave.wavelength,
-                                      .depth = wave.depth,
-                                      .gravity = wave.gravity,
-                                      .markers = 256,
-                                      .last_time = last_phase * period_of(wave)});
+  const exact::OverturningWave exact = wave.exact(256, last_phase);
   const std::vector<double> times = times_of(exact);
   Results r{.exact = exact,
             .exact_overhang = exact_overhang_time(exact, overhang, times.back()),
@@ -167,18 +142,6 @@ Results compute(const Run& run) {
   return r;
 }
 
-std::vector<double> of_all(const std::vector<PolylineDistance>& row, double PolylineDistance::*member) {
-  return each(row, [&](const PolylineDistance& distance) { return distance.*member; });
-}
-
-/// A number of the finest lattice.
-template <class Measure>
-auto on_finest(Measure measure) {
-  return [measure](const Results& r) -> Measurement {
-    return {.value = measure(r), .resolution = sph_resolution(r.finest().spacing, r.finest().particles)};
-  };
-}
-
 void claim_distances(const Claims<Results>& claims, const Values& values) {
   const double spacing = wavelength / static_cast<double>(values.integer("columns"));
   for (std::size_t i = 0; i < instants.size(); ++i) {
@@ -187,9 +150,7 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
         fmt::format("{} the surface agrees with potential flow to one spacing.", instants[i].when),
         "rms distance of the surfaces [m]",
         [i](const Results& r) -> Measurement {
-          return {.value = r.distances.at(i).back().rms,
-                  .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
-                  .where = fmt::format("t = {:.3f} s", r.times.at(i))};
+          return {.value = r.distances.at(i).back().rms, .where = fmt::format("t = {:.3f} s", r.times.at(i))};
         },
         Bound{.limit = spacing,
               .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
@@ -199,49 +160,47 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
 /// Figure 6 of the publication of the scheme: the nearer one is that with the stress.
 void claim_stress(const Claims<Results>& claims) {
   constexpr std::size_t as_set = 0, stress = 2;
-  claims.from("Plunging breaking waves by weakly compressible smoothed particles, figure 6")
+  claims.at([](const Results& r) { return r.others[stress].resolution(); })
+      .from("Plunging breaking waves by weakly compressible smoothed particles, figure 6")
       .check(
           "nearer-with-stress",
           "The rms distance of a developed jet from potential flow with the stress of unresolved eddies is below 1 "
           "times the distance with artificial viscosity.",
           "rms distance over that with artificial viscosity",
-          [](const Results& r) -> Measurement {
-            const SphOverturned& one = r.others[stress];
-            return {.value = r.others_rms[stress].back() / r.others_rms[as_set].back(),
-                    .resolution = sph_resolution(one.spacing, one.particles)};
-          },
+          [](const Results& r) { return r.others_rms[stress].back() / r.others_rms[as_set].back(); },
           Bound{.limit = 1, .reason = "the publication says so; equal distances would give 1"});
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
-  const double period = period_of(wave_of(values));
+void claims(const Values& values, const Claims<Results>& all) {
+  const Claims<Results> claims = all.at([](const Results& r) { return r.finest().resolution(); });
+  const double period = wave_of(values).period();
   claim_distances(claims, values);
   claim_stress(claims);
-  claims.check("overturns", "The free surface of the wave overturns in SPH.", "it does",
-               on_finest([](const Results& r) { return std::isnan(r.finest().hangs_over) ? 0.0 : 1.0; }),
-               Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
-                           .reason = "potential flow from the same start does"});
+  claims.check(
+      "overturns", "The free surface of the wave overturns in SPH.", "it does",
+      [](const Results& r) { return !std::isnan(r.finest().hangs_over); },
+      Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
+                  .reason = "potential flow from the same start does"});
   claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
       .check(
           "overhang-time", "The time at which the front overhangs agrees with potential flow within 5 % of the period.",
           "when it hangs over by a hundredth of the wavelength [s]",
           [](const Results& r) -> Measurement {
-            return {.value = r.finest().hangs_over,
-                    .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
-                    .told = {.expected = r.exact_overhang}};
+            return {.value = r.finest().hangs_over, .told = {.expected = r.exact_overhang}};
           },
           Bound{.limit = 0.05 * period,
                 .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is what "
                           "particles form last",
                 .expected = Amount::told_by_run(last_phase * period)});
-  claims.check("kinetic-energy",
-               "The kinetic energy of the water with a developed jet agrees with potential flow within 5 %.",
-               "over potential flow's", on_finest([](const Results& r) {
-                 return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
-               }),
-               Bound{.limit = 0.05,
-                     .reason = "5 %: the surface is off by half a spacing or so, the depth of the trough has ten",
-                     .expected = 1});
+  claims.check(
+      "kinetic-energy", "The kinetic energy of the water with a developed jet agrees with potential flow within 5 %.",
+      "over potential flow's",
+      [](const Results& r) {
+        return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
+      },
+      Bound{.limit = 0.05,
+            .reason = "5 %: the surface is off by half a spacing or so, the depth of the trough has ten",
+            .expected = 1});
 }
 
 void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
@@ -292,21 +251,15 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
                                   .equal_aspect = true,
                                   .x_min = surface.x.front(),
                                   .x_max = surface.x.back()});
-    const auto shifted = [&](const Polyline& curve, double by) {
-      std::vector<double> x = curve.x;
-      for (double& place : x) place += by;
-      return x;
-    };
     for (const double image : {-wavelength, 0.0, wavelength}) {
-      panel.line("potential flow", shifted(truth.front(), image), truth.front().y, Role::exact);
+      panel.line("potential flow", moved(truth.front(), image).x, truth.front().y, Role::exact);
     }
     panel.line(fmt::format("SPH, L/{:.0f}", wavelength / coarser.spacing), coarser.surfaces[i].front().x,
                coarser.surfaces[i].front().y, Role::peer);
     panel.line(fmt::format("SPH, L/{:.0f}", wavelength / finest.spacing), surface.x, surface.y, Role::computed);
   }
   auto& speeds = exhibit.figure("speed", "Speed of the water",
-                                fmt::format("With a developed jet, and after it has landed; {}.",
-                                            sph_resolution(finest.spacing, finest.particles)));
+                                fmt::format("With a developed jet, and after it has landed; {}.", finest.resolution()));
   for (std::size_t i = r.times.size() - 1; i < finest.times.size(); ++i) {
     draw_speed(speeds, finest.snapshots[i], finest.spacing,
                {.title = fmt::format("t = {:.3f} s", finest.times[i]), .frame = {0, wavelength, 0, 0.3 * wavelength}});
@@ -317,10 +270,10 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
                                      std::pair{&PolylineDistance::largest, "largest distance/L"}}) {
     auto& panel = convergence.panel({.x = "dx/L", .y = name, .log_x = true, .log_y = true});
     for (std::size_t i = 0; i < r.times.size(); ++i) {
-      panel.points(instants[i].id, r.sizes(), of_all(r.distances[i], member),
+      panel.points(instants[i].id, r.sizes(), each(r.distances[i], member),
                    i + 1 == r.times.size() ? Role::computed : Role::peer);
     }
-    slope_guide(panel, 1, r.sizes(), 0.6 * of_all(r.distances[0], member).back());
+    slope_guide(panel, 1, r.sizes(), 0.6 * each(r.distances[0], member).back());
   }
 }
 

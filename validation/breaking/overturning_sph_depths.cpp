@@ -42,9 +42,6 @@ struct Shape {
   std::string id, name;
   double height, depth;  ///< in wavelengths of 1 m
 
-  [[nodiscard]] double period() const {
-    return 2 * std::numbers::pi / exact::AiryDispersion(gravity, depth).frequency(2 * std::numbers::pi);
-  }
   [[nodiscard]] SteepWave wave() const {
     return {.amplitude = 0.5 * height, .wavelength = 1, .depth = depth, .gravity = gravity};
   }
@@ -82,7 +79,7 @@ Results compute(const Run& run) {
   climb(run, shapes.size() + (lands ? 2 : 0), [&](std::size_t k) {
     const Shape& shape = shapes.at(k % shapes.size());
     wcsph::Settings settings = sph_settings(run, gravity, 1000, std::sqrt(gravity * shape.depth));
-    const double last = last_phase * shape.period();
+    const double last = last_phase * shape.wave().period();
     if (k >= shapes.size()) {
       const bool stress = k == shapes.size();
       settings.filter_every = 30;
@@ -92,12 +89,7 @@ Results compute(const Run& run) {
           overturned(shapes.front(), settings, {last}, stress ? "unresolved eddies" : "laminar");
       return;
     }
-    const exact::OverturningWave exact({.amplitude = 0.5 * shape.height,
-                                        .wavelength = 1,
-                                        .depth = shape.depth,
-                                        .gravity = gravity,
-                                        .markers = 128,
-                                        .last_time = 0.6 * shape.period()});
+    const exact::OverturningWave exact = shape.wave().exact(128, 0.6);
     Turn& turn = r.turns.at(k);
     const double jet = std::min(exact.well_resolved_until(), exact.end_time());
     turn.times = {exact.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN()), jet};
@@ -137,7 +129,6 @@ void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& va
             claim,
             [instant](const Turn& turn) -> Measurement {
               return {.value = turn.distances.at(instant).rms,
-                      .resolution = sph_resolution(turn.run.spacing, turn.run.particles),
                       .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
             },
             Bound{.limit = 1 / static_cast<double>(values.integer("columns")),
@@ -157,7 +148,7 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
   };
   const auto over = [](const SphOverturned& other, const SphOverturned& stress) -> Measurement {
     return {.value = stress.cavity / other.cavity,
-            .resolution = sph_resolution(other.spacing, other.particles),
+            .resolution = other.resolution(),
             .told = {.limit = 2 * std::sqrt(std::numbers::pi / other.cavity) * other.spacing}};
   };
   const Bound rim{.limit = Amount::told_by_run(0.5),
@@ -185,7 +176,10 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    claim_turn(claims.of([k](const Results& r) -> const Turn& { return r.turns.at(k); }), shapes.at(k), values);
+    claim_turn(claims.of([k](const Results& r) -> const Turn& { return r.turns.at(k); }).at([](const Turn& turn) {
+      return turn.run.resolution();
+    }),
+               shapes.at(k), values);
   }
   claim_cavities(claims, values);
 }
@@ -201,7 +195,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       exhibit.figure("surfaces", "Waves with a developed jet", "Surfaces of particles and of potential flow.");
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const Turn& turn = r.turns.at(k);
-    const double period = shapes.at(k).period();
+    const double period = shapes.at(k).wave().period();
     const double dx = turn.run.spacing;
     table.rows.push_back({shapes.at(k).name, turn.times[0] / period, turn.exact_overhang / period,
                           turn.run.hangs_over / period, turn.distances[0].rms / dx, turn.distances[1].rms / dx});
@@ -213,9 +207,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                 .x_min = surface.x.front(),
                                 .x_max = surface.x.back()});
     for (const double image : {-1.0, 0.0, 1.0}) {
-      std::vector<double> x = turn.exact.front().x;
-      for (double& place : x) place += image;
-      panel.line("potential flow", x, turn.exact.front().y, Role::exact);
+      panel.line("potential flow", moved(turn.exact.front(), image).x, turn.exact.front().y, Role::exact);
     }
     panel.line("SPH", surface.x, surface.y, Role::computed);
   }

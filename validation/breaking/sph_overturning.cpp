@@ -86,6 +86,36 @@ wcsph::Scene scene_of(const SphOverturning& setup) {
 
 }  // namespace
 
+double SteepWave::period() const {
+  return 2 * std::numbers::pi / exact::AiryDispersion(gravity, depth).frequency(2 * std::numbers::pi / wavelength);
+}
+
+exact::OverturningWave SteepWave::exact(std::size_t markers, double last_phase) const {
+  return exact::OverturningWave({.amplitude = amplitude,
+                                 .wavelength = wavelength,
+                                 .depth = depth,
+                                 .gravity = gravity,
+                                 .markers = markers,
+                                 .last_time = last_phase * period()});
+}
+
+const std::array<Instant, 5> overturning_instants{{{"half", "Halfway to a vertical front"},
+                                                   {"steep", "With a steep front"},
+                                                   {"vertical", "With a vertical front"},
+                                                   {"turning", "Halfway from there to a developed jet"},
+                                                   {"jet", "With a developed jet"}}};
+
+std::vector<double> times_of(const exact::OverturningWave& wave) {
+  const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
+  const double jet = std::min(wave.well_resolved_until(), wave.end_time());
+  return {0.5 * vertical, 0.8 * vertical, vertical, 0.5 * (vertical + jet), jet};
+}
+
+Polyline moved(Polyline curve, double by) {
+  for (double& x : curve.x) x += by;
+  return curve;
+}
+
 void exchange(Tape& tape, Polyline& line) {
   tape(line.x, line.y);
 }

@@ -2,7 +2,9 @@
 /// exact::OverturningWave, judged by the distance of its surface from that one's.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "seiche/exact/overturning/overturning_wave.hpp"
@@ -11,12 +13,25 @@
 #include "validation/case/checkpoints.hpp"
 #include "validation/instruments/particles/sph_free_surface.hpp"
 #include "validation/instruments/polyline_distance.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation {
 
 struct SteepWave {
   double amplitude, wavelength, depth, gravity;  ///< [m], [m/s^2]
+
+  [[nodiscard]] double period() const;  ///< of the linear wave
+  /// @param last_phase  of that period, as far as potential flow is computed
+  [[nodiscard]] exact::OverturningWave exact(std::size_t markers, double last_phase) const;
 };
+
+/// When surfaces are compared: from halfway to a vertical front to a developed jet.
+struct Instant {
+  std::string id;
+  std::string when;  ///< begins a sentence
+};
+extern const std::array<Instant, 5> overturning_instants;
+std::vector<double> times_of(const exact::OverturningWave& wave);
 
 struct SphOverturning {
   SteepWave wave;
@@ -44,6 +59,8 @@ struct SphOverturned {
   double touches = std::numeric_limits<double>::quiet_NaN();     ///< first time with a closed cavity [s]
   double cavity = std::numeric_limits<double>::quiet_NaN();      ///< area of the air in it then [m^2]
   wcsph::Extremes extremes;
+
+  [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
 };
 
 /// @param times     ascending; the run ends at the last one
@@ -56,6 +73,8 @@ void exchange(Tape& tape, SphOverturned& result);
 
 /// The exact surface at a time as one curve of the box [0, L].
 Polylines exact_surface(const exact::OverturningWave& wave, double time, std::size_t points = 1601);
+/// A curve that is farther along x.
+Polyline moved(Polyline curve, double by);
 /// First time at which the exact surface hangs over by as much [s]; NaN if it does not before `end`.
 double exact_overhang_time(const exact::OverturningWave& wave, double overhang, double end);
 

@@ -16,21 +16,9 @@ BermResolution BermResolution::times(double factor) const {
   return {columns_per_depth * factor, static_cast<std::size_t>(std::lround(factor * static_cast<double>(rows)))};
 }
 
-std::string BermResolution::name(const Berm& berm) const {
-  return fmt::format("{} x {} cells", columns(berm), rows);
-}
-
 const StandingLoad& nearest(const std::vector<StandingLoad>& loads, double wavelength) {
   return *std::ranges::min_element(loads, {},
                                    [&](const StandingLoad& one) { return std::abs(one.wavelength - wavelength); });
-}
-
-double BasinWave::period() const {
-  return 2 * std::numbers::pi / mode.frequency;
-}
-
-double BasinWave::sense() const {
-  return mode.multipliers.back() * mode.elevation.front() > 0 ? 1 : -1;
 }
 
 BasinWave basin_wave(const Berm& berm, const BermResolution& mesh, double wavelength) {

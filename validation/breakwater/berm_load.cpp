@@ -41,10 +41,6 @@ BermLoad berm_load(const Mesh& mesh, std::span<const double> y, std::span<const 
   return load;
 }
 
-double StandingLoad::relative() const {
-  return std::abs(force.total()) / plain_wall;
-}
-
 std::vector<StandingLoad> standing_loads(const Berm& berm, std::size_t columns, std::size_t rows, double shortest) {
   Model model(berm.mesh(columns, rows));
   const exact::AiryDispersion airy(1, 1);

@@ -9,6 +9,8 @@
 /// the land.
 #pragma once
 
+#include <cmath>
+
 #include <functional>
 #include <span>
 #include <vector>
@@ -44,7 +46,7 @@ struct StandingLoad {
   double plain_wall = 0;  ///< force on a vertical wall without a berm, tanh(kH)/k
 
   /// |total| over that.
-  [[nodiscard]] double relative() const;
+  [[nodiscard]] double relative() const { return std::abs(force.total()) / plain_wall; }
 };
 
 /// The waves of the basin that are longer than `shortest`, longest first.

@@ -31,6 +31,7 @@ tenth of what a plain wall does. Waves much longer push on both together.
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/berm_load.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater {
 namespace {
@@ -177,9 +178,7 @@ std::vector<double> changes_by_refinement(const SetUp& s) {
 Worst rest(const SetUp& s) {
   Flow flow(s.berm.mesh(s.mesh.columns(s.berm), s.mesh.rows));
   flow.advance(s.tau);
-  Worst fastest;
-  for (const double u : flow.state().u) fastest.add(u / s.tau);
-  return fastest;
+  return over<Worst>(flow.state().u, [&](double u) { return u / s.tau; });
 }
 
 SmallWave small_wave(const SetUp& s, double wavelength) {
@@ -201,25 +200,18 @@ Results compute(const Run& run) {
 }
 
 void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibit) {
-  std::vector<double> length, front, rear, total, relative;
-  for (const StandingLoad& one : all) {
-    length.push_back(one.wavelength);
-    front.push_back(one.force.front);
-    rear.push_back(one.force.rear);
-    total.push_back(one.force.total());
-    relative.push_back(one.relative());
-  }
+  const std::vector<double> length = each(all, &StandingLoad::wavelength);
   auto& figure =
       exhibit.figure("forces", "Forces on a structure loaded in antiphase",
                      "Small standing waves: force on the front, on the rear and on both, over the height at the far "
                      "wall, at the moment when the rear is pushed; then the total over the force on a plain wall.",
                      {"frank-breakwater"});
   auto& forces = figure.panel({.x = "wavelength [depth]", .y = "force/height [rho g depth]"});
-  forces.line("front", length, front, Role::computed);
-  forces.line("rear", length, rear, Role::peer);
-  forces.line("total", length, total, Role::exact);
+  forces.line("front", length, each(all, [](const StandingLoad& one) { return one.force.front; }), Role::computed);
+  forces.line("rear", length, each(all, [](const StandingLoad& one) { return one.force.rear; }), Role::peer);
+  forces.line("total", length, each(all, [](const StandingLoad& one) { return one.force.total(); }), Role::exact);
   auto& relation = figure.panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
-  relation.line("total", length, relative, Role::exact);
+  relation.line("total", length, each(all, &StandingLoad::relative), Role::exact);
   relation.line("a tenth", std::vector{length.front(), length.back()}, std::vector{0.1, 0.1}, Role::guide);
 }
 
@@ -240,11 +232,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const StandingLoad& load = r.gentle.load;
   exhibit.measure("wavelength", load.wavelength);
   exhibit.measure("period", r.gentle.period());
-  auto& panel =
-      exhibit
-          .figure("history", "Forces over time",
-                  fmt::format("A small standing wave of {:.3g} depths.", load.wavelength), {"frank-breakwater"})
-          .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  auto& panel = add_panel(exhibit, "history", "Forces over time",
+                          fmt::format("A small standing wave of {:.3g} depths.", load.wavelength),
+                          {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, r.gentle.history);
 }
 

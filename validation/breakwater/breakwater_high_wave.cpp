@@ -43,6 +43,7 @@ has twice the frequency.
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/harmonic.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::breakwater_high_wave {
@@ -72,7 +73,7 @@ class MomentumBalance {
  public:
   /// @param flow  must outlive this; any time between two steps
   /// @param tau  length of its steps: differences of times are rounded
-  MomentumBalance(const lagrangian_mesh_2d::Flow& flow, double tau);
+  MomentumBalance(const lagrangian_mesh_2d::Flow& flow, double tau) : flow_(&flow), tau_(tau) { remember(); }
 
   /// Of one step: forces on the water along x, without those of still water.
   struct Step {
@@ -92,7 +93,11 @@ class MomentumBalance {
     std::vector<double> x, y;
   };
   [[nodiscard]] Forces forces(const std::vector<double>& middle) const;
-  void remember();
+  void remember() {
+    q_ = flow_->state().q;
+    u_ = flow_->state().u;
+    time_ = flow_->time();
+  }
 
   const lagrangian_mesh_2d::Flow* flow_;
   std::vector<double> q_, u_;
@@ -102,16 +107,6 @@ class MomentumBalance {
 
 using lagrangian_mesh_2d::Mesh;
 using lagrangian_mesh_2d::Slide;
-
-MomentumBalance::MomentumBalance(const Flow& flow, double tau) : flow_(&flow), tau_(tau) {
-  remember();
-}
-
-void MomentumBalance::remember() {
-  q_ = flow_->state().q;
-  u_ = flow_->state().u;
-  time_ = flow_->time();
-}
 
 MomentumBalance::Forces MomentumBalance::forces(const std::vector<double>& middle) const {
   const auto& model = flow_->model();
@@ -259,8 +254,7 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
           "momentum", "Horizontal momentum of the water changes by the forces of the walls and the bottom.",
           "largest defect of a step's balance [rho g depth^2]",
           [s, nodes](const Results& r) -> Measurement {
-            Worst defect;
-            for (const auto& step : r.high.steps) defect.add(step.defect(), step.time);
+            const auto defect = over<Worst>(r.high.steps, &MomentumBalance::Step::defect, &MomentumBalance::Step::time);
             const double water = r.high.wave.flow.model().mass();
             return {.value = defect.value(),
                     .where = fmt::format("t = {:.3g}", defect.where()),
@@ -393,20 +387,14 @@ Results compute(const Run& run) {
 }
 
 void draw_momentum(const WatchedWave& high, evidence::Exhibit& exhibit) {
-  std::vector<double> time, rate, forces;
-  for (const auto& step : high.steps) {
-    time.push_back(step.time);
-    rate.push_back(step.rate);
-    forces.push_back(step.left + step.right + step.bottom);
-  }
-  auto& panel = exhibit
-                    .figure("momentum", "Balance of the horizontal momentum",
-                            "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
-                            "on the water, step by step.",
-                            {"frank-breakwater"})
-                    .panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"});
-  panel.line("forces", time, forces, Role::exact);
-  panel.line("rate of momentum", time, rate, Role::computed);
+  auto& panel = add_panel(exhibit, "momentum", "Balance of the horizontal momentum",
+                          "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
+                          "on the water, step by step.",
+                          {.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}, {"frank-breakwater"});
+  using Step = MomentumBalance::Step;
+  const std::vector<double> time = each(high.steps, &Step::time);
+  panel.line("forces", time, each(high.steps, [](const Step& s) { return s.left + s.right + s.bottom; }), Role::exact);
+  panel.line("rate of momentum", time, each(high.steps, &Step::rate), Role::computed);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
@@ -420,20 +408,18 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("plain_wall_peak", r.plain_peak());
   exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
   exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
-  auto& panel = exhibit
-                    .figure("history", "Forces of the high wave",
-                            fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
-                                        "the same wave before a plain wall.",
-                                        r.high.small.load.wavelength, s.height),
-                            {"frank-breakwater"})
-                    .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  auto& panel = add_panel(exhibit, "history", "Forces of the high wave",
+                          fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
+                                      "the same wave before a plain wall.",
+                                      r.high.small.load.wavelength, s.height),
+                          {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
   draw_momentum(r.high, exhibit);
   const MeshWindow window{-s.berm.width - 2.5, 0.1};
-  draw_mesh(exhibit.figure("mesh", "The mesh over the berm", "At the end of the high wave's run.")
-                .panel(mesh_axes("", window)),
-            "mesh", r.high.wave.flow, window);
+  draw_mesh(
+      add_panel(exhibit, "mesh", "The mesh over the berm", "At the end of the high wave's run.", mesh_axes("", window)),
+      "mesh", r.high.wave.flow, window);
 }
 
 }  // namespace

@@ -175,18 +175,16 @@ struct Periodic {
   [[nodiscard]] double relative() const { return std::abs(settled.total()) / small.load.plain_wall; }
 };
 
-struct Results {
-  std::vector<Periodic> all;
-};
+using Results = std::vector<Periodic>;
 
 /// The wave that is farthest beyond, or least within, its own limit; judged by that limit.
 template <class Value, class Limit>
 Measurement farthest(const Results& r, Value value, Limit limit) {
   Largest share;
-  for (std::size_t n = 0; n < r.all.size(); ++n) {
-    share.add(value(r.all[n]) / limit(r.all[n]), static_cast<double>(n));
+  for (std::size_t n = 0; n < r.size(); ++n) {
+    share.add(value(r[n]) / limit(r[n]), static_cast<double>(n));
   }
-  const Periodic& one = r.all[static_cast<std::size_t>(share.where())];
+  const Periodic& one = r[static_cast<std::size_t>(share.where())];
   return {.value = value(one),
           .where = fmt::format("waves of {:.3g} depths", one.small.load.wavelength),
           .told = {.limit = limit(one)}};
@@ -207,9 +205,8 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
         return farthest(
             r,
             [](const Periodic& one) {
-              Worst off;
-              for (const auto& difference : one.differences()) off.add(std::abs(difference));
-              return off.value() / one.larger_force();
+              return worst(each(one.differences(), [](const auto& difference) { return std::abs(difference); })) /
+                     one.larger_force();
             },
             [&](const Periodic& one) { return one.limit(s); });
       },
@@ -246,7 +243,7 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
       "antiphase", "Where the berm is half a wave wide, front and rear are pushed in antiphase.",
       "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
-        const Periodic& half = r.all.front();
+        const Periodic& half = r.front();
         return {.value = std::abs(std::arg(half.settled.front / half.settled.rear)),
                 .told = {.limit = 2 * half.phase_limit(s)}};
       },
@@ -255,7 +252,7 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
             .expected = std::numbers::pi});
   claims.check(
       "less-than-plain-wall", "The breakwater then bears less than a tenth of the force on a plain wall.",
-      "|total|/plain wall", [](const Results& r) { return r.all.front().relative(); },
+      "|total|/plain wall", [](const Results& r) { return r.front().relative(); },
       Bound{.limit = 0.1, .reason = "a tenth"});
   claims.check(
       "together",
@@ -263,7 +260,7 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
       "at most.",
       "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
-        const Periodic& longest = r.all.back();
+        const Periodic& longest = r.back();
         return {.value = std::abs(std::arg(longest.settled.front / longest.settled.rear)),
                 .told = {.limit = 2 * longest.phase_limit(s)}};
       },
@@ -320,8 +317,8 @@ Results compute(const Run& run) {
     const Antinode antinode = antinode_before(s.berm, small.mode);
     TankHistory history = run_tank(s.berm, s.mesh, waves, antinode);
     const TankHistory::Settled over = settled(history, waves, antinode);
-    r.all.push_back({std::move(small), waves, std::move(history), over, unsettled(s, waves, antinode)});
-    run.progress(static_cast<double>(r.all.size()) / static_cast<double>(s.wavelengths.size()));
+    r.push_back({std::move(small), waves, std::move(history), over, unsettled(s, waves, antinode)});
+    run.progress(static_cast<double>(r.size()) / static_cast<double>(s.wavelengths.size()));
   }
   return r;
 }
@@ -335,7 +332,7 @@ void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
                  "(rear) [rho g depth]", "phase [rad]", "total/plain wall [1]", "(total/plain wall) [1]",
                  "antinode/2 incident [1]", "not settled [1]"},
                 {"frank-breakwater"});
-  for (const Periodic& one : r.all) {
+  for (const Periodic& one : r) {
     const TankHistory::Settled& f = one.settled;
     const StandingLoad& load = one.small.load;
     table.rows.push_back({load.wavelength, std::abs(f.front), std::abs(load.force.front), std::abs(f.rear),
@@ -356,24 +353,16 @@ void draw_tank(const Periodic& one, const SetUp& s, evidence::Panel& panel) {
 
 void draw_loads(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
   constexpr double shortest = 4;
-  std::vector<double> length, relative, periodic_length, periodic;
-  for (const StandingLoad& one : standing_loads(s.berm, s.mesh.columns(s.berm), s.mesh.rows, shortest)) {
-    if (one.wavelength > 17) continue;
-    length.push_back(one.wavelength);
-    relative.push_back(one.relative());
-  }
-  for (const Periodic& one : r.all) {
-    periodic_length.push_back(one.small.load.wavelength);
-    periodic.push_back(one.relative());
-  }
-  auto& panel = exhibit
-                    .figure("loads", "Load of periodic waves",
-                            "Total force over that on a plain wall: periodic waves from the paddle, and small standing "
-                            "waves of a basin, joined by lines.",
-                            {"frank-breakwater"})
-                    .panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
-  panel.line("standing waves", length, relative, Role::exact);
-  panel.points("periodic waves", periodic_length, periodic, Role::computed);
+  std::vector<StandingLoad> standing = standing_loads(s.berm, s.mesh.columns(s.berm), s.mesh.rows, shortest);
+  std::erase_if(standing, [](const StandingLoad& one) { return one.wavelength > 17; });
+  const std::vector<double> length = each(standing, &StandingLoad::wavelength);
+  auto& panel = add_panel(exhibit, "loads", "Load of periodic waves",
+                          "Total force over that on a plain wall: periodic waves from the paddle, and small standing "
+                          "waves of a basin, joined by lines.",
+                          {.x = "wavelength [depth]", .y = "|total|/plain wall"}, {"frank-breakwater"});
+  panel.line("standing waves", length, each(standing, &StandingLoad::relative), Role::exact);
+  panel.points("periodic waves", each(r, [](const Periodic& one) { return one.small.load.wavelength; }),
+               each(r, &Periodic::relative), Role::computed);
   panel.line("a tenth", std::vector{length.back(), length.front()}, std::vector{0.1, 0.1}, Role::guide);
 }
 
@@ -385,7 +374,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       "tank", "Periodic waves arrive",
       "Forces on front, rear and both, over the height of the antinode that the standing wave is to have.",
       {"frank-breakwater"});
-  for (const Periodic* one : {&r.all.front(), &r.all.back()}) {
+  for (const Periodic* one : {&r.front(), &r.back()}) {
     draw_tank(*one, s,
               figure.panel({.x = "t [sqrt(depth/g)]",
                             .y = "force/height [rho g depth]",

@@ -8,10 +8,11 @@
 ///       claim_conservation(claims.of(&Results::flow));   // claims that several cases make of the same part
 ///       claims.only_if(values.as_published(), "the source prints it for its own parameters").check(...);
 ///       claims.at("N = 200").check(..., &Results::crest, ...);   // the resolution of several claims, said once
+///       claims.at(&Results::resolution).where("t = {:g}").check(...);   // told by the run; the place of a Worst
 ///     }
 ///
 /// The measurement of a claim is taken from the results by a function that is declared with it, or by a pointer to the
-/// member of the results that holds it: a Measurement, an ObservedOrder, a Worst or a number.
+/// member of the results that holds it: a Measurement, an ObservedOrder, a Worst, a number, or whether something is so.
 #pragma once
 
 #include <functional>
@@ -55,21 +56,28 @@ std::pair<std::string, std::string> name_and_unit(const std::string& text);
 evidence::Table& add_table(evidence::Exhibit& exhibit, std::string id, std::string title, std::string caption,
                            const std::vector<std::string>& columns, std::vector<std::string> tiles = {});
 
+/// Adds a figure of one panel; the reference stays valid for the exhibit's life.
+evidence::Panel& add_panel(evidence::Exhibit& exhibit, const std::string& id, const std::string& title,
+                           const std::string& caption, evidence::Axes axes, const std::vector<std::string>& tiles = {});
+
+/// What stands in a table's row.
+using Cell = std::variant<double, std::string>;
+/// A number to 1/scale; nothing where it is none.
+Cell rounded(double value, double scale = 1e4);
+
 namespace detail {
 
-inline DeclaredClaim::Measured as_measured(Measurement measurement, const std::string& resolution) {
-  if (measurement.resolution.empty()) measurement.resolution = resolution;
+inline DeclaredClaim::Measured as_measured(Measurement measurement, const std::string& /*where*/) {
   return measurement;
 }
-inline DeclaredClaim::Measured as_measured(evidence::ObservedOrder order, const std::string& /*resolution*/) {
+inline DeclaredClaim::Measured as_measured(evidence::ObservedOrder order, const std::string& /*where*/) {
   return order;
 }
-inline DeclaredClaim::Measured as_measured(double value, const std::string& resolution) {
-  return Measurement{.value = value, .resolution = resolution};
+template <class Number>
+requires std::is_arithmetic_v<Number> DeclaredClaim::Measured as_measured(Number value, const std::string& /*where*/) {
+  return Measurement{.value = static_cast<double>(value)};
 }
-inline DeclaredClaim::Measured as_measured(const Worst& worst, const std::string& resolution) {
-  return Measurement{.value = worst.value(), .resolution = resolution};
-}
+DeclaredClaim::Measured as_measured(const Worst& worst, const std::string& where);
 
 }  // namespace detail
 
@@ -78,10 +86,12 @@ template <class Part>
 class Claims {
  public:
   using Find = std::function<const Part&(const void* results)>;
+  using Resolution = std::function<std::string(const void* results)>;
   /// What several claims have in common.
   struct Terms {
     std::string source;
-    std::string resolution = {};
+    Resolution resolution = {};
+    std::string where = {};  ///< format of the place of a Worst
     std::string left_out = {};
     std::optional<evidence::KnownFailure> failure = {};
   };
@@ -105,11 +115,16 @@ class Claims {
   /// A claim that names its source itself.
   template <class Measure>
   void check(evidence::Claim claim, Measure measure, evidence::Criterion criterion) const {
-    list_->push_back(
-        {std::move(claim), std::move(criterion), terms_.failure, terms_.left_out,
-         [find = find_, measure = std::move(measure), resolution = terms_.resolution](const void* results) {
-           return detail::as_measured(std::invoke(measure, find(results)), resolution);
-         }});
+    list_->push_back({std::move(claim), std::move(criterion), terms_.failure, terms_.left_out,
+                      [find = find_, measure = std::move(measure), terms = terms_](const void* results) {
+                        DeclaredClaim::Measured measured =
+                            detail::as_measured(std::invoke(measure, find(results)), terms.where);
+                        auto* measurement = std::get_if<Measurement>(&measured);
+                        if (measurement && measurement->resolution.empty() && terms.resolution) {
+                          measurement->resolution = terms.resolution(results);
+                        }
+                        return measured;
+                      }});
   }
 
   /// The same list for claims about a part of the results, a member or what a function of the results refers to.
@@ -119,7 +134,7 @@ class Claims {
     return Claims<Found>(
         *list_,
         [find = find_, member](const void* results) -> const Found& { return std::invoke(member, find(results)); },
-        {terms_.source, terms_.resolution, terms_.left_out, terms_.failure});
+        {terms_.source, terms_.resolution, terms_.where, terms_.left_out, terms_.failure});
   }
 
   /// The same list for claims that apply under a condition on parameters. @param otherwise  why they do not apply
@@ -131,7 +146,18 @@ class Claims {
     return known ? with(&Terms::failure, std::optional(std::move(failure))) : *this;
   }
   /// The same list for measurements at a resolution that they need not name themselves.
-  [[nodiscard]] Claims at(const std::string& resolution) const { return with(&Terms::resolution, resolution); }
+  [[nodiscard]] Claims at(const std::string& resolution) const {
+    return with(&Terms::resolution, Resolution([resolution](const void*) { return resolution; }));
+  }
+  /// The same with a resolution that the results tell.
+  template <class Told>
+  requires std::is_invocable_v<Told, const Part&>
+  [[nodiscard]] Claims at(Told told) const {
+    return with(&Terms::resolution,
+                Resolution([find = find_, told](const void* results) { return std::invoke(told, find(results)); }));
+  }
+  /// The same list for measurements that are a Worst, whose place is told so: "t = {:g}".
+  [[nodiscard]] Claims where(const std::string& format) const { return with(&Terms::where, format); }
   /// The same list for claims that come from a source of their own.
   [[nodiscard]] Claims from(const std::string& source) const { return with(&Terms::source, source); }
 

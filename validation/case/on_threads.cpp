@@ -51,4 +51,9 @@ void on_threads(std::size_t count, std::size_t workers, const std::function<void
   if (first != failures.end()) std::rethrow_exception(*first);
 }
 
+void on_threads(const Run& run, std::size_t count, const std::function<void(std::size_t)>& work) {
+  on_threads(count, workers_of(run.tier()), work,
+             [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(count)); });
+}
+
 }  // namespace seiche::validation

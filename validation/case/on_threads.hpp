@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 
+#include "validation/case/study.hpp"
 #include "validation/case/tier.hpp"
 
 namespace seiche::validation {
@@ -17,5 +18,7 @@ std::size_t workers_of(Tier tier);
 /// Rethrows the exception of the lowest k that threw; those not yet begun by then are not.
 void on_threads(std::size_t count, std::size_t workers, const std::function<void(std::size_t k)>& work,
                 const std::function<void(std::size_t finished)>& done = {});
+/// The same by the workers of a run's tier; the run is told how far it is.
+void on_threads(const Run& run, std::size_t count, const std::function<void(std::size_t k)>& work);
 
 }  // namespace seiche::validation

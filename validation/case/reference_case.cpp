@@ -15,11 +15,10 @@ constexpr const char* tolerance_reason =
 
 }  // namespace
 
-void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTest& declared,
-                      const std::string& source) {
+void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTest& declared) {
   for (std::size_t k = 0; k < declared.size(); ++k) {
     const exact::Identity& identity = declared[k];
-    claims.from(source).check(
+    claims.check(
         fmt::format("identity-{}", k + 1), fmt::format("The reference satisfies its own identity: {}.", identity.name),
         "relative defect", [k](const exact::SelfTest& test) { return test.at(k).defect; },
         Bound{.limit = identity.accuracy, .reason = identity.reason});

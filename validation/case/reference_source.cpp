@@ -89,10 +89,6 @@ class Reader {
 
 }  // namespace
 
-double ColumnUncertainty::of(double entry) const {
-  return relative ? value * std::abs(entry) : value;
-}
-
 std::filesystem::path reference_folder() {
   return data_folder("reference_data");
 }

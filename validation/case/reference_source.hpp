@@ -1,6 +1,8 @@
 /// What source.toml says about a reference table: where its numbers come from, their units, how well they are known.
 #pragma once
 
+#include <cmath>
+
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,7 +17,7 @@ struct ColumnUncertainty {
   bool assumed = true;  ///< estimated by us because the source states none
   std::string reason;
 
-  [[nodiscard]] double of(double entry) const;
+  [[nodiscard]] double of(double entry) const { return relative ? value * std::abs(entry) : value; }
 };
 
 struct ReferenceSource {

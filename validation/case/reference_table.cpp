@@ -25,12 +25,30 @@ io::Table reference_table(const std::string& source, std::map<std::string, std::
   return io::read_csv(table);
 }
 
+namespace {
+
+bool row_has(const io::Table& table, std::size_t row, const std::map<std::string, double>& numbers) {
+  return std::ranges::all_of(
+      numbers, [&](const auto& one) { return std::abs(table.column(one.first)[row] - one.second) < 1e-9; });
+}
+
+}  // namespace
+
 std::optional<std::size_t> row_where(const io::Table& table, const std::map<std::string, double>& numbers) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const auto has = [&](const auto& one) { return std::abs(table.column(one.first)[k] - one.second) < 1e-9; };
-    if (std::ranges::all_of(numbers, has)) return k;
+    if (row_has(table, k, numbers)) return k;
   }
   return {};
+}
+
+io::Table rows_where(const io::Table& table, const std::map<std::string, double>& numbers) {
+  io::Table found = table;
+  for (std::vector<double>& column : found.columns) column.clear();
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (!row_has(table, k, numbers)) continue;
+    for (std::size_t c = 0; c < found.columns.size(); ++c) found.columns[c].push_back(table.columns[c][k]);
+  }
+  return found;
 }
 
 std::optional<double> entry_where(const io::Table& table, const std::map<std::string, double>& numbers,

@@ -17,6 +17,8 @@ io::Table reference_table(const std::string& source, std::map<std::string, std::
 /// The row of a table whose columns have these numbers, to 1e-9; none where no row has them.
 std::optional<std::size_t> row_where(const io::Table& table, const std::map<std::string, double>& numbers);
 /// Its number in a column.
+/// All rows that have these numbers.
+io::Table rows_where(const io::Table& table, const std::map<std::string, double>& numbers);
 std::optional<double> entry_where(const io::Table& table, const std::map<std::string, double>& numbers,
                                   const std::string& column);
 

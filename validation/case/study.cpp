@@ -1,5 +1,6 @@
 #include "validation/case/study.hpp"
 
+#include <cmath>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -55,6 +56,20 @@ evidence::Table& add_table(evidence::Exhibit& exhibit, std::string id, std::stri
   evidence::Table table{std::move(id), std::move(title), std::move(caption), {}, {}, std::move(tiles)};
   for (const std::string& column : columns) table.columns.push_back(name_and_unit(column));
   return exhibit.table(std::move(table));
+}
+
+evidence::Panel& add_panel(evidence::Exhibit& exhibit, const std::string& id, const std::string& title,
+                           const std::string& caption, evidence::Axes axes, const std::vector<std::string>& tiles) {
+  return exhibit.figure(id, title, caption, tiles).panel(std::move(axes));
+}
+
+Cell rounded(double value, double scale) {
+  if (std::isnan(value)) return std::string();
+  return std::round(value * scale) / scale;
+}
+
+DeclaredClaim::Measured detail::as_measured(const Worst& worst, const std::string& where) {
+  return Measurement{.value = worst.value(), .where = fmt::format(fmt::runtime(where), worst.where())};
 }
 
 std::vector<DeclaredClaim> Study::claims(const Values& values) const {

@@ -23,6 +23,7 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -33,6 +34,7 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 #include "validation/dam_break/gauss_column.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
+#include "validation/studies/gauss_particles/gauss_frame.hpp"
 
 namespace seiche::validation::cases::collapse_gauss {
 namespace {
@@ -67,15 +69,9 @@ bool has_coarser(const Column& column) {
   return column.cells % parts == 0 && column.per_cell % parts == 0;
 }
 
-struct Frame {
-  double T = 0;
-  std::vector<double> x, y, u, v;      ///< particles
-  std::vector<double> line_x, line_y;  ///< markers
-};
-
 struct Collapse {
   std::vector<double> T, front, height;
-  std::vector<Frame> frames, film;
+  std::vector<GaussFrame> frames, film;
   double energy_defect = 0;  ///< over the energy at the start
   double penalty_loss = 0;   ///< over it
   double beyond = 0;         ///< farthest place of a particle behind wall and bed
@@ -84,21 +80,6 @@ struct Collapse {
   [[nodiscard]] Curve front_curve() const { return {T, front}; }
   [[nodiscard]] double speed() const { return slope_between(front_curve(), first_speed, last_speed); }
 };
-
-Frame frame_of(const Flow& flow, double T) {
-  Frame frame{.T = T};
-  const std::vector<Point> markers = flow.markers();
-  const std::size_t massive = flow.model().size() - markers.size();
-  frame.x.assign(flow.x().begin(), flow.x().begin() + static_cast<long>(massive));
-  frame.y.assign(flow.y().begin(), flow.y().begin() + static_cast<long>(massive));
-  frame.u.assign(flow.u().begin(), flow.u().begin() + static_cast<long>(massive));
-  frame.v.assign(flow.v().begin(), flow.v().begin() + static_cast<long>(massive));
-  for (const Point& marker : markers) {
-    frame.line_x.push_back(marker.x);
-    frame.line_y.push_back(marker.y);
-  }
-  return frame;
-}
 
 Collapse collapse(const Column& column, double last, bool with_frames) {
   Flow flow = column.start();
@@ -113,7 +94,7 @@ Collapse collapse(const Column& column, double last, bool with_frames) {
     run.front.push_back(std::ranges::max(markers, {}, &Point::x).x);
     run.height.push_back(markers.front().y);
     if (with_frames && run.T.back() >= last * static_cast<double>(run.film.size()) / film_frames) {
-      run.film.push_back(frame_of(flow, run.T.back()));
+      run.film.emplace_back(flow);
     }
     for (std::size_t k = 0; k < massive; ++k) {
       beyond.add(-flow.x()[k]);
@@ -128,7 +109,7 @@ Collapse collapse(const Column& column, double last, bool with_frames) {
       flow.observe();
       keep();
     });
-    if (with_frames) run.frames.push_back(frame_of(flow, T));
+    if (with_frames) run.frames.emplace_back(flow);
   }
   run.energy_defect = flow.ledger().largest_defect("energy") / column.energy();
   run.penalty_loss = flow.model().penalty_loss() / column.energy();
@@ -173,9 +154,8 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
       .check(
           "ritter", "The front stays behind the shallow-water front.", "at every step it does",
           [](const Collapse& run) {
-            bool behind = true;
-            for (std::size_t k = 0; k < run.T.size(); ++k) behind = behind && run.front[k] <= 1 + 2 * run.T[k];
-            return behind ? 1.0 : 0.0;
+            const auto lead = [&](std::size_t k) { return run.front[k] <= 1 + 2 * run.T[k]; };
+            return std::ranges::all_of(std::views::iota(std::size_t{0}, run.T.size()), lead);
           },
           Qualitative{.detector = "X/a <= 1 + 2 T",
                       .reason = "vertical acceleration lowers the pressure that drives the front, and the column is no "
@@ -222,9 +202,7 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
   claims.check(
       "ahead", "Let go at once and without friction, the column is ahead of the measured one.",
       "at every measured point it is",
-      [](const Results& r) {
-        return std::ranges::all_of(r.fit.raw_off, [](double lead) { return lead > 0; }) ? 1.0 : 0.0;
-      },
+      [](const Results& r) { return std::ranges::all_of(r.fit.raw_off, [](double lead) { return lead > 0; }); },
       Qualitative{.detector = "X/a, as it stands, is above each point up to X = 4.2 a",
                   .reason = "a diaphragm and friction can only delay the water"});
   constexpr double no_band = std::numeric_limits<double>::infinity();
@@ -296,16 +274,11 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                 "As they stand, and later by one shift of the time origin.");
   auto& panel = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "X/a"});
   panel.line("particles", run.T, run.front, Role::computed);
-  std::vector<double> later = run.T;
-  for (double& T : later) T += r.fit.shift;
+  const std::vector<double> later = each(run.T, [&](double T) { return T + r.fit.shift; });
   if (r.fit.points > 0) panel.line(fmt::format("{:.2f} later", r.fit.shift), later, run.front, Role::peer);
-  std::vector<double> T, X;
-  for (std::size_t k = 0; k < data.T.size(); ++k) {
-    if (data.T[k] > run.T.back()) continue;
-    T.push_back(data.T[k]);
-    X.push_back(data.X[k]);
-  }
-  panel.points(data.label, T, X, Role::data, std::vector<double>(X.size(), data.uncertainty));
+  const auto shown = static_cast<std::size_t>(std::ranges::upper_bound(data.T, run.T.back()) - data.T.begin());
+  panel.points(data.label, std::span(data.T).first(shown), std::span(data.X).first(shown), Role::data,
+               std::vector<double>(shown, data.uncertainty));
   const double ritter_end = (run.front.back() - 1) / 2;
   panel.line("Ritter, shallow water", std::vector{0.0, ritter_end}, std::vector{1.0, run.front.back()}, Role::guide);
   auto& heights = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "H/a"});
@@ -316,15 +289,20 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     heights.points("Martin and Moyce", table.column("Tg"), table.column("H_over_a"), Role::data);
   }
   auto& water = exhibit.figure("water", "The water", "Markers of its surface.");
-  for (const Frame& frame : run.frames) {
-    auto& shape =
-        water.panel({.x = "x/a", .y = "y/a", .title = fmt::format("T = {:.2f}", frame.T), .equal_aspect = true});
+  for (const GaussFrame& frame : run.frames) {
+    auto& shape = water.panel({.x = "x/a",
+                               .y = "y/a",
+                               .title = fmt::format("T = {:.2f}", frame.time * r.column.unit()),
+                               .equal_aspect = true});
     shape.line("markers", frame.line_x, frame.line_y, Role::computed);
   }
   auto& film = exhibit.figure("film", "The column collapses", "The water under the markers of its surface.");
   film.drawing = "film";
-  for (const Frame& frame : run.film) {
-    film.panel({.x = "x/a", .y = "y/a", .title = fmt::format("T = {:.2f}", frame.T), .equal_aspect = true})
+  for (const GaussFrame& frame : run.film) {
+    film.panel({.x = "x/a",
+                .y = "y/a",
+                .title = fmt::format("T = {:.2f}", frame.time * r.column.unit()),
+                .equal_aspect = true})
         .fill("water", frame.line_x, frame.line_y);
   }
 }
@@ -338,14 +316,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("penalty_loss", run.penalty_loss);
   exhibit.measure("free_particles", run.free_particles);
   draw(r, values, exhibit);
-  for (const Frame& frame : run.frames) {
-    exhibit.snapshot({.time = frame.T / r.column.unit(),
-                      .x = frame.x,
-                      .z = frame.y,
-                      .unit = "a",
-                      .fields = {{"u", "sqrt(g a)", frame.u}, {"w", "sqrt(g a)", frame.v}},
-                      .joined = false});
-  }
+  for (const GaussFrame& frame : run.frames) frame.add_to(exhibit, "a");
 }
 
 }  // namespace

@@ -56,10 +56,6 @@ const std::vector<Origin>& origins() {
 
 }  // namespace
 
-double ColumnFront::unit(double gravity, double width) const {
-  return std::sqrt((tall ? 2 : 1) * gravity / width);
-}
-
 const std::vector<std::string>& column_fronts() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;

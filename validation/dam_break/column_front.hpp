@@ -1,6 +1,8 @@
 /// Measured and computed fronts of collapsing columns that others published.
 #pragma once
 
+#include <cmath>
+
 #include <string>
 #include <vector>
 
@@ -25,7 +27,7 @@ struct ColumnFront {
   double tank = 0;              ///< length of the tank over a; 0: no far wall
   [[nodiscard]] Curve curve() const { return {T, X}; }
   /// [1/s] for a column of width a.
-  [[nodiscard]] double unit(double gravity, double width) const;
+  [[nodiscard]] double unit(double gravity, double width) const { return std::sqrt((tall ? 2 : 1) * gravity / width); }
 };
 
 /// A column of the laboratories is let go late: the one rule for all models.

@@ -23,6 +23,7 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::dam_break_discharge {
@@ -82,15 +83,16 @@ void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Setting& s = all[k];
     claims.at(fmt::format("N = {}", s.particles))
+        .where("t = {:.3g} s")
         .check(
             "discharge-" + s.id,
             fmt::format("The discharge through the dam stays equal to the exact solution, depth ratio {:g}.", s.ratio),
             "largest deviation of the discharge [m^2/s]",
-            [k, exact = s.exact](const Results& r) -> Measurement {
+            [k, exact = s.exact](const Results& r) {
               const Discharge& q = r.discharges.at(k);
               Worst deviation;
               for (std::size_t i = 0; i < q.time.size(); ++i) deviation.add(q.value[i] - exact, q.time[i]);
-              return {.value = deviation.value(), .where = fmt::format("t = {:.3g} s", deviation.where())};
+              return deviation;
             },
             Bound{.limit = 2.5 / n * s.exact,
                   .reason = "the start spoils the water of about one particle on either side of the dam, and its trace "
@@ -123,8 +125,8 @@ Results compute(const Run& run) {
 void draw_levels(evidence::Exhibit& exhibit, const std::string& id, const std::string& title,
                  const FlowProblem& problem, const std::vector<std::string>& atlas) {
   auto& panel =
-      exhibit.figure(id, title, "Levels above and below the dam at several times; all curves meet at the dam.", atlas)
-          .panel({.x = "x - dam [m]", .y = "depth h [m]"});
+      add_panel(exhibit, id, title, "Levels above and below the dam at several times; all curves meet at the dam.",
+                {.x = "x - dam [m]", .y = "depth h [m]"}, atlas);
   for (const double t : {1.0, 2.0, 3.0}) {
     const ProfileCurve curve = exact_curve(problem, problem.start, problem.end, t);
     panel.line(fmt::format("t = {:g} s", t), curve.x, curve.depth, Role::computed);
@@ -146,17 +148,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exact.panel({.x = "x - dam [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
   exact.panel({.x = "x - dam [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 
-  auto& panel =
-      exhibit
-          .figure("discharge", "Discharge through the section of the dam", "By particles, relative to the exact one.")
-          .panel({.x = "t [s]", .y = "q / q exact"});
+  auto& panel = add_panel(exhibit, "discharge", "Discharge through the section of the dam",
+                          "By particles, relative to the exact one.", {.x = "t [s]", .y = "q / q exact"});
   const std::vector<Setting> all = settings(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Setting& s = all[k];
     const Discharge& q = r.discharges[k];
-    std::vector<double> relative = q.value;
-    for (double& one : relative) one /= s.exact;
-    panel.line(s.ratio == 0 ? "dry bed" : fmt::format("depth ratio {:g}", s.ratio), q.time, relative, Role::computed);
+    panel.line(s.ratio == 0 ? "dry bed" : fmt::format("depth ratio {:g}", s.ratio), q.time,
+               each(q.value, [&](double value) { return value / s.exact; }), Role::computed);
     exhibit.measure("discharge_exact_" + s.id, s.exact);
   }
 }

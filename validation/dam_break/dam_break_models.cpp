@@ -233,12 +233,8 @@ Trial trial_of(const Values& values) {
           .reference_uncertainty = data.uncertainty * std::sqrt(2 / points)};
 }
 
-struct Results {
-  Contest contest;
-};
-
-void claims(const Values& values, const Claims<Results>& all) {
-  const Claims<Contest> claims = all.at(fmt::format("the finest, T = {:g}", values.real("time"))).of(&Results::contest);
+void claims(const Values& values, const Claims<Contest>& all) {
+  const Claims<Contest> claims = all.at(fmt::format("the finest, T = {:g}", values.real("time")));
   const ColumnFront data = data_of(values);
   for (const Named& model : {particles, sph}) {
     claims_of(claims.only_if(values.real("time") <= 3.6, "later the tongue is thin"), model.id)
@@ -270,18 +266,18 @@ void claims(const Values& values, const Claims<Results>& all) {
                "nodes of its surface slide along it as a function of x, and a face is none", source);
 }
 
-Results compute(const Run& run) {
-  return {contest(run,
-                  column_contenders(data_of(run), {.particles = run.integer("particles"),
-                                                   .mesh = run.integer("mesh"),
-                                                   .cells = run.integer("cells"),
-                                                   .overlapping = run.integer("overlapping"),
-                                                   .sph = run.integer("sph")}),
-                  trial_of(run))};
+Contest compute(const Run& run) {
+  return contest(run,
+                 column_contenders(data_of(run), {.particles = run.integer("particles"),
+                                                  .mesh = run.integer("mesh"),
+                                                  .cells = run.integer("cells"),
+                                                  .overlapping = run.integer("overlapping"),
+                                                  .sph = run.integer("sph")}),
+                 trial_of(run));
 }
 
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, {.size = "width", .error = "width", .time = "sqrt(width/g)"});
+void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  contest.show(exhibit, {.size = "width", .error = "width", .time = "sqrt(width/g)"});
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ with it tells the largest speed, from which the sound speed follows.
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
 #include "validation/dam_break/submitted_front.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 
@@ -85,13 +86,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_sound(claims.of(&Results::collapse), values);
   claims.of(&Results::collapse)
       .of(&SphCollapses::run)
-      .check(
-          "contained", "The number of particles that leave the tank through a wall is zero.",
-          "particles outside the tank at the end",
-          [](const SphCollapse& run) -> Measurement {
-            return {.value = static_cast<double>(run.lost), .resolution = run.resolution()};
-          },
-          Bound{.limit = 0, .reason = "walls are tight"});
+      .at(&SphCollapse::resolution)
+      .check("contained", "The number of particles that leave the tank through a wall is zero.",
+             "particles outside the tank at the end", &SphCollapse::lost,
+             Bound{.limit = 0, .reason = "walls are tight"});
 }
 
 void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
@@ -99,9 +97,8 @@ void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const Colu
   const double farthest = (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width;
   const ShiftedFront fit = shifted_front(computed.free_front(), data.curve(), farthest);
   measure_shift(exhibit, fit);
-  std::vector<double> later = computed.T;
-  for (double& T : later) T += fit.shift;
-  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), later, computed.front, Role::peer);
+  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), each(computed.T, [&](double T) { return T + fit.shift; }),
+             computed.front, Role::peer);
   panel.points(data.label, data.T, data.X, Role::data);
 }
 
@@ -119,10 +116,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     evidence::Table& table = add_table(exhibit, "roundings", "Lengths that were rounded", "", {"what"});
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
   }
-  auto& panel = exhibit
-                    .figure("front", "Position of the front",
-                            fmt::format("Over the width of the column; {}.", computed.resolution()))
-                    .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  auto& panel = add_panel(exhibit, "front", "Position of the front",
+                          fmt::format("Over the width of the column; {}.", computed.resolution()),
+                          {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
   if (compared) compare(exhibit, computed, data, dam, panel);
   auto& energy = exhibit.figure("energy", "Energy", "Over the initial energy, from the bottom of the tank.");

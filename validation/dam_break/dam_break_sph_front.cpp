@@ -23,6 +23,7 @@ $a/71$, where the points say 1.28.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -86,10 +87,7 @@ double speed_of(const Curve& front) {
 /// A number of each computation.
 template <class Read>
 std::vector<double> of_all(const Results& runs, Read read) {
-  return each(runs, [&](const SphCollapses& one) { return read(one.run); });
-}
-double spacing_of(const SphCollapse& run) {
-  return run.spacing;
+  return each(runs, [&](const SphCollapses& one) { return std::invoke(read, one.run); });
 }
 double front_speed(const SphCollapse& run) {
   return speed_of(run.free_front());
@@ -97,9 +95,7 @@ double front_speed(const SphCollapse& run) {
 
 void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, const ColumnFront& vof, long cells) {
   const auto fitted = [data](double ShiftedFront::*member) {
-    return [data, member](const SphCollapse& run) -> Measurement {
-      return {.value = fit_of(run, data).*member, .resolution = run.resolution()};
-    };
+    return [data, member](const SphCollapse& run) { return fit_of(run, data).*member; };
   };
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
@@ -117,11 +113,7 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
                         "times the shift"})
       .check(
           "unshifted", "Without a shift of time the front goes through the measured points.", "rms difference of X/a",
-          [data](const SphCollapse& run) -> Measurement {
-            Mean off;
-            for (const double lead : fit_of(run, data).raw_off) off.add(lead);
-            return {.value = off.rms(), .resolution = run.resolution()};
-          },
+          [data](const SphCollapse& run) { return over<Mean>(fit_of(run, data).raw_off, std::identity{}).rms(); },
           through_points(data));
   claims.from(publication)
       .check(
@@ -129,9 +121,8 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
           "The SPH front, without a shift of time, is nearer to the measured points than the front of interFoam 1912, "
           "a volume-of-fluid solver.",
           "rms difference of X/a over interFoam's",
-          [data, vof](const SphCollapse& run) -> Measurement {
-            return {.value = fit_of(run, data).raw_rms / shifted_front(vof.curve(), data.curve(), tank - 0.1).raw_rms,
-                    .resolution = run.resolution()};
+          [data, vof](const SphCollapse& run) {
+            return fit_of(run, data).raw_rms / shifted_front(vof.curve(), data.curve(), tank - 0.1).raw_rms;
           },
           Bound{.limit = 1, .reason = "nearer is less than one"});
 }
@@ -142,8 +133,7 @@ void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   claims.check(
       "speed",
       "The speed of the front agrees with the measured speed, with the publication's spacing or the quick tier's.",
-      "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
-      [](const SphCollapse& run) -> Measurement { return {.value = front_speed(run), .resolution = run.resolution()}; },
+      "dX/dT for 1.6 < T < 3, in sqrt(2 g a)", front_speed,
       Bound{.limit = 0.04,
             .reason = "4 %; the points alone, 0.05 each, would allow 13 %",
             .expected = speed_of(data.curve()),
@@ -155,13 +145,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<long> ladder = ladder_of(values);
   const auto finest = claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); });
   claim_sound(finest, values);
-  claim_front(finest.of(&SphCollapses::run), data, column_front("interfoam", values), ladder.back());
+  claim_front(finest.of(&SphCollapses::run).at(&SphCollapse::resolution), data, column_front("interfoam", values),
+              ladder.back());
   const auto same = std::ranges::find(ladder, 50) - ladder.begin();
-  claim_speed(claims.of([same](const Results& runs) -> const SphCollapse& {
+  const auto published = [same](const Results& runs) -> const SphCollapse& {
     return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;
-  }),
-              data);
+  };
+  claim_speed(claims.of(published).at(&SphCollapse::resolution), data);
   claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
+      .at([](const Results& runs) { return runs.back().run.resolution(); })
       .check(
           "speed-uncertain",
           "The front speed for 1.6 < T < 3 agrees with the measurement within the uncertainties of points and lattice.",
@@ -169,8 +161,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           [](const Results& runs) -> Measurement {
             const std::vector<double> speeds = of_all(runs, front_speed);
             return {.value = speeds.back(),
-                    .uncertainty = resolution_uncertainty(of_all(runs, spacing_of), speeds),
-                    .resolution = runs.back().run.resolution()};
+                    .uncertainty = resolution_uncertainty(of_all(runs, &SphCollapse::spacing), speeds)};
           },
           Uncertainty{.expected = speed_of(data.curve()),
                       .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
@@ -187,11 +178,10 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
     x[which].push_back(start.x[p] / a);
     z[which].push_back(start.z[p] / a);
   }
-  auto& domain =
-      exhibit.figure("domain", "Domain of the dam break",
-                     fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
-                     {"sph-fig-1"});
-  auto& sketch = domain.panel({.x = "x/a", .y = "z/a", .equal_aspect = true});
+  auto& sketch =
+      add_panel(exhibit, "domain", "Domain of the dam break",
+                fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
+                {.x = "x/a", .y = "z/a", .equal_aspect = true}, {"sph-fig-1"});
   sketch.points("water", x[0], z[0], Role::computed);
   sketch.points("walls", x[1], z[1], Role::data);
 
@@ -202,12 +192,10 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
                      "As it stands, and later by one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
   auto& panel = figure.panel({.x = "t sqrt(2g/a)", .y = "X/a", .x_min = 0, .x_max = last, .y_min = 1, .y_max = tank});
   panel.line("SPH", finest.T, finest.front, Role::computed);
-  std::vector<double> later = finest.T;
-  for (double& T : later) T += fit.shift;
-  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), later, finest.front, Role::peer);
+  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), each(finest.T, [&](double T) { return T + fit.shift; }),
+             finest.front, Role::peer);
   panel.line(vof.label, vof.T, vof.X, Role::peer);
-  const std::vector<double> errors(data.X.size(), data.uncertainty);
-  panel.points(data.label, data.T, data.X, Role::data, errors);
+  panel.points(data.label, data.T, data.X, Role::data, std::vector<double>(data.X.size(), data.uncertainty));
   auto& study = exhibit.figure("resolution", "The front with wider spacings, and the energy",
                                "Left: X/a; right: energy over the initial energy.");
   auto& fronts = study.panel({.x = "t sqrt(2g/a)", .y = "X/a"});
@@ -225,7 +213,7 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
   const SphCollapse& finest = runs.back().run;
   measure_run(exhibit, finest);
   measure_sound(exhibit, runs.back());
-  const std::vector<double> sizes = of_all(runs, spacing_of);
+  const std::vector<double> sizes = of_all(runs, &SphCollapse::spacing);
   measure_convergence(exhibit, "shift", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).shift; }));
   measure_convergence(exhibit, "rms", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).rms; }));
   measure_convergence(exhibit, "speed", sizes, of_all(runs, front_speed));

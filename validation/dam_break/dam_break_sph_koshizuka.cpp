@@ -21,6 +21,7 @@ experiment is later than both.
 
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
@@ -57,10 +58,7 @@ ShiftedFront fit_of(const SphCollapse& run, const ColumnFront& data) {
 }
 
 auto on_finest(const ColumnFront& data, double ShiftedFront::*member) {
-  return [data, member](const Results& runs) -> Measurement {
-    const SphCollapse& finest = runs.back().run;
-    return {.value = fit_of(finest, data).*member, .resolution = finest.resolution()};
-  };
+  return [data, member](const Results& runs) { return fit_of(runs.back().run, data).*member; };
 }
 
 void claim_rms(const Claims<Results>& claims, const ColumnFront& data, const std::string& id, const Bound& bound) {
@@ -71,7 +69,8 @@ void claim_rms(const Claims<Results>& claims, const ColumnFront& data, const std
              "rms difference of X/L", on_finest(data, &ShiftedFront::rms), bound);
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
+void claims(const Values& values, const Claims<Results>& all) {
+  const auto claims = all.at([](const Results& runs) { return runs.back().run.resolution(); });
   const ColumnFront mps = column_front("koshizuka_oka_mps", values);
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);
@@ -100,18 +99,16 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);
   for (const ColumnFront& data : {mps, first, second}) {
-    std::vector<double> sizes, shifts, rms;
-    for (const auto& [first_run, one] : runs) {
-      sizes.push_back(one.spacing);
-      shifts.push_back(fit_of(one, data).shift);
-      rms.push_back(fit_of(one, data).rms);
-    }
+    const auto of_all = [&](double ShiftedFront::*member) {
+      return each(runs, [&](const SphCollapses& one) { return fit_of(one.run, data).*member; });
+    };
+    const std::vector<double> sizes = each(runs, [](const SphCollapses& one) { return one.run.spacing; });
     exhibit.measure("rms_as_it_stands_" + data.name, fit_of(finest, data).raw_rms);
-    measure_convergence(exhibit, "shift_" + data.name, sizes, shifts);
-    measure_convergence(exhibit, "rms_" + data.name, sizes, rms);
+    measure_convergence(exhibit, "shift_" + data.name, sizes, of_all(&ShiftedFront::shift));
+    measure_convergence(exhibit, "rms_" + data.name, sizes, of_all(&ShiftedFront::rms));
   }
-  auto& panel = exhibit.figure("front", "Position of the front", "As it stands; the far wall is at 4.")
-                    .panel({.x = "t sqrt(2g/L)", .y = "X/L", .y_min = 1, .y_max = tank});
+  auto& panel = add_panel(exhibit, "front", "Position of the front", "As it stands; the far wall is at 4.",
+                          {.x = "t sqrt(2g/L)", .y = "X/L", .y_min = 1, .y_max = tank});
   for (const auto& [first_run, one] : runs) {
     panel.line(fmt::format("SPH, L/{:.0f}", width / one.spacing), one.T, one.front,
                &one == &finest ? Role::computed : Role::peer);

@@ -21,6 +21,7 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 */
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -111,9 +112,7 @@ ShiftedFront fit_of(const SphCollapse& series, const ColumnFront& data) {
 /// @param enough  spacings in the width of the column for the time of its front
 void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, bool enough) {
   const auto fitted = [data](double ShiftedFront::*member) {
-    return [data, member](const SphCollapse& series) -> Measurement {
-      return {.value = fit_of(series, data).*member, .resolution = series.resolution()};
-    };
+    return [data, member](const SphCollapse& series) { return fit_of(series, data).*member; };
   };
   claims.only_if(enough, "spacings of a twentieth of the column delay the front by a tenth of sqrt(a/g)")
       .from(data.citation)
@@ -128,10 +127,7 @@ void claim_events(const Claims<Frames>& claims) {
   const double unit = std::sqrt(gravity / a);
   const auto event = [&](const std::string& id, const std::string& text, const std::string& detector, auto happens) {
     claims.check(
-        id, text, "it happens",
-        [happens](const Frames& frames) -> Measurement {
-          return {.value = happens(frames) ? 1.0 : 0.0, .resolution = frames.series().resolution()};
-        },
+        id, text, "it happens", happens,
         Qualitative{.detector = detector, .reason = "the frames of the publication follow this order of events"});
   };
   event("strikes", "The front strikes the far wall between the second and the third frame.",
@@ -154,17 +150,16 @@ void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
           {.width = std::numeric_limits<double>::infinity(),
            .reason = "cause unknown: by sixty spacings to the column one of 4776 particles passes the rows of a wall"},
           passed)
-      .check(
-          "contained", "The number of particles beside or below the tank at the end is zero.",
-          "particles beside or below the tank at the end",
-          [](const SphCollapse& series) -> Measurement {
-            return {.value = static_cast<double>(series.lost), .resolution = series.resolution()};
-          },
-          Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
+      .check("contained", "The number of particles beside or below the tank at the end is zero.",
+             "particles beside or below the tank at the end", &SphCollapse::lost,
+             Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const auto finest = claims.of([](const Results& runs) -> const Frames& { return runs.back(); });
+  const auto finest =
+      claims.of([](const Results& runs) -> const Frames& { return runs.back(); }).at([](const Frames& frames) {
+        return frames.series().resolution();
+      });
   const auto series = finest.of(&Frames::series);
   claim_sound(finest.of(&Frames::collapse), values);
   claim_front(series, column_front("martin_moyce_square", values), values.integer("cells") >= 30);
@@ -175,18 +170,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
 void show_numbers(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& data) {
   const double unit = std::sqrt(gravity / a);
   const Frames& finest = runs.back();
-  std::vector<double> sizes, shifts, rms;
-  for (const Frames& one : runs) {
-    const ShiftedFront fit = fit_of(one.series(), data);
-    sizes.push_back(one.series().spacing);
-    shifts.push_back(fit.shift);
-    rms.push_back(fit.rms);
-  }
+  const auto of_all = [&](const auto& of) {
+    return each(runs, [&](const Frames& one) { return std::invoke(of, fit_of(one.series(), data)); });
+  };
+  const std::vector<double> sizes = each(runs, [](const Frames& one) { return one.series().spacing; });
   measure_run(exhibit, finest.series());
   measure_sound(exhibit, finest.collapse);
   exhibit.measure("rms_as_it_stands", fit_of(finest.series(), data).raw_rms);
-  measure_convergence(exhibit, "shift", sizes, shifts);
-  measure_convergence(exhibit, "rms", sizes, rms);
+  measure_convergence(exhibit, "shift", sizes, of_all(&ShiftedFront::shift));
+  measure_convergence(exhibit, "rms", sizes, of_all(&ShiftedFront::rms));
   exhibit.measure("front_reaches_wall_s", finest.series().reaches_wall / unit);
   exhibit.measure("front_at_0.160_s", linear_at(finest.series().front_curve(), 0.160 * unit));
   for (std::size_t k = 0; k < times.size(); ++k) {
@@ -209,18 +201,16 @@ void draw(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& da
         frames, finest.particles[k], finest.series().spacing,
         {.title = fmt::format("t = {:.3f} s", times[k]), .frame = {-0.03 * a, (tank + 0.03) * a, -0.03 * a, 2.2 * a}});
   }
-  auto& panel = exhibit
-                    .figure("front", "Position of the front",
-                            "Beside the square column of Martin and Moyce: as it stands, and with one shift.")
-                    .panel({.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
+  auto& panel = add_panel(exhibit, "front", "Position of the front",
+                          "Beside the square column of Martin and Moyce: as it stands, and with one shift.",
+                          {.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
   for (const Frames& one : runs) {
     panel.line(fmt::format("SPH, a/{:.0f}", a / one.series().spacing), one.series().T, one.series().front,
                &one == &finest ? Role::computed : Role::peer);
   }
   const ShiftedFront fit = fit_of(finest.series(), data);
-  std::vector<double> later = finest.series().T;
-  for (double& T : later) T += fit.shift;
-  panel.line(fmt::format("{:.2f} later", fit.shift), later, finest.series().front, Role::guide);
+  panel.line(fmt::format("{:.2f} later", fit.shift), each(finest.series().T, [&](double T) { return T + fit.shift; }),
+             finest.series().front, Role::guide);
   panel.points(data.label, data.T, data.X, Role::data, std::vector<double>(data.X.size(), data.uncertainty));
 }
 

@@ -32,6 +32,7 @@ nothing restores, the loss of quality that the source reports.
 #include "seiche/models/dirichlet_mesh/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::dam_pressure_dirichlet {
 namespace {
@@ -169,11 +170,8 @@ Results compute(const Run& run) {
     r.finest = pressure_of(run, exact, ny, run.real("stabilisation"));
     if (ny <= finest_of_order) r.own.add(ny, {r.finest.rms});
     if (ny == mesh_of_corner) r.corner = r.finest.corner;
-    std::vector<double> errors;
-    for (const auto& [stabilisation, id] : stabilisations) {
-      errors.push_back(pressure_of(run, exact, ny, stabilisation).rms);
-    }
-    r.tabulated.add(ny, errors);
+    r.tabulated.add(
+        ny, each(stabilisations, [&](const Stabilisation& one) { return pressure_of(run, exact, ny, one.value).rms; }));
     run.progress(std::pow(static_cast<double>(ny) / static_cast<double>(meshes.back()), 2));
   }
   return r;
@@ -205,9 +203,9 @@ void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& ex
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_pressure(r, values, exhibit);
   const RefinementStudy study = study_of_table();
-  auto& figure = exhibit.figure("convergence", "Error against the mesh, for five stabilisations",
-                                "Root mean square over the cells inside; grey lines have slopes 1 and 2.");
-  study.draw(r.tabulated, figure.panel({.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));
+  study.draw(r.tabulated, add_panel(exhibit, "convergence", "Error against the mesh, for five stabilisations",
+                                    "Root mean square over the cells inside; grey lines have slopes 1 and 2.",
+                                    {.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));
   study.tabulate(r.tabulated, exhibit);
 }
 

@@ -68,9 +68,9 @@ struct Results {
 };
 
 void draw_setup(evidence::Exhibit& exhibit, double depth) {
-  auto& panel =
-      exhibit.figure("setup", "Dam break over a dry bed: the problem", "Water behind the dam at t = 0.", {"bzz-fig-5"})
-          .panel({.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = 20, .y_min = -0.1, .y_max = 1.3});
+  auto& panel = add_panel(exhibit, "setup", "Dam break over a dry bed: the problem", "Water behind the dam at t = 0.",
+                          {.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = 20, .y_min = -0.1, .y_max = 1.3},
+                          {"bzz-fig-5"});
   panel.fill("water", std::vector<double>{0, dam}, std::vector<double>{depth, depth}, Role::water);
   panel.line("dam", std::vector<double>{dam, dam}, std::vector<double>{0, 1.15 * depth}, Role::guide);
   panel.line("bed", std::vector<double>{0, 20}, std::vector<double>{0, 0}, Role::bed);
@@ -78,11 +78,9 @@ void draw_setup(evidence::Exhibit& exhibit, double depth) {
 
 /// The exact parabola at the paper's times with the particles' tip (figure 7).
 void draw_parabola(evidence::Exhibit& exhibit, const FlowRun& flow, double front) {
-  auto& panel =
-      exhibit
-          .figure("parabola", "The dry dam-break parabola",
-                  "Ritter's profile and the particles' own curve: parabola tip in the front particle.", {"bzz-fig-7"})
-          .panel({.x = "x [m]", .y = "depth h [m]"});
+  auto& panel = add_panel(exhibit, "parabola", "The dry dam-break parabola",
+                          "Ritter's profile and the particles' own curve: parabola tip in the front particle.",
+                          {.x = "x [m]", .y = "depth h [m]"}, {"bzz-fig-7"});
   const ProfileCurve exact = exact_curve(flow.problem, 0, front * 1.02, flow.time());
   const ProfileCurve own = computed_curve(flow.profile());
   panel.line("exact", exact.x, exact.depth, Role::exact);

@@ -13,12 +13,6 @@
 
 namespace seiche::validation {
 
-SphDam SphDam::with_spacing(double spacing) const {
-  SphDam other = *this;
-  other.geometry.spacing = spacing;
-  return other;
-}
-
 Curve SphCollapse::free_front() const {
   const auto count = std::isnan(reaches_wall)
                          ? T.size()
@@ -136,11 +130,11 @@ SphCollapses collapse_by_rule(const SphDam& dam, const Values& values, const Wat
 void claim_sound(const Claims<SphCollapses>& claims, const Values& values) {
   claims.only_if(by_sound_rule(values), "the sound speed is given, not taken from the largest speed")
       .from("Monaghan (1994)")
+      .of(&SphCollapses::run)
+      .at(&SphCollapse::resolution)
       .check(
           "mach", "Speeds stay below a tenth of the sound speed.", "largest Mach number",
-          [](const SphCollapses& runs) -> Measurement {
-            return {.value = runs.run.extremes.mach, .resolution = runs.run.resolution()};
-          },
+          [](const SphCollapse& run) { return run.extremes.mach; },
           Bound{.limit = 0.1, .reason = "the rule by which the sound speed is chosen"});
 }
 

@@ -20,9 +20,6 @@ namespace seiche::validation {
 struct SphDam {
   wcsph::DamBreak geometry;
   wcsph::Settings settings;
-
-  /// The same with another spacing; the smoothing length goes with it.
-  [[nodiscard]] SphDam with_spacing(double spacing) const;
 };
 
 /// Against t sqrt(2 g/a) (tall columns) or t sqrt(g/a), as the measurements are scaled.

@@ -8,6 +8,7 @@
 
 #include "seiche/samples.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -81,12 +82,10 @@ double largest_retreat(const std::vector<double>& X) {
 void draw(const ColumnFront& data, const SubmittedGroup& front, const FrontFit& fit, evidence::Record& record) {
   const std::vector<double>& X = front.values.at("X");
   auto& panel =
-      record
-          .figure("shifted", "Position of the front",
-                  "As it stands, and with the shift of the time origin and the rate of its clock that suit it best.")
-          .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
-  std::vector<double> fitted = front.abscissa;
-  for (double& T : fitted) T = T / fit.rate + fit.shift;
+      add_panel(record, "shifted", "Position of the front",
+                "As it stands, and with the shift of the time origin and the rate of its clock that suit it best.",
+                {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  const std::vector<double> fitted = each(front.abscissa, [&](double T) { return T / fit.rate + fit.shift; });
   panel.line("as it stands", front.abscissa, X, evidence::Role::computed);
   panel.line(fmt::format("{:.2f} later, {:.3g} times as fast", fit.shift, fit.rate), fitted, X, evidence::Role::peer);
   panel.points(data.label, data.T, data.X, evidence::Role::data, std::vector<double>(data.X.size(), data.uncertainty));

@@ -325,10 +325,6 @@ Trial trial_of(const Values& values) {
           .momentum_scale = std::numbers::pi * std::numbers::sqrt2 / 2};
 }
 
-struct Results {
-  Contest contest;
-};
-
 /// Steps of the finest resolution until errors are compared.
 double steps_of(const Values& values, const std::string& id) {
   const double spacings = 5 * values.real("time");
@@ -412,9 +408,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
       [](const Contest& contest) {
         const double least = contest.of("particles").finest().error;
         return std::ranges::all_of(contest.entries(),
-                                   [least](const Entry& one) { return !(one.finest().error < least); })
-                   ? 1.0
-                   : 0.0;
+                                   [least](const Entry& one) { return !(one.finest().error < least); });
       },
       Qualitative{.detector = "error of the finest resolution of each",
                   .reason = "their space holds the linear fields of the exact motion"});
@@ -429,26 +423,26 @@ void claim_ends(const Claims<Contest>& all, const Values& values) {
                names[2], "the outline is drawn out, and nothing restores the place of a node in its cell", source);
 }
 
-void claims(const Values& values, const Claims<Results>& all) {
-  const Claims<Contest> claims = all.at(fmt::format("the finest, t = {:g}", values.real("time"))).of(&Results::contest);
+void claims(const Values& values, const Claims<Contest>& all) {
+  const Claims<Contest> claims = all.at(fmt::format("the finest, t = {:g}", values.real("time")));
   claim_accuracy(claims, values);
   claim_kept(claims, values);
   claim_ends(claims, values);
 }
 
-Results compute(const Run& run) {
+Contest compute(const Run& run) {
   const StretchingDrop drop = the_drop();
-  return {contest(run,
-                  drop_contenders(drop, {.mesh = run.integer("mesh"),
-                                         .rings = run.integer("rings"),
-                                         .overlapping = run.integer("overlapping"),
-                                         .cells = run.integer("cells"),
-                                         .sph = run.integer("sph")}),
-                  trial_of(run))};
+  return contest(run,
+                 drop_contenders(drop, {.mesh = run.integer("mesh"),
+                                        .rings = run.integer("rings"),
+                                        .overlapping = run.integer("overlapping"),
+                                        .cells = run.integer("cells"),
+                                        .sph = run.integer("sph")}),
+                 trial_of(run));
 }
 
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, {.size = "radius", .error = "radius", .time = "1/strain rate"});
+void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  contest.show(exhibit, {.size = "radius", .error = "radius", .time = "1/strain rate"});
 }
 
 }  // namespace

@@ -29,8 +29,10 @@ cut cells, the sums over particles, and the steps.
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/drop/affine_outline.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"
+#include "validation/studies/gauss_particles/gauss_frame.hpp"
 
 namespace seiche::validation::cases::ellipse_gauss {
 namespace {
@@ -74,11 +76,6 @@ SetUp set_up(const Values& values) {
           values.real("tau"), values.real("time")};
 }
 
-struct Frame {
-  double time = 0;
-  std::vector<double> x, y;  ///< of the markers
-};
-
 struct Errors {
   double rms = 0;      ///< of the particles' places
   double surface = 0;  ///< largest of the markers' places
@@ -86,7 +83,7 @@ struct Errors {
 
 struct Results {
   SetUp set_up;
-  std::vector<Frame> frames;
+  std::vector<GaussFrame> frames;
   Errors splines, linear;
   std::vector<double> pressure_time, pressure;  ///< at the middle of the drop
   Worst pressure_error;                         ///< relative
@@ -144,15 +141,7 @@ Results compute(const Run& run) {
                           LatticePlan{.degree = static_cast<int>(run.integer("degree")), .cell_x = run.real("cell")},
                           SplineSpace::Settings{.inner_fraction = 0.4}),
                       s);
-  const auto keep = [&] {
-    Frame frame{.time = flow.time()};
-    for (const Point& marker : flow.markers()) {
-      frame.x.push_back(marker.x);
-      frame.y.push_back(marker.y);
-    }
-    r.frames.push_back(std::move(frame));
-  };
-  keep();
+  r.frames.emplace_back(flow);
   for (long part = 1; part <= pressures; ++part) {
     double before = flow.time();
     double last_step = 0;
@@ -161,7 +150,7 @@ Results compute(const Run& run) {
       before = flow.time();
     });
     take_pressure(r, flow, last_step);
-    if (2 * part % pressures == 0) keep();
+    if (2 * part % pressures == 0) r.frames.emplace_back(flow);
     run.progress(0.09 * static_cast<double>(part));
   }
   r.splines = errors_of(flow, s.drop);
@@ -201,36 +190,26 @@ void claims(const Values& values, const Claims<Results>& all) {
 void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
   auto& figure = exhibit.figure("frames", "The drop", "Every fourth marker of its surface, and the exact ellipse.",
                                 {"frank-ellipse"});
-  for (const Frame& frame : r.frames) {
+  for (const GaussFrame& frame : r.frames) {
     auto& panel =
         figure.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
-    std::vector<double> x, y;
-    const Eigen::Matrix2d deformation = r.set_up.drop.at(frame.time).deformation;
-    for (int k = 0; k <= 200; ++k) {
-      const double angle = 2 * std::numbers::pi * k / 200;
-      const Eigen::Vector2d place = deformation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      x.push_back(place.x());
-      y.push_back(place.y());
-    }
     std::vector<double> marker_x, marker_y;
-    for (std::size_t k = 0; k < frame.x.size(); k += drawn) {
-      marker_x.push_back(frame.x[k]);
-      marker_y.push_back(frame.y[k]);
+    for (std::size_t k = 0; k < frame.line_x.size(); k += drawn) {
+      marker_x.push_back(frame.line_x[k]);
+      marker_y.push_back(frame.line_y[k]);
     }
     panel.points("markers", marker_x, marker_y, Role::computed);
-    panel.line("exact", x, y, Role::exact);
+    draw_outline(panel, r.set_up.drop, frame.time);
   }
 }
 
 void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
-  auto& panel = exhibit
-                    .figure("pressure", "The pressure at the middle",
-                            "Fitted to the reactions of single steps, and Dirichlet's.", {"frank-ellipse"})
-                    .panel({.x = "t", .y = "p(0, 0)/density"});
+  auto& panel = add_panel(exhibit, "pressure", "The pressure at the middle",
+                          "Fitted to the reactions of single steps, and Dirichlet's.",
+                          {.x = "t", .y = "p(0, 0)/density"}, {"frank-ellipse"});
   const std::vector<double> time = evenly(0, r.set_up.end, 101);
-  const std::vector<double> exact = each(time, [&](double t) { return r.set_up.drop.at(t).central_pressure; });
   panel.points("fitted", r.pressure_time, r.pressure, Role::computed);
-  panel.line("exact", time, exact, Role::exact);
+  panel.line("exact", time, each(time, [&](double t) { return r.set_up.drop.at(t).central_pressure; }), Role::exact);
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {

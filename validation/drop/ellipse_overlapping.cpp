@@ -36,6 +36,7 @@ until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per ce
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/drop/affine_outline.hpp"
 
 namespace seiche::validation::cases::ellipse_overlapping {
 namespace {
@@ -167,9 +168,7 @@ RefinementStudy study_of_orders() {
 
 std::vector<int> lattices_of(const SetUp& s) {
   std::vector<int> chosen;
-  for (const int n : lattices) {
-    if (n * s.spacing < 1.001) chosen.push_back(n);
-  }
+  std::ranges::copy_if(lattices, std::back_inserter(chosen), [&](int n) { return n * s.spacing < 1.001; });
   return chosen;
 }
 
@@ -222,22 +221,10 @@ Results compute(const Run& run) {
     const double spacing = 1.0 / n;
     Drop drop = run_drop(s, spacing, s.tau / s.spacing * spacing);
     r.refinement.add(n, {drop.rms, std::abs(drop.stretch.larger - r.exact.larger)});
-    if (std::find(drawn.begin(), drawn.end(), n) != drawn.end()) r.coarser.emplace_back(n, std::move(drop));
+    if (std::ranges::count(drawn, n) > 0) r.coarser.emplace_back(n, std::move(drop));
     run.progress(0.4 + 0.6 * std::pow(n * s.spacing, 3));
   }
   return r;
-}
-
-void draw_outline(evidence::Panel& panel, const AffineDrop& drop, double time) {
-  std::vector<double> x, y;
-  const Matrix2d deformation = drop.at(time).deformation;
-  for (int k = 0; k <= 200; ++k) {
-    const double angle = 2 * std::numbers::pi * k / 200;
-    const Vector2d place = deformation * Vector2d(std::cos(angle), std::sin(angle));
-    x.push_back(place.x());
-    y.push_back(place.y());
-  }
-  panel.line("exact", x, y, Role::exact);
 }
 
 void draw_drops(const Results& r, evidence::Exhibit& exhibit) {
@@ -272,9 +259,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_drops(r, exhibit);
   if (r.refinement.n().size() > 1) {
     const RefinementStudy study = study_of_orders();
-    auto& figure = exhibit.figure("convergence", "Errors against the lattice",
-                                  "Spacings to the radius; grey lines have slopes 1 and 2.");
-    study.draw(r.refinement, figure.panel({.x = "1/h", .y = "error", .log_x = true, .log_y = true}));
+    study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors against the lattice",
+                                       "Spacings to the radius; grey lines have slopes 1 and 2.",
+                                       {.x = "1/h", .y = "error", .log_x = true, .log_y = true}));
     study.tabulate(r.refinement, exhibit);
   }
   exhibit.measure("stretch_smaller", r.own.stretch.smaller);

@@ -31,25 +31,14 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, values.real("time"), 101);
 }
 
-void claims(const Values& values, const Claims<exact::SelfTest>& claims) {
-  claim_identities(claims, drop_of(values).self_test(), source);
-}
-
-exact::SelfTest compute(const Run& run) {
-  return drop_of(run).self_test();
-}
-
-void show(const exact::SelfTest& /*identities*/, const Values& values, evidence::Exhibit& exhibit) {
-  const exact::StretchingDrop drop = drop_of(values);
+void show(const exact::StretchingDrop& drop, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<double> times = times_of(values);
-  std::vector<double> along = each(times, [&](const double t) { return drop.semi_axis(t); });
-  std::vector<double> across = each(times, [&](const double t) { return drop.other_axis(t); });
-  std::vector<double> pressure = each(times, [&](const double t) { return drop.at(t).central_pressure; });
   auto& figure = exhibit.figure("drop", "Semi-axes and pressure", "Along and across the stretching; at the centre.");
   auto& axes = figure.panel({.x = "t [s]", .y = "semi-axis [m]"});
-  axes.line("along x", times, along, Role::exact);
-  axes.line("along y", times, across, Role::guide);
-  figure.panel({.x = "t [s]", .y = "pressure [Pa]"}).line("centre", times, pressure, Role::exact);
+  axes.line("along x", times, each(times, [&](double t) { return drop.semi_axis(t); }), Role::exact);
+  axes.line("along y", times, each(times, [&](double t) { return drop.other_axis(t); }), Role::guide);
+  figure.panel({.x = "t [s]", .y = "pressure [Pa]"})
+      .line("centre", times, each(times, [&](double t) { return drop.at(t).central_pressure; }), Role::exact);
   exhibit.measure("reference_uncertainty", drop.uncertainty());
 }
 
@@ -88,7 +77,7 @@ Case stretching_drop() {
       real("time", 2.0, "s", {1e-9, 1e6}, "end of the series that is asked for"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<drop_of, show>(source);
   c.submission = {.tables = wanted};
   return c;
 }

@@ -24,6 +24,7 @@ same equilibrium is reached.
 */
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -33,6 +34,7 @@ same equilibrium is reached.
 
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation::cases::vortex_overlapping {
@@ -70,23 +72,16 @@ SetUp set_up(const Values& values) {
   return s;
 }
 
-/// Of an interval of 95 per cent about the mean of so many samples, over the standard deviation of the mean.
-double student_factor(std::size_t samples) {
-  return boost::math::quantile(boost::math::students_t(static_cast<double>(samples) - 1), 0.975);
-}
-
 /// Mean of some samples, with the half-width of its interval of 95 per cent.
 struct Estimate {
   double mean = 0, half_width = 0;
 
   explicit Estimate(const std::vector<double>& samples) {
-    Mean all;
-    for (const double sample : samples) all.add(sample);
-    mean = all.value();
-    Mean squares;
-    for (const double sample : samples) squares.add((sample - mean) * (sample - mean));
+    const auto count = static_cast<double>(samples.size());
+    mean = over<Mean>(samples, std::identity{}).value();
+    const auto squares = over<Mean>(samples, [&](double sample) { return (sample - mean) * (sample - mean); });
     half_width =
-        student_factor(samples.size()) * std::sqrt(squares.value() / (static_cast<double>(samples.size()) - 1));
+        boost::math::quantile(boost::math::students_t(count - 1), 0.975) * std::sqrt(squares.value() / (count - 1));
   }
   [[nodiscard]] Measurement measured() const { return {.value = mean, .uncertainty = half_width}; }
 };
@@ -152,9 +147,8 @@ Course run_course(const SetUp& s, Particles particles) {
     if (flow.time() < s.at - s.tau / 2) return;
     course.kurtosis.add(kurtosis_of(parts.residual));
     if (!course.residual.empty()) return;
-    Mean size;
-    for (const double v : parts.residual) size.add(v);
-    for (const double v : parts.residual) course.residual.push_back(v / size.rms());
+    const double size = over<Mean>(parts.residual, std::identity{}).rms();
+    course.residual = each(parts.residual, [&](double v) { return v / size; });
   };
   keep();
   const double kinetic = flow.energy();
@@ -212,13 +206,9 @@ struct Results {
   Worst energy, angular_momentum;
 
   [[nodiscard]] double time(std::size_t step) const { return set_up.tau * static_cast<double>(step); }
-  [[nodiscard]] double incoherent_of_first(double at) const {
-    return first.incoherent.at(static_cast<std::size_t>(std::lround(at / set_up.tau)));
-  }
   /// When a quarter of the first flow's energy was noise; NaN: never.
   [[nodiscard]] double quarter_time() const {
-    const auto found =
-        std::find_if(first.incoherent.begin(), first.incoherent.end(), [](double c) { return c > quarter; });
+    const auto found = std::ranges::find_if(first.incoherent, [](double c) { return c > quarter; });
     return found == first.incoherent.end() ? std::numeric_limits<double>::quiet_NaN()
                                            : time(static_cast<std::size_t>(found - first.incoherent.begin()));
   }
@@ -322,10 +312,9 @@ void draw_velocities(const Results& r, evidence::Exhibit& exhibit) {
     if (b >= 0 && b < bins)
       density[static_cast<std::size_t>(b)] += 1 / (width * static_cast<double>(r.residual.size()));
   }
-  auto& panel = exhibit
-                    .figure("velocities", "Velocities without the exact flow",
-                            "Of all particles of all copies, over their standard deviation.", {"frank-overlapping"})
-                    .panel({.x = "velocity", .y = "density"});
+  auto& panel = add_panel(exhibit, "velocities", "Velocities without the exact flow",
+                          "Of all particles of all copies, over their standard deviation.",
+                          {.x = "velocity", .y = "density"}, {"frank-overlapping"});
   panel.points(fmt::format("t = {:g}", r.set_up.at), middle, density, Role::computed);
   panel.line("Gaussian", middle, gaussian, Role::exact);
 }

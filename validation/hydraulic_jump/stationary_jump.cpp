@@ -62,17 +62,17 @@ struct Results {
 
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
   const ProfileCurve curve = exact_curve(problem, 0, length, 0);
-  auto& panel = exhibit
-                    .figure("setup", "Hydraulic jump at rest: the problem",
-                            "Water flows from left to right through a jump that stands.", {"bzz-fig-16"})
-                    .panel({.x = "x [m]",
-                            .y = "elevation [m]",
-                            .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity,
-                                                 jump.downstream().velocity),
-                            .x_min = 80,
-                            .x_max = length,
-                            .y_min = -0.1,
-                            .y_max = 3});
+  auto& panel = add_panel(exhibit, "setup", "Hydraulic jump at rest: the problem",
+                          "Water flows from left to right through a jump that stands.",
+                          {.x = "x [m]",
+                           .y = "elevation [m]",
+                           .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity,
+                                                jump.downstream().velocity),
+                           .x_min = 80,
+                           .x_max = length,
+                           .y_min = -0.1,
+                           .y_max = 3},
+                          {"bzz-fig-16"});
   panel.fill("water", curve.x, curve.depth, Role::water);
   draw_exact(exhibit.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"}),
              problem, 0);

@@ -81,10 +81,6 @@ std::size_t StandingBox::cells_of(double wavenumber, double spacing) {
   return static_cast<std::size_t>(std::max(2.0, std::round(std::numbers::pi / (wavenumber * spacing))));
 }
 
-double StandingBox::length() const {
-  return std::numbers::pi * static_cast<double>(half_waves) / wavenumber;
-}
-
 Channel StandingBox::channel() const {
   return {.bottom = std::make_shared<LevelBottom>(depth),
           .gravity = gravity,

@@ -1,6 +1,8 @@
 /// Standing waves of the dispersive shallow-water model between two vertical walls, and their frequency.
 #pragma once
 
+#include <numbers>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -31,7 +33,7 @@ struct StandingBox {
   /// Number of cells with which one half-wave has cells of about `spacing`.
   static std::size_t cells_of(double wavenumber, double spacing);
 
-  [[nodiscard]] double length() const;
+  [[nodiscard]] double length() const { return std::numbers::pi * static_cast<double>(half_waves) / wavenumber; }
   [[nodiscard]] double spacing() const { return length() / static_cast<double>(cells); }
   [[nodiscard]] dispersive_shallow_water_1d::Channel channel() const;
 

@@ -71,9 +71,6 @@ struct Configuration {
   std::vector<Reflection> ladder = {};
 
   [[nodiscard]] const Reflection& finest() const { return ladder.front(); }
-  [[nodiscard]] std::vector<double> sizes() const {
-    return each(ladder, [](const Reflection& reflection) { return reflection.run.spacing; });
-  }
 };
 
 using Results = std::vector<Configuration>;
@@ -108,13 +105,10 @@ Results compute(const Run& run) {
   Results all;
   for (const double angle : angles_of(run)) all.push_back({angle, std::vector<Reflection>(factors.size())});
   const std::size_t count = all.size() * factors.size();
-  on_threads(
-      count, workers_of(run.tier()),
-      [&](std::size_t k) {
-        Configuration& one = all[k % all.size()];
-        one.ladder[k / all.size()] = reflect_as_part(run, run_of(run, one.angle, factors[k / all.size()]));
-      },
-      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(count)); });
+  on_threads(run, count, [&](std::size_t k) {
+    Configuration& one = all[k % all.size()];
+    one.ladder[k / all.size()] = reflect_as_part(run, run_of(run, one.angle, factors[k / all.size()]));
+  });
   return all;
 }
 
@@ -124,9 +118,9 @@ struct Value {
   double limit;
 };
 Value value_of(const Configuration& one, const Quantity& quantity) {
-  std::vector<double> values =
-      each(one.ladder, [&](const Reflection& reflection) { return quantity.measured(reflection).value; });
-  const FineLimit lattice = fine_limit(one.sizes(), values);
+  const auto value = [&](const Reflection& reflection) { return quantity.measured(reflection).value; };
+  const FineLimit lattice =
+      fine_limit(each(one.ladder, [](const Reflection& r) { return r.run.spacing; }), each(one.ladder, value));
   Measurement measured = quantity.measured(one.finest());
   measured.uncertainty = std::hypot(measured.half_width(), lattice.uncertainty);
   return {measured, lattice.value};
@@ -201,36 +195,31 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 void draw_surface(evidence::Exhibit& exhibit, const Configuration& one) {
   const Reflection& r = one.finest();
-  auto& figure = exhibit.figure("surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
-                                fmt::format("a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: "
-                                            "the crests that are measured; lines: fitted to them.",
-                                            r.run.amplitude, r.run.resolution(), r.growth_flag()));
-  auto& plan = figure.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
+  auto& plan = add_panel(exhibit, "surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
+                         fmt::format("a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: "
+                                     "the crests that are measured; lines: fitted to them.",
+                                     r.run.amplitude, r.run.resolution(), r.growth_flag()),
+                         {.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
   plan.plan("elevation", r.surface.lattice());
   const auto crests = [&](const std::string& name, const std::vector<Crest>& found, const StraightLine& line) {
-    std::vector<double> x, y, fitted;
-    for (const Crest& crest : found) {
-      x.push_back(crest.x - r.pattern.wall.x);
-      y.push_back(crest.y);
-      fitted.push_back(line.at(crest.y) - r.pattern.wall.x);
-    }
-    plan.points(name, x, y, Role::data);
-    plan.line("fitted", fitted, y, Role::exact);
+    const double wall = r.pattern.wall.x;
+    const std::vector<double> y = each(found, &Crest::y);
+    plan.points(name, each(found, [&](const Crest& crest) { return crest.x - wall; }), y, Role::data);
+    plan.line("fitted", each(y, [&](double at) { return line.at(at) - wall; }), y, Role::exact);
   };
   crests("incident crest", r.pattern.incident, r.pattern.incident_line);
   if (r.pattern.reflected) crests("reflected crest", r.pattern.reflected->crests, r.pattern.reflected->line);
 }
 
 void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
-  auto& figure = exhibit.figure("wall", "Amplitude at the wall",
-                                "Over the measured incident amplitude, on the finest lattice; dashed: the limit of an "
-                                "exponential fitted to the last half.");
-  auto& panel = figure.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"});
+  auto& panel = add_panel(exhibit, "wall", "Amplitude at the wall",
+                          "Over the measured incident amplitude, on the finest lattice; dashed: the limit of an "
+                          "exponential fitted to the last half.",
+                          {.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"});
   for (const Configuration& one : all) {
     const Reflection& r = one.finest();
-    std::vector<double> ratio = r.wall;
-    for (double& value : ratio) value /= r.pattern.incident_amplitude.value;
-    panel.line(fmt::format("{:g} deg, {}: {}", one.angle, r.run.resolution(), r.growth_flag()), r.time, ratio);
+    panel.line(fmt::format("{:g} deg, {}: {}", one.angle, r.run.resolution(), r.growth_flag()), r.time,
+               each(r.wall, [&](double height) { return height / r.pattern.incident_amplitude.value; }));
     panel.line("limit", std::vector{0.0, r.time.back()}, std::vector(2, r.limit_ratio().value), Role::guide);
   }
 }
@@ -251,9 +240,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
     for (std::size_t k = 0; k < quantities().size(); ++k) {
       const Quantity& quantity = quantities()[k];
       const Value value = value_of(one, quantity);
-      const auto digits = [](double number) { return std::round(number * 1e4) / 1e4; };
-      table.rows.push_back({one.angle, quantity.id, digits(value.measured.value), digits(value.measured.half_width()),
-                            digits(value.limit), digits(theory(miles)[k]), digits(theory(finite)[k])});
+      table.rows.push_back({one.angle, quantity.id, rounded(value.measured.value), rounded(value.measured.half_width()),
+                            rounded(value.limit), rounded(theory(miles)[k]), rounded(theory(finite)[k])});
     }
   }
 }

@@ -83,14 +83,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
       Bound{.limit = Amount::told_by_run(0.03),
             .reason = "the scatter of the incident amplitude along its crest, in both runs; a hundredth of a_w/a_i at "
                       "most, about the error of the lattice"});
-  claims.check(
-      "solver", "With a solver with a tolerance of 1e-10 the stem is as high.", "difference of a_w/a_i",
-      [](const Results& r) -> Measurement {
-        return {.value = r.solver.wall_ratio().value - r.usual.wall_ratio().value,
-                .resolution = r.solver.run.resolution()};
-      },
-      Bound{.limit = 4 * tolerance * std::sqrt(steps),
-            .reason = "a_w/a_i, 4 at most, to the usual tolerance of 1e-7; errors of steps add like random ones"});
+  claims.at([](const Results& r) { return r.solver.run.resolution(); })
+      .check(
+          "solver", "With a solver with a tolerance of 1e-10 the stem is as high.", "difference of a_w/a_i",
+          [](const Results& r) { return r.solver.wall_ratio().value - r.usual.wall_ratio().value; },
+          Bound{.limit = 4 * tolerance * std::sqrt(steps),
+                .reason = "a_w/a_i, 4 at most, to the usual tolerance of 1e-7; errors of steps add like random ones"});
 }
 
 Results compute(const Run& run) {
@@ -115,9 +113,7 @@ Results compute(const Run& run) {
   runs[2 * rungs + 2].tolerance = 1e-10;
 
   std::vector<Reflection> reflections(runs.size());
-  on_threads(
-      runs.size(), workers_of(run.tier()), [&](std::size_t k) { reflections[k] = reflect(runs[k]); },
-      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(runs.size())); });
+  on_threads(run, runs.size(), [&](std::size_t k) { reflections[k] = reflect(runs[k]); });
   for (std::size_t k = 0; k < rungs; ++k) {
     r.lattices.wall.push_back(reflections[k].wall_at(when(run)));
     r.steps.wall.push_back(reflections[rungs + k].wall_at(when(run)));

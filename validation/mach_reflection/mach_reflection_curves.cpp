@@ -55,8 +55,8 @@ const std::vector<Plan>& plans() {
   return all;
 }
 const Plan* plan_of(double amplitude) {
-  const auto found = std::find_if(plans().begin(), plans().end(),
-                                  [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
+  const auto found =
+      std::ranges::find_if(plans(), [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
   return found == plans().end() ? nullptr : &*found;
 }
 
@@ -119,18 +119,14 @@ Worst from_theory(const ReflectionSeries& series) {
 }
 
 void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
-  claims.from("Miles (1977); Li, Yeh and Kodama (2011)")
+  claims.where("{:g} deg")
+      .from("Miles (1977); Li, Yeh and Kodama (2011)")
       .check(
           with("theory", series),
           fmt::format("a = {:g}: a_w/a_i agrees with the theory of small waves over the parameter for finite angles, "
                       "farther than {:g} from its cusp.",
                       series.amplitude, cusp),
-          "largest relative difference of the limits for infinite time",
-          [](const ReflectionSeries& s) -> Measurement {
-            const Worst worst = from_theory(s);
-            return {
-                .value = worst.value(), .resolution = lattice_of(s), .where = fmt::format("{:g} deg", worst.where())};
-          },
+          "largest relative difference of the limits for infinite time", from_theory,
           Bound{.limit = series.amplitude, .reason = "what it leaves out is of the order of the amplitude"});
 }
 

@@ -24,6 +24,7 @@ mostly theirs.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -113,9 +114,8 @@ struct Wave {
 
   /// Of fine lattices, from what each of them gave.
   [[nodiscard]] Measurement limit(Measurement (Reflection::*of)() const) const {
-    std::vector<double> sizes = each(lattices, [](const Reflection& r) { return r.run.spacing; });
-    std::vector<double> numbers = each(lattices, [&](const Reflection& r) { return (r.*of)().value; });
-    const FineLimit fine = fine_limit(sizes, numbers);
+    const FineLimit fine = fine_limit(each(lattices, [](const Reflection& r) { return r.run.spacing; }),
+                                      each(lattices, [&](const Reflection& r) { return (r.*of)().value; }));
     return {.value = fine.value,
             .uncertainty = std::hypot(fine.uncertainty, (lattices.front().*of)().half_width()),
             .resolution = fmt::format("{} and {} times that", lattices.front().run.resolution(), "1.4 and 2")};
@@ -146,8 +146,7 @@ double coarseness(const Values& values, double amplitude) {
 /// The other start: of the first angle at each amplitude.
 bool starts_otherwise(const Values& values, const Wave& wave) {
   if (wave.model != WaveModel::plan) return false;
-  const std::vector<Plan> all = plans(values);
-  return std::any_of(all.begin(), all.end(), [&](const Plan& plan) {
+  return std::ranges::any_of(plans(values), [&](const Plan& plan) {
     return plan.amplitude == wave.amplitude && plan.angles.front() == wave.angle;
   });
 }
@@ -185,12 +184,13 @@ void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
 void claim_small(const Claims<Wave>& claims, const Wave& wave) {
   const double kappa = wave.nominal().kappa();
   claims.from("Kodama and Yeh (2016)")
+      .at([](const Wave& w) { return w.lattices.front().run.resolution(); })
       .check(
           "settling-" + wave.id(), wave.text() + ": the stem settles at the theory's rate.",
           "rate of the fitted exponential over the theory's, less 1",
-          [](const Wave& w) -> Measurement {
+          [](const Wave& w) {
             const Reflection& r = w.lattices.front();
-            return {.value = r.limit.exponential.rate / r.run.settling_rate() - 1, .resolution = r.run.resolution()};
+            return r.limit.exponential.rate / r.run.settling_rate() - 1;
           },
           Bound{.limit = wave.amplitude * (2.5 + kappa / (1 - kappa)),
                 .reason = "r = S^3 kappa (1 - kappa)/3: a relative error a in S^2 and in kappa makes 3a/2, a and a "
@@ -269,17 +269,9 @@ Results compute(const Run& run) {
     what.excess = excess;
     tasks.push_back({k, what, &*wave.strengthened});
   }
-  on_threads(
-      tasks.size(), workers_of(run.tier()),
-      [&](std::size_t k) { *tasks[k].result = reflect_as_part(run, tasks[k].what); },
-      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(tasks.size())); });
+  on_threads(run, tasks.size(), [&](std::size_t k) { *tasks[k].result = reflect_as_part(run, tasks[k].what); });
   return all;
 }
-
-/// kappa by the measured amplitude, a_w/a_i and a_r/a_i with their uncertainties.
-struct Points {
-  std::vector<double> kappa, wall, wall_error, reflected, reflected_error;
-};
 
 void draw(evidence::Exhibit& exhibit, const Results& all) {
   auto& figure = exhibit.figure(
@@ -293,29 +285,21 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
   reflected.line("theory", kappa, each(kappa, [](double k) { return MachReflection::reflected_ratio(k); }),
                  Role::guide);
   for (const WaveModel model : {WaveModel::plan, WaveModel::hexahedra}) {
-    std::vector<double> amplitudes;
+    std::map<double, std::vector<Wave>> by_amplitude;
     for (const Wave& wave : all) {
-      if (wave.model == model && (amplitudes.empty() || amplitudes.back() != wave.amplitude)) {
-        amplitudes.push_back(wave.amplitude);
-      }
+      if (wave.model == model) by_amplitude[wave.amplitude].push_back(wave);
     }
-    for (const double amplitude : amplitudes) {
-      Points p;
-      std::string name;
-      for (const Wave& wave : all) {
-        if (wave.model != model || wave.amplitude != amplitude) continue;
-        name = fmt::format("{}, a = {:g}", wave.name(), amplitude);
-        const Measurement a_w = wave.limit(&Reflection::limit_ratio);
-        const Measurement a_r = wave.limit(&Reflection::reflected_ratio);
-        p.kappa.push_back(wave.theory().kappa());
-        p.wall.push_back(a_w.value);
-        p.wall_error.push_back(a_w.half_width());
-        p.reflected.push_back(a_r.value);
-        p.reflected_error.push_back(a_r.half_width());
-      }
-      const Role role = model == WaveModel::plan ? Role::computed : Role::peer;
-      wall.points(name, p.kappa, p.wall, role, p.wall_error);
-      reflected.points(name, p.kappa, p.reflected, role, p.reflected_error);
+    for (const auto& [amplitude, waves] : by_amplitude) {
+      const auto points = [&, amplitude = amplitude, &waves = waves](evidence::Panel& panel,
+                                                                     Measurement (Reflection::*of)() const) {
+        panel.points(fmt::format("{}, a = {:g}", waves.front().name(), amplitude),
+                     each(waves, [](const Wave& wave) { return wave.theory().kappa(); }),
+                     each(waves, [&](const Wave& wave) { return wave.limit(of).value; }),
+                     model == WaveModel::plan ? Role::computed : Role::peer,
+                     each(waves, [&](const Wave& wave) { return wave.limit(of).half_width(); }));
+      };
+      points(wall, &Reflection::limit_ratio);
+      points(reflected, &Reflection::reflected_ratio);
     }
   }
   auto& growth = exhibit.figure("start", "Two starts", "The second one is half as high again next to the wall.");
@@ -335,20 +319,19 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
       "processor's, of the finest run.",
       {"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]", "a_w/a_i [1]", "theory [1]",
        "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]", "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"});
-  const auto digits = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Wave& wave : all) {
     const Reflection& finest = wave.lattices.front();
     const double settling = wave.stem() ? finest.limit.exponential.rate / finest.run.settling_rate()
                                         : std::numeric_limits<double>::quiet_NaN();
-    table.rows.push_back({wave.name(), wave.amplitude, wave.angle, digits(finest.run.spacing), digits(wave.incident()),
-                          digits(wave.theory().kappa()), digits(wave.limit(&Reflection::limit_ratio).value),
-                          digits(wave.theory().wall_ratio()), digits(wave.limit(&Reflection::reflected_ratio).value),
-                          digits(wave.theory().reflected_ratio()),
-                          digits(3 * wave.limit(&Reflection::reflected_ratio).value * wave.incident() /
-                                 std::pow(radians(wave.angle), 2)),
-                          digits(wave.limit(&Reflection::reflected_angle).value), digits(wave.theory_angle()),
-                          wave.stem() ? fmt::format("{:.2f}", settling) : std::string("-"),
-                          std::round(10 * finest.seconds) / 10});
+    table.rows.push_back(
+        {wave.name(), wave.amplitude, wave.angle, rounded(finest.run.spacing), rounded(wave.incident()),
+         rounded(wave.theory().kappa()), rounded(wave.limit(&Reflection::limit_ratio).value),
+         rounded(wave.theory().wall_ratio()), rounded(wave.limit(&Reflection::reflected_ratio).value),
+         rounded(wave.theory().reflected_ratio()),
+         rounded(3 * wave.limit(&Reflection::reflected_ratio).value * wave.incident() /
+                 std::pow(radians(wave.angle), 2)),
+         rounded(wave.limit(&Reflection::reflected_angle).value), rounded(wave.theory_angle()),
+         wave.stem() ? fmt::format("{:.2f}", settling) : std::string("-"), rounded(finest.seconds, 10)});
   }
 }
 

@@ -101,7 +101,7 @@ struct Results {
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), theory_of(values).self_test(), source);
+  claim_identities(claims.from(source).of(&Results::identities), theory_of(values).self_test());
   const std::vector<KnownReflection> known = known_reflections(values);
   const auto run = std::ranges::find_if(known, [&](const KnownReflection& one) {
     return std::abs(one.amplitude - values.real("amplitude")) < 1e-9 &&
@@ -126,10 +126,9 @@ Results compute(const Run& run) {
 void show(const Results& /*results*/, const Values& values, evidence::Exhibit& exhibit) {
   const double amplitude = values.real("amplitude");
   exhibit.measure("kappa", theory_of(values).kappa());
-  auto& panel = exhibit
-                    .figure("wall", "Amplitude at the wall",
-                            fmt::format("Over the incident one, a = {:g} depths, by both parameters.", amplitude))
-                    .panel({.x = "angle [deg]", .y = "a_w/a_i"});
+  auto& panel = add_panel(exhibit, "wall", "Amplitude at the wall",
+                          fmt::format("Over the incident one, a = {:g} depths, by both parameters.", amplitude),
+                          {.x = "angle [deg]", .y = "a_w/a_i"});
   const std::vector<double> angles = evenly(1, 60, 237);
   for (const auto& [theory, label] : {std::pair{MachReflection::Theory::miles, "Miles"},
                                       std::pair{MachReflection::Theory::kodama_yeh, "Kodama and Yeh"}}) {

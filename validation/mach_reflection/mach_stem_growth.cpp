@@ -21,6 +21,7 @@ larger angle with the wall. Along the stem the height hardly changes.
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases::mach_stem_growth {
@@ -173,9 +174,9 @@ void show(const Development& development, const Values& values, evidence::Exhibi
   exhibit.measure("a_w", development.height.back());
   auto& figure = exhibit.figure("growth", "Growth of the stem",
                                 fmt::format("{}. Height on the wall and length.", resolution_of(values)));
-  std::vector<double> ratio = development.height;
-  for (double& value : ratio) value /= values.real("amplitude");
-  figure.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"}).line("height", development.time, ratio);
+  figure.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"})
+      .line("height", development.time,
+            each(development.height, [&](double height) { return height / values.real("amplitude"); }));
   auto& length = figure.panel({.x = "t [sqrt(depth/g)]", .y = "length [depth]"});
   length.line("length", development.time, development.length);
   const StraightLine line = straight_line(development.late(development.time), development.late(development.length));

@@ -29,6 +29,7 @@ is a hundredth lower.
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
+#include "validation/instruments/agreement.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/plan/oblique_wave.hpp"
@@ -110,13 +111,11 @@ struct Growth {
   SurfacePart surface;  ///< at the end
 
   [[nodiscard]] double at(double place) const {
-    const auto after = std::lower_bound(distance.begin(), distance.end(), place);
-    if (after == distance.begin() || after == distance.end()) {
+    if (!(place > distance.front() && place <= distance.back())) {
       throw std::runtime_error(fmt::format("the stem was followed from {:g} to {:g} depths from the bend, not to {:g}",
                                            distance.front(), distance.back(), place));
     }
-    const auto k = static_cast<std::size_t>(after - distance.begin());
-    return std::lerp(ratio[k - 1], ratio[k], (place - distance[k - 1]) / (distance[k] - distance[k - 1]));
+    return linear_at({distance, ratio}, place);
   }
 };
 
@@ -162,8 +161,8 @@ std::vector<double> angles_of(const Values& values) {
 }
 
 Measurement ratio_at(const Ladder& ladder, double distance) {
-  std::vector<double> sizes = each(ladder, [](const Growth& growth) { return growth.channel.spacing; });
-  std::vector<double> values = each(ladder, [&](const Growth& growth) { return growth.at(distance); });
+  const std::vector<double> sizes = each(ladder, [](const Growth& growth) { return growth.channel.spacing; });
+  const std::vector<double> values = each(ladder, [&](const Growth& growth) { return growth.at(distance); });
   return {.value = values.front(), .uncertainty = fine_limit(sizes, values).uncertainty};
 }
 
@@ -228,10 +227,7 @@ Results compute(const Run& run) {
       all.emplace_back(sizes.size());
     }
   }
-  on_threads(
-      tasks.size(), workers_of(run.tier()),
-      [&](std::size_t k) { all[tasks[k].ladder][tasks[k].rung] = grow(tasks[k].channel); },
-      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(tasks.size())); });
+  on_threads(run, tasks.size(), [&](std::size_t k) { all[tasks[k].ladder][tasks[k].rung] = grow(tasks[k].channel); });
   return all;
 }
 

@@ -44,8 +44,7 @@ void theory_curve(Panel& panel, double (*ratio)(double), double last) {
   std::vector<double> kappa = evenly(0.1, 1, 46);
   for (double step = 1e-4; step < 0.05; step *= 1.6) kappa.push_back(1 + step);
   for (double k = 1.05; k <= last; k += 0.05) kappa.push_back(k);
-  std::vector<double> values = each(kappa, [&](const double k) { return ratio(k); });
-  panel.line("theory of small waves", kappa, values, Role::exact);
+  panel.line("theory of small waves", kappa, each(kappa, ratio), Role::exact);
 }
 
 double last_kappa(const std::vector<ReflectionSeries>& series, Kappa kappa) {
@@ -79,30 +78,27 @@ void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSer
                      "Frank's largest a_w/a_i, 3.5, and his a_r/a_i of regular reflection, 0.95. a_w at the end of the "
                      "run; where it has grown by more than 1 % in the last fifth also its limit.",
                      {"frank-fig-7"});
-  for (const Axis& axis : axes()) {
-    const double last = last_kappa(series, axis.kappa);
-    auto& panel = figure.panel({.x = axis.label, .y = "a_w/a_i", .x_max = last, .y_min = 1, .y_max = 4.1});
-    theory_curve(
-        panel, [](double k) { return MachReflection::wall_ratio(k); }, last);
+  const auto draw = [&](const Axis& axis, const evidence::Axes& frame, double (*theory)(double),
+                        Measurement (Reflection::*ratio)() const, double frank) {
+    auto& panel = figure.panel(frame);
+    theory_curve(panel, theory, *frame.x_max);
     for (const ReflectionSeries& one : series) {
       panel.points(name_of(one), kappas(one, axis.kappa),
-                   one.all([](const Reflection& r) { return r.wall_ratio().value; }), Role::computed,
-                   one.all([](const Reflection& r) { return r.wall_ratio().half_width(); }));
+                   one.all([&](const Reflection& r) { return (r.*ratio)().value; }), Role::computed,
+                   one.all([&](const Reflection& r) { return (r.*ratio)().half_width(); }));
     }
-    limits(panel, series, axis.kappa);
-    panel.line("Frank (1994)", std::vector{0.1, last}, std::vector{3.5, 3.5}, Role::guide);
+    if (ratio == &Reflection::wall_ratio) limits(panel, series, axis.kappa);
+    panel.line("Frank (1994)", std::vector{0.1, *frame.x_max}, std::vector{frank, frank}, Role::guide);
+  };
+  for (const Axis& axis : axes()) {
+    draw(
+        axis, {.x = axis.label, .y = "a_w/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 1, .y_max = 4.1},
+        [](double k) { return MachReflection::wall_ratio(k); }, &Reflection::wall_ratio, 3.5);
   }
   for (const Axis& axis : axes()) {
-    const double last = last_kappa(series, axis.kappa);
-    auto& panel = figure.panel({.x = axis.label, .y = "a_r/a_i", .x_max = last, .y_min = 0, .y_max = 1.1});
-    theory_curve(
-        panel, [](double k) { return MachReflection::reflected_ratio(k); }, last);
-    for (const ReflectionSeries& one : series) {
-      panel.points(name_of(one), kappas(one, axis.kappa),
-                   one.all([](const Reflection& r) { return r.reflected_ratio().value; }), Role::computed,
-                   one.all([](const Reflection& r) { return r.reflected_ratio().half_width(); }));
-    }
-    panel.line("Frank (1994)", std::vector{0.1, last}, std::vector(2, regular_from), Role::guide);
+    draw(
+        axis, {.x = axis.label, .y = "a_r/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 0, .y_max = 1.1},
+        [](double k) { return MachReflection::reflected_ratio(k); }, &Reflection::reflected_ratio, regular_from);
   }
 }
 
@@ -115,10 +111,8 @@ void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries
   auto& panel =
       figure.panel({.x = "a_i [depth]", .y = "psi_i [deg]", .x_min = 0, .x_max = 0.4, .y_min = 0, .y_max = 60});
   const std::vector<double> fine = evenly(1e-4, 0.4, 200);
-  std::vector<double> miles = each(fine, [&](const double a) { return degrees(std::sqrt(3 * a)); });
-  std::vector<double> finite = each(fine, [&](const double a) { return resonant_angle(a); });
-  panel.line("psi = sqrt(3a)", fine, miles, Role::exact);
-  panel.line("tan(psi)/cos(psi) = sqrt(3a)", fine, finite, Role::exact);
+  panel.line("psi = sqrt(3a)", fine, each(fine, [](double a) { return degrees(std::sqrt(3 * a)); }), Role::exact);
+  panel.line("tan(psi)/cos(psi) = sqrt(3a)", fine, each(fine, resonant_angle), Role::exact);
   std::vector<double> irregular_a, irregular_psi, regular_a, regular_psi;
   for (const ReflectionSeries& one : series) {
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
@@ -149,9 +143,9 @@ void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries
 }
 
 void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, const AngleLaw& law, double last) {
-  auto& figure = exhibit.figure("angle-law", "The reflected amplitude against the square of the angle",
-                                fmt::format("{}. Fit up to {:g} deg.", name_of(series), last), {"frank-ar-law"});
-  auto& panel = figure.panel({.x = "psi_i^2 [rad^2]", .y = "a_r [depth]", .x_min = 0, .y_min = 0});
+  auto& panel = add_panel(exhibit, "angle-law", "The reflected amplitude against the square of the angle",
+                          fmt::format("{}. Fit up to {:g} deg.", name_of(series), last),
+                          {.x = "psi_i^2 [rad^2]", .y = "a_r [depth]", .x_min = 0, .y_min = 0}, {"frank-ar-law"});
   std::vector<double> square, amplitude, error;
   for (const Reflection& r : series.reflections) {
     if (!r.pattern.reflected) continue;
@@ -170,11 +164,11 @@ void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, 
 }
 
 void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& figure = exhibit.figure(
-      "angles", "The angle of reflection",
+  auto& panel = add_panel(
+      exhibit, "angles", "The angle of reflection",
       "Bars: twice the standard error of the line through the reflected crest. Where reflection is irregular, psi_r "
-      "falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, drawn up to it. Then the two angles are equal.");
-  auto& panel = figure.panel({.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
+      "falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, drawn up to it. Then the two angles are equal.",
+      {.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
     panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
                  Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().half_width(); }));
@@ -200,11 +194,9 @@ void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       const Reflection& r = one.reflections[k];
       if (k % stride != 0 && &r != &one.highest()) continue;
-      std::vector<double> ratio = r.wall;
-      for (double& value : ratio) value /= r.pattern.incident_amplitude.value;
-      std::vector<double> time = r.time;
-      for (double& t : time) t *= slow;
-      panel.line(fmt::format("{:g} deg{}", one.angles[k], r.limit.steady() ? "" : ", growing"), time, ratio);
+      panel.line(fmt::format("{:g} deg{}", one.angles[k], r.limit.steady() ? "" : ", growing"),
+                 each(r.time, [&](double t) { return slow * t; }),
+                 each(r.wall, [&](double height) { return height / r.pattern.incident_amplitude.value; }));
     }
   }
 }
@@ -217,18 +209,16 @@ void tabulate_reflections(evidence::Exhibit& exhibit, const std::vector<Reflecti
       {"a [depth]", "psi_i [deg]", "kappa [1]", "kappa' [1]", "h [depth]", "end [sqrt(depth/g)]", "a_i [depth]",
        "a_w/a_i [1]", "growth [1]", "steady", "limit [1]", "uncertainty [1]", "a_r/a_i [1]", "psi_r [deg]",
        "stem angle [deg]", "iterations [1]", "cells [1]", "processor time [s]"});
-  const auto rounded = [](double value, double per_unit) { return std::round(value * per_unit) / per_unit; };
   for (const ReflectionSeries& one : series) {
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       const Reflection& r = one.reflections[k];
-      table.rows.push_back({one.amplitude, one.angles[k], rounded(r.run.kappa(), 1e4),
-                            rounded(r.run.kappa_finite_angle(), 1e4), one.spacing, std::round(r.time.back()),
-                            rounded(r.pattern.incident_amplitude.value, 1e5), rounded(r.wall_ratio().value, 1e4),
-                            rounded(r.limit.growth, 1e4), std::string(r.limit.steady() ? "yes" : "no"),
-                            rounded(r.limit_ratio().value, 1e4), rounded(r.limit_ratio().half_width(), 1e4),
-                            rounded(r.reflected_ratio().value, 1e4), rounded(r.reflected_angle().value, 1e2),
-                            rounded(degrees(r.stem.value), 1e3), rounded(r.iterations, 10),
-                            static_cast<double>(r.cells), rounded(r.seconds, 10)});
+      table.rows.push_back({one.amplitude, one.angles[k], rounded(r.run.kappa()), rounded(r.run.kappa_finite_angle()),
+                            one.spacing, std::round(r.time.back()), rounded(r.pattern.incident_amplitude.value, 1e5),
+                            rounded(r.wall_ratio().value), rounded(r.limit.growth),
+                            std::string(r.limit.steady() ? "yes" : "no"), rounded(r.limit_ratio().value),
+                            rounded(r.limit_ratio().half_width()), rounded(r.reflected_ratio().value),
+                            rounded(r.reflected_angle().value, 1e2), rounded(degrees(r.stem.value), 1e3),
+                            rounded(r.iterations, 10), static_cast<double>(r.cells), rounded(r.seconds, 10)});
     }
   }
 }

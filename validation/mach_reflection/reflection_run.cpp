@@ -13,6 +13,7 @@
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/agreement.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -146,11 +147,7 @@ std::string ReflectionRun::resolution() const {
 }
 
 double Reflection::wall_at(double when) const {
-  const auto after = std::lower_bound(time.begin(), time.end(), when);
-  if (after == time.end()) return wall.back();
-  if (after == time.begin()) return wall.front();
-  const auto k = static_cast<std::size_t>(after - time.begin());
-  return std::lerp(wall[k - 1], wall[k], (when - time[k - 1]) / (time[k] - time[k - 1]));
+  return linear_at({time, wall}, std::clamp(when, time.front(), time.back()));
 }
 
 evidence::Measurement Reflection::wall_ratio() const {

@@ -25,7 +25,7 @@ struct ReflectionSeries {
   /// What is wanted of every reflection.
   template <class Get>
   [[nodiscard]] std::vector<double> all(Get get) const {
-    return each(reflections, [&](const Reflection& reflection) { return get(reflection); });
+    return each(reflections, get);
   }
   /// The one whose wall amplitude, over the incident, is highest at the end.
   /// Throws std::out_of_range without reflections.

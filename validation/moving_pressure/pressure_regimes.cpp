@@ -70,14 +70,6 @@ double PressureSource::at(double x, double time) const {
   return pressure * growth * cosine * cosine;
 }
 
-std::string PressureSource::text() const {
-  return fmt::format("p = {:g}, w = {:g}", pressure, half_width);
-}
-
-std::string PressureRun::text() const {
-  return fmt::format("h = {:g}, tau = {:g}, t = {:g}", spacing, tau, time);
-}
-
 PressureWaves::PressureWaves(PressureSource source, PressureRun run, const std::function<void(double)>& progress)
     : source_(source), run_(run) {
   const double end = std::max(fastest_soliton, source.speed) * run.time + room_ahead;
@@ -127,10 +119,6 @@ std::vector<CurveCrest> PressureWaves::solitons(const PressureSurface& surface, 
   std::vector<CurveCrest> peaks = crests_above(threshold, surface.place, surface.elevation);
   std::erase_if(peaks, [&](const CurveCrest& peak) { return peak.place <= source_.half_width; });
   return peaks;
-}
-
-std::vector<CurveCrest> PressureWaves::forward_solitons(double threshold) const {
-  return solitons(last_, threshold);
 }
 
 double PressureWaves::soliton_count(double threshold) const {

@@ -1,6 +1,8 @@
 /// What waves a travelling patch of pressure makes, regime by regime, and whether a computed history is of its regime.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <optional>
 #include <span>
@@ -26,7 +28,7 @@ struct PressureSource {
   bool operator==(const PressureSource&) const = default;
   [[nodiscard]] double at(double x, double time) const;
   /// "p = -0.1, w = 6.5".
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text() const { return fmt::format("p = {:g}, w = {:g}", pressure, half_width); }
 };
 
 struct PressureRun {
@@ -35,7 +37,7 @@ struct PressureRun {
   double tau = 0.0625;
 
   /// "h = 0.25, tau = 0.0625, t = 150".
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text() const { return fmt::format("h = {:g}, tau = {:g}, t = {:g}", spacing, tau, time); }
 };
 
 /// Elevations along the channel; places are counted from the centre of the source.
@@ -65,7 +67,7 @@ class PressureWaves {
   [[nodiscard]] Period period() const;
 
   /// Peaks of the last surface beyond the front of the source.
-  [[nodiscard]] std::vector<CurveCrest> forward_solitons(double threshold) const;
+  [[nodiscard]] std::vector<CurveCrest> forward_solitons(double threshold) const { return solitons(last_, threshold); }
   /// How many; NaN where the surface is not known.
   [[nodiscard]] double soliton_count(double threshold) const;
   /// Highest elevation beyond the front of the source, of the last surface and of all times.

@@ -222,8 +222,8 @@ Results compute(const Run& run) {
 }
 
 void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit.figure("mesh", "The mesh at the end", "Computed, and the exact surface.")
-                    .panel({.x = "x", .y = "y", .equal_aspect = true});
+  auto& panel = add_panel(exhibit, "mesh", "The mesh at the end", "Computed, and the exact surface.",
+                          {.x = "x", .y = "y", .equal_aspect = true});
   draw_mesh(panel, "mesh", flow);
   const std::vector<double> x = evenly(flow.surface_x().front(), flow.surface_x().back(), 201);
   std::vector<double> y = each(x, [&](const double at) { return wave.elevation(at, flow.time()); });
@@ -233,10 +233,9 @@ void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
 void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const double amplitude = values.real("amplitude");
   const double time = values.real("time");
-  auto& panel = exhibit
-                    .figure("slip", "Slip of surface nodes",
-                            "Horizontal distance of surface nodes from where they should be, in rows.")
-                    .panel({.x = "a", .y = "slip/h"});
+  auto& panel =
+      add_panel(exhibit, "slip", "Slip of surface nodes",
+                "Horizontal distance of surface nodes from where they should be, in rows.", {.x = "a", .y = "slip/h"});
   for (std::size_t m = 0; m < r.slips.size(); ++m) {
     panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
@@ -248,10 +247,9 @@ void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhib
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const RefinementStudy study = study_of(values);
-  study.draw(r.refinement, exhibit
-                               .figure("convergence", "Errors under refinement",
-                                       "Against the number of rows in a unit of depth; grey lines have slopes 1 and 2.")
-                               .panel({.x = "n", .y = "error", .log_x = true, .log_y = true}));
+  study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors under refinement",
+                                     "Against the number of rows in a unit of depth; grey lines have slopes 1 and 2.",
+                                     {.x = "n", .y = "error", .log_x = true, .log_y = true}));
   draw_slips(r, values, exhibit);
   draw_wave(r.flows.front(), *r.wave, exhibit);
   study.tabulate(r.refinement, exhibit);

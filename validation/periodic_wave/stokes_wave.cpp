@@ -31,22 +31,7 @@ exact::StokesWave wave_of(const Values& values) {
           values.real("gravity")};
 }
 
-struct Results {
-  exact::StokesWave wave;
-  exact::SelfTest identities;
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
-}
-
-Results compute(const Run& run) {
-  const exact::StokesWave wave = wave_of(run);
-  return {wave, wave.self_test()};
-}
-
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const exact::StokesWave& wave = r.wave;
+void show(const exact::StokesWave& wave, const Values& /*values*/, evidence::Exhibit& exhibit) {
   exhibit.measure("reference_uncertainty", wave.uncertainty());
   exhibit.measure("phase_speed", wave.phase_speed());
   exhibit.measure("crest_elevation", wave.crest_elevation());
@@ -116,7 +101,7 @@ Case stokes_wave() {
            "periods until the last surface that is asked for; after whole ones a wave that never moved looks right"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};
   return c;
 }

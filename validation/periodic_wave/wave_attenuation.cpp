@@ -292,10 +292,9 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
                      "Magnitudes, against the cells in the height of the wave; three heights, two or three sizes.");
   auto& decay = figure.panel({.x = "cells in the height", .y = "decay of the height", .log_x = true, .log_y = true});
   auto& phase = figure.panel({.x = "cells in the height", .y = "phase [wavelengths]", .log_x = true, .log_y = true});
-  auto& cost = exhibit
-                   .figure("cost", "The larger of both against what it takes",
-                           "Processor time for a wavelength of water over a wavelength of way.")
-                   .panel({.x = "processor time [s]", .y = "decay or phase", .log_x = true, .log_y = true});
+  auto& cost = add_panel(exhibit, "cost", "The larger of both against what it takes",
+                         "Processor time for a wavelength of water over a wavelength of way.",
+                         {.x = "processor time [s]", .y = "decay or phase", .log_x = true, .log_y = true});
   evidence::Table& table = add_table(exhibit, "rates", "What a wavelength changes",
                                      "Decay of the fundamental and lead of its phase in a wavelength of way.",
                                      {"model", "height [depth]", "size [depth]", "cells in the height", "decay [1]",

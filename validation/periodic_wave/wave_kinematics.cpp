@@ -85,21 +85,15 @@ std::vector<double> heights(const Wave& wave, double from_crest) {
   return y;
 }
 
-struct Results {
-  Wave wave;
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of([](const Results& r) -> const exact::SelfTest& { return r.wave.identities; }),
-                   wave_of(values).identities, source);
+void claims(const Values& values, const Claims<Wave>& claims) {
+  claim_identities(claims.from(source).of(&Wave::identities), wave_of(values).identities);
 }
 
-Results compute(const Run& run) {
-  return {wave_of(run)};
+Wave compute(const Run& run) {
+  return wave_of(run);
 }
 
-void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  const Wave& wave = r.wave;
+void show(const Wave& wave, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("crest_velocity", wave.crest_velocity);
   exhibit.measure("speed", wave.speed);
   auto& figure = exhibit.figure(
@@ -116,11 +110,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   if (wave.period == 0) return;
   const double k = 2 * std::numbers::pi / wave.period;
   const double omega = exact::AiryDispersion(values.real("gravity"), wave.depth).frequency(k);
-  std::vector<double> linear;
   const std::vector<double> y = heights(wave, 0);
-  for (const double at : y)
-    linear.push_back(values.real("height") / 2 * omega * std::cosh(k * (at + wave.depth)) / std::sinh(k * wave.depth));
-  along.line("linear, crest", linear, y, Role::guide);
+  const auto linear = [&](double at) {
+    return values.real("height") / 2 * omega * std::cosh(k * (at + wave.depth)) / std::sinh(k * wave.depth);
+  };
+  along.line("linear, crest", each(y, linear), y, Role::guide);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

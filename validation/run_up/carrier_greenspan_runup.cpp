@@ -21,6 +21,7 @@ others: `seiche score carrier_greenspan_runup` takes the maximum run-up, and the
 #include "seiche/require.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::carrier_greenspan_runup {
 namespace {
@@ -36,42 +37,22 @@ exact::SolitaryRunup wave_of(const Values& values) {
 std::vector<double> times_of(const Values& values, const exact::SolitaryRunup& wave) {
   const double beach =
       values.real("depth") * values.real("cot_slope") / std::sqrt(values.real("gravity") * values.real("depth"));
-  const double end = std::min(4 * beach, 0.999 * wave.breaking_time());
-  std::vector<double> times;
-  for (int k = 0; k <= 200; ++k) times.push_back(end * k / 200);
-  return times;
+  return evenly(0, std::min(4 * beach, 0.999 * wave.breaking_time()), 201);
 }
 
-struct Results {
-  exact::SolitaryRunup wave;
-  exact::SelfTest identities;
-  std::vector<double> time, elevation;
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), "Synolakis (1987)");
-}
-
-Results compute(const Run& run) {
-  const exact::SolitaryRunup wave = wave_of(run);
-  Results r{.wave = wave, .identities = wave.self_test(), .time = times_of(run, wave), .elevation = {}};
-  for (const double t : r.time) r.elevation.push_back(wave.shoreline(t).elevation);
-  return r;
-}
-
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup_value", r.wave.highest().elevation);
-  exhibit.measure("runup_time", r.wave.highest().time);
-  exhibit.measure("law", r.wave.law());
-  exhibit.measure("breaking_amplitude", r.wave.breaking_amplitude());
-  exhibit.measure("reference_uncertainty", r.wave.uncertainty());
-  auto& panel = exhibit
-                    .figure("shoreline", "The shoreline",
-                            "Elevation of the shoreline; the crest is at the toe of the beach at t = 0.")
-                    .panel({.x = "t [s]", .y = "elevation [m]"});
-  panel.line("exact", r.time, r.elevation, Role::exact);
-  const std::vector<double> ends{r.time.front(), r.time.back()};
-  panel.line("run-up law", ends, std::vector<double>(2, r.wave.law()), Role::guide);
+void show(const exact::SolitaryRunup& wave, const Values& values, evidence::Exhibit& exhibit) {
+  exhibit.measure("runup_value", wave.highest().elevation);
+  exhibit.measure("runup_time", wave.highest().time);
+  exhibit.measure("law", wave.law());
+  exhibit.measure("breaking_amplitude", wave.breaking_amplitude());
+  exhibit.measure("reference_uncertainty", wave.uncertainty());
+  auto& panel = add_panel(exhibit, "shoreline", "The shoreline",
+                          "Elevation of the shoreline; the crest is at the toe of the beach at t = 0.",
+                          {.x = "t [s]", .y = "elevation [m]"});
+  const std::vector<double> times = times_of(values, wave);
+  panel.line("exact", times, each(times, [&](double t) { return wave.shoreline(t).elevation; }), Role::exact);
+  const std::vector<double> ends{times.front(), times.back()};
+  panel.line("run-up law", ends, std::vector<double>(2, wave.law()), Role::guide);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
@@ -107,7 +88,7 @@ Case carrier_greenspan_runup() {
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<wave_of, show>("Synolakis (1987)");
   c.submission = {.tables = wanted};
   return c;
 }

@@ -41,6 +41,7 @@ four times as high at the sides as the water of the experiment.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/plan/island_flow.hpp"
@@ -69,21 +70,8 @@ std::size_t waves_in(Tier tier) {
   return tier == Tier::quick ? 1 : waves.size();
 }
 
-/// Measured run-up of one wave.
-struct Measured {
-  std::vector<double> angle, runup, error, liu;
-};
-
-Measured measured(const io::Table& table, double height) {
-  Measured rows;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (std::abs(table.column("H_over_d")[k] - height) > 1e-9) continue;
-    rows.angle.push_back(table.column("angle")[k]);
-    rows.runup.push_back(table.column("R_over_A")[k]);
-    rows.error.push_back(0.1 * rows.runup.back());
-    rows.liu.push_back(table.column("R_over_A_liu")[k]);
-  }
-  return rows;
+io::Table measured(const io::Table& table, double height) {
+  return rows_where(table, {{"H_over_d", height}});
 }
 
 struct Passed {
@@ -153,9 +141,10 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
 
 /// Root mean square of the relative difference from the measurements; where the lattice folded too early, of what had
 /// been reached.
-double deviation(const Passed& passed, const Measured& data) {
+double deviation(const Passed& passed, const io::Table& data) {
+  const std::vector<double>& angle = data.column("angle");
   Mean off;
-  for (std::size_t k = 0; k < data.angle.size(); ++k) off.add(passed.at(data.angle[k]) / data.runup[k] - 1);
+  for (std::size_t k = 0; k < angle.size(); ++k) off.add(passed.at(angle[k]) / data.column("R_over_A")[k] - 1);
   return off.rms();
 }
 
@@ -178,10 +167,9 @@ double finest_spacing(const Values& values) {
   return values.tier() == Tier::quick ? 0.45 : 0.25;
 }
 
-Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& data) {
-  std::vector<double> size = each(spacings, [](const Passed& passed) { return passed.spacing; });
-  std::vector<double> rms = each(spacings, [&](const Passed& passed) { return deviation(passed, data); });
-  return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
+Measurement deviation_of(const std::vector<Passed>& spacings, const io::Table& data) {
+  const std::vector<double> rms = each(spacings, [&](const Passed& passed) { return deviation(passed, data); });
+  return {.value = rms.front(), .uncertainty = fine_limit(each(spacings, &Passed::spacing), rms, 1).uncertainty};
 }
 
 /// Columns so near to each other that they resolve where wave C breaks.
@@ -189,7 +177,7 @@ bool resolves_breaking(double spacing) {
   return spacing < 0.2;
 }
 
-void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const Measured& data) {
+void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const io::Table& data) {
   const evidence::Claim runup{
       "runup-" + wave.name,
       fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
@@ -229,8 +217,8 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
               wave.name),
           "measured angles where it is not",
           [data](const std::vector<Passed>& spacings) {
-            return static_cast<double>(
-                std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
+            return std::ranges::count_if(data.column("angle"),
+                                         [&](double angle) { return !spacings.front().saw(angle); });
           },
           Bound{.limit = 0, .reason = "run-up is compared at every measured angle"});
 }
@@ -247,7 +235,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
           "whole-" + wave.name, fmt::format("Case {}: the wave passes the island entirely.", wave.name),
           "wave fronts met behind the island, lattice sound",
           [](const std::vector<Passed>& spacings) {
-            return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
+            return std::ranges::none_of(spacings, [](const Passed& one) { return one.folded.has_value(); });
           },
           Qualitative{.detector = "no cell inverts until 6 s after the crest would pass the middle, at either spacing",
                       .reason = "the water behind the island has run up and down by then"});
@@ -257,7 +245,7 @@ void claim_lee(const Claims<Passed>& claims) {
   claims.check(
       "lee", "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
       "run-up at 180 degrees over that at 157.5",
-      [](const Passed& passed) { return passed.saw(180) && passed.at(180) > 1.2 * passed.at(157.5) ? 1.0 : 0.0; },
+      [](const Passed& passed) { return passed.saw(180) && passed.at(180) > 1.2 * passed.at(157.5); },
       Qualitative{.detector = "run-up at 180 degrees above 1.2 times that at 157.5 degrees",
                   .reason = "measured: 1.6 times"});
 }
@@ -316,7 +304,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
                      "wave has passed, should the lattice tangle; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
-    const Measured data = measured(table, waves[k].stated);
+    const io::Table data = measured(table, waves[k].stated);
     auto& panel = figure.panel(
         {.x = "angle [deg]", .y = "R/A", .title = fmt::format("{}: A = {:g} depths", waves[k].name, waves[k].nominal)});
     const std::vector<double> highest = passed.envelope.runup();
@@ -328,8 +316,10 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
       runup.push_back(highest[i] / passed.height);
     }
     panel.line("model", angle, runup);
-    panel.points("measured", data.angle, data.runup, Role::data, data.error);
-    panel.line("Liu et al.", data.angle, data.liu, Role::peer);
+    const std::vector<double>& at = data.column("angle");
+    const std::vector<double>& climbed = data.column("R_over_A");
+    panel.points("measured", at, climbed, Role::data, each(climbed, [](double ratio) { return 0.1 * ratio; }));
+    panel.line("Liu et al.", at, data.column("R_over_A_liu"), Role::peer);
   }
 }
 
@@ -353,10 +343,8 @@ void draw_shown(evidence::Exhibit& exhibit, const Results& r, double height) {
                 .y_max = 8.0})
         .plan("surface", {.columns = plan.columns, .rows = plan.rows, .x = plan.x, .y = plan.y, .z = plan.z});
   }
-  auto& panel = exhibit
-                    .figure("shoreline", "The shoreline in front of and behind the island",
-                            "Elevations over the height of the wave.")
-                    .panel({.x = "t [s]", .y = "elevation/A"});
+  auto& panel = add_panel(exhibit, "shoreline", "The shoreline in front of and behind the island",
+                          "Elevations over the height of the wave.", {.x = "t [s]", .y = "elevation/A"});
   panel.line("front", r.shown.time, r.shown.front);
   panel.line("back", r.shown.time, r.shown.back, Role::peer);
   exhibit.measure("runup_front", r.shown.at(0));

@@ -30,29 +30,14 @@ HallWatts law_of(const Values& values) {
   return {1, 1 / values.real("cot_slope")};
 }
 
-struct Results {
-  exact::SelfTest identities;
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), law_of(values).self_test(), source);
-}
-
-Results compute(const Run& run) {
-  return {law_of(run).self_test()};
-}
-
-void show(const Results& /*results*/, const Values& values, evidence::Exhibit& exhibit) {
-  const HallWatts law = law_of(values);
+void show(const HallWatts& law, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<double> a = evenly(0.05, 0.3, 51);
-  const std::vector<double> runup = each(a, [&](const double amplitude) { return law.runup(amplitude); });
-  auto& panel = exhibit
-                    .figure("runup", "Run-up of solitary waves on a plane beach",
-                            fmt::format("The law on the slope 1 : {:g}, and what Frank read off the measurements on "
-                                        "slopes of up to a hundredth of that beside it.",
-                                        values.real("cot_slope")))
-                    .panel({.x = "a [depth]", .y = "R [depth]"});
-  panel.line("law", a, runup, Role::guide);
+  auto& panel = add_panel(exhibit, "runup", "Run-up of solitary waves on a plane beach",
+                          fmt::format("The law on the slope 1 : {:g}, and what Frank read off the measurements on "
+                                      "slopes of up to a hundredth of that beside it.",
+                                      values.real("cot_slope")),
+                          {.x = "a [depth]", .y = "R [depth]"});
+  panel.line("law", a, each(a, [&](const double amplitude) { return law.runup(amplitude); }), Role::guide);
   const io::Table table = values.table("frank_1994_runup_hall_watts");
   std::vector<double> measured_a, measured_r;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -90,7 +75,7 @@ Case hall_watts_run_up() {
       "J. V. Hall, G. M. Watts, Laboratory investigation of the vertical rise of solitary waves on impermeable slopes, "
       "Beach Erosion Board Tech. Memo. 33 (1953)";
   c.parameters = {real("cot_slope", 2.747, "1", {1, 11.43}, "cotangent of the beach's angle")};
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<law_of, show>(source);
   c.submission = {.tables = wanted};
   return c;
 }

@@ -6,6 +6,7 @@
 
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 
 namespace seiche::validation {
@@ -90,11 +91,10 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
           "energy as by the Euler equations.",
           "rms of R/R_Euler - 1",
           [](const MildSlopes& r) -> Measurement {
-            Mean off, uncertain;
-            for (const EulerRunup& one : r.euler) {
-              off.add(one.green_naghdi / one.runup - 1);
-              uncertain.add(one.uncertainty / one.runup);
-            }
+            const auto off =
+                over<Mean>(r.euler, [](const EulerRunup& one) { return one.green_naghdi / one.runup - 1; });
+            const auto uncertain =
+                over<Mean>(r.euler, [](const EulerRunup& one) { return one.uncertainty / one.runup; });
             return {.value = off.rms(), .uncertainty = uncertain.rms()};
           },
           Uncertainty{.data = 0.025,
@@ -127,13 +127,11 @@ void show_mild_slopes(const MildSlopes& mild, evidence::Exhibit& exhibit) {
                 "equations on the Lagrangian mesh, extrapolated, with what the last halving changes; by "
                 "the one-dimensional model with the kinetic energy of Green and Naghdi.",
                 {"cot [1]", "A [depth]", "measured [depth]", "Euler [depth]", "+- [depth]", "Green-Naghdi [depth]"});
-  const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
-  Mean off;
   for (const EulerRunup& one : mild.euler) {
     table.rows.push_back({one.cot_slope, one.amplitude, one.measured, rounded(one.runup), rounded(one.uncertainty),
                           rounded(one.green_naghdi)});
-    off.add(one.runup / one.measured - 1);
   }
+  const auto off = over<Mean>(mild.euler, [](const EulerRunup& one) { return one.runup / one.measured - 1; });
   exhibit.measure("measured_rms_mild_euler", off.rms());
 }
 

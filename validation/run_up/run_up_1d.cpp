@@ -63,11 +63,10 @@ Surface surface_of(const Flow& flow) {
 /// Time zero of the shoreline is when the undisturbed crest would be at the toe.
 void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const exact::SolitaryRunup& theory,
                     double law) {
-  auto& panel = exhibit
-                    .figure("shoreline", "The shoreline",
-                            "Elevation of the water's edge, with the exact shoreline of the shallow-water equations "
-                            "until that breaks, and the run-up law.")
-                    .panel({.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
+  auto& panel = add_panel(exhibit, "shoreline", "The shoreline",
+                          "Elevation of the water's edge, with the exact shoreline of the shallow-water equations "
+                          "until that breaks, and the run-up law.",
+                          {.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
   constexpr double visible = 0.01;  // of the law
   const auto rises = std::ranges::find_if(history.shoreline, [&](double y) { return y > visible * law; });
   const auto first = rises == history.shoreline.end() ? 0 : rises - history.shoreline.begin();

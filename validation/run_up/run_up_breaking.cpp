@@ -17,6 +17,7 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <string>
 
@@ -177,17 +178,12 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
       "how the run ended, time since the maximum run-up. Above the limit only the run-up is to be used.",
       {"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]", "later [depth]",
        "energy [1]", "end"});
-  using Cell = std::variant<double, std::string>;
-  const auto rounded = [](double value) -> Cell {
-    if (!std::isfinite(value)) return std::string();
-    return std::round(value * 1e4) / 1e4;
-  };
   for (const Told& one : all) {
     const RunDown& fate = one.fate;
     table.rows.push_back({one.wave.cot_slope, one.wave.amplitude, std::round(one.wave.over_limit() * 100) / 100,
-                          one.spacing, rounded(fate.fell ? fate.runup : none), rounded(fate.fell ? fate.lowest : none),
+                          one.spacing, rounded(fate.runup), rounded(fate.fell ? fate.lowest : none),
                           rounded(fate.fell ? fate.later : none), rounded(fate.energy),
-                          fate.through() ? std::string("through")
+                          fate.through() ? Cell("through")
                                          : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
                                                        fate.failure_time - fate.runup_time, fate.failure_place)});
   }
@@ -204,8 +200,8 @@ bool returns_lower(const RunDown& fate) {
 
 /// Whether all that `which` selects are so.
 template <class Which, class Is>
-double all_are(const std::vector<Told>& all, const Which& which, const Is& is) {
-  return std::ranges::all_of(all, [&](const Told& one) { return !which(one) || is(one); }) ? 1.0 : 0.0;
+bool all_are(const std::vector<Told>& all, const Which& which, const Is& is) {
+  return std::ranges::all_of(all, [&](const Told& one) { return !which(one) || is(one); });
 }
 
 /// Later heights of the shoreline over the run-up, of waves that climb.
@@ -275,7 +271,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "all do",
           [](const Results& r) {
             const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };
-            return std::ranges::all_of(r.map, lower) ? 1.0 : 0.0;
+            return std::ranges::all_of(r.map, lower);
           },
           Qualitative{.detector = "no failure, no later height above the run-up",
                       .reason = "below 0.479 cot^(-10/9) no bore forms"});
@@ -289,22 +285,18 @@ Results compute(const Run& run) {
 
 /// Fates over slopes and heights in units of the limit.
 void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
-  auto& panel = exhibit
-                    .figure("map", "Where the model ends",
-                            "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
-                            "run-up, 0.8183 cot^(-10/9).")
-                    .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "map", "Where the model ends",
+                          "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
+                          "run-up, 0.8183 cot^(-10/9).",
+                          {.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
   const auto limit = each(mapped_slopes, backwash_limit);
   panel.line("breaks running back", mapped_slopes, limit, Role::exact);
   panel.line("breaks running up", mapped_slopes, each(limit, [](double a) { return 0.8183 / 0.479 * a; }), Role::guide);
   const auto points = [&](const std::string& label, Role role, const auto& is) {
-    std::vector<double> cot_slope, amplitude;
-    for (const Mapped& one : map) {
-      if (!is(one.fate)) continue;
-      cot_slope.push_back(one.wave.cot_slope);
-      amplitude.push_back(one.wave.amplitude);
-    }
-    if (!cot_slope.empty()) panel.points(label, cot_slope, amplitude, role);
+    auto those = map | std::views::filter([&](const Mapped& one) { return is(one.fate); });
+    if (those.empty()) return;
+    panel.points(label, each(those, [](const Mapped& one) { return one.wave.cot_slope; }),
+                 each(those, [](const Mapped& one) { return one.wave.amplitude; }), role);
   };
   points("runs through", Role::computed, returns_lower);
   points("completes, tip shoots up", Role::peer,

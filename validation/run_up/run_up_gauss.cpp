@@ -48,6 +48,7 @@ more slowly than at a wall.
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
+#include "validation/studies/gauss_particles/gauss_frame.hpp"
 
 namespace seiche::validation::cases::run_up_gauss {
 namespace {
@@ -64,22 +65,20 @@ struct GaussClimb {
   long per_cell = 12;    ///< particles to a cell's side
 
   [[nodiscard]] double spacing() const { return 1 / static_cast<double>(cells); }
-  [[nodiscard]] double crest() const;  ///< place at the start
+  [[nodiscard]] double crest() const {
+    constexpr double cut_off = 0.001;  // the tail is 4 exp(-k x) times the height, or less
+    return std::ceil(-std::log(cut_off) / wave.decay_rate());
+  }
   [[nodiscard]] double toe() const { return 2 * crest(); }
   /// b(x), with the corner at the toe rounded over a quarter of the depth on either side, so that b'' is continuous.
   [[nodiscard]] double bottom(double x) const;
   [[nodiscard]] double bottom_slope(double x) const;
-  [[nodiscard]] double tau() const;
+  [[nodiscard]] double tau() const { return (cot_slope == 0 ? 0.15 : 0.12) * spacing() / wave.speed(); }
   [[nodiscard]] gauss_particles::Flow start() const;
   /// "4 cells to a depth, 12 particles to a side".
-  [[nodiscard]] std::string resolution() const;
-};
-
-/// Water near the shore at one time.
-struct GaussFrame {
-  double time = 0;
-  std::vector<double> x, y, u, v;      ///< particles
-  std::vector<double> line_x, line_y;  ///< markers
+  [[nodiscard]] std::string resolution() const {
+    return fmt::format("{} cells to a depth, {} particles to a side", cells, per_cell);
+  }
 };
 
 struct GaussClimbRun {
@@ -112,25 +111,6 @@ std::size_t count(double number) {
   return static_cast<std::size_t>(std::lround(number));
 }
 
-GaussFrame frame_of(const gauss_particles::Flow& flow, double from) {
-  GaussFrame frame{.time = flow.time()};
-  const std::vector<Point> markers = flow.markers();
-  const std::size_t massive = flow.model().size() - markers.size();
-  for (std::size_t k = 0; k < massive; ++k) {
-    if (flow.x()[k] < from) continue;
-    frame.x.push_back(flow.x()[k]);
-    frame.y.push_back(flow.y()[k]);
-    frame.u.push_back(flow.u()[k]);
-    frame.v.push_back(flow.v()[k]);
-  }
-  for (const Point& marker : markers) {
-    if (marker.x < from) continue;
-    frame.line_x.push_back(marker.x);
-    frame.line_y.push_back(marker.y);
-  }
-  return frame;
-}
-
 /// How far the particles are behind bottom and walls.
 double farthest_beyond(const gauss_particles::Flow& flow, const GaussClimb& climb) {
   Largest beyond;
@@ -143,11 +123,6 @@ double farthest_beyond(const gauss_particles::Flow& flow, const GaussClimb& clim
     if (climb.cot_slope == 0) beyond.add(x - climb.toe());
   }
   return beyond.value();
-}
-
-double GaussClimb::crest() const {
-  constexpr double cut_off = 0.001;  // the tail is 4 exp(-k x) times the height, or less
-  return std::ceil(-std::log(cut_off) / wave.decay_rate());
 }
 
 double GaussClimb::bottom(double x) const {
@@ -164,14 +139,6 @@ double GaussClimb::bottom_slope(double x) const {
   if (z >= 1) return 1 / cot_slope;
   const double s = (z + 1) / 2;
   return s * s * s * (10 + s * (6 * s - 15)) / cot_slope;
-}
-
-double GaussClimb::tau() const {
-  return (cot_slope == 0 ? 0.15 : 0.12) * spacing() / wave.speed();
-}
-
-std::string GaussClimb::resolution() const {
-  return fmt::format("{} cells to a depth, {} particles to a side", cells, per_cell);
 }
 
 gauss_particles::Flow GaussClimb::start() const {
@@ -232,26 +199,17 @@ GaussClimbRun climb(const GaussClimb& climb) {
     if (run.levels.back() > run.highest) {
       run.highest = run.levels.back();
       run.time = flow.time();
-      run.at_highest = frame_of(flow, climb.toe() - shown);
+      run.at_highest = GaussFrame(flow, climb.toe() - shown);
     }
     run.fell = run.highest > climb.wave.amplitude() && run.levels.back() < 0.98 * run.highest;
   }
-  run.at_end = frame_of(flow, climb.toe() - shown);
+  run.at_end = GaussFrame(flow, climb.toe() - shown);
   run.energy_defect = flow.ledger().largest_defect("energy") / run.wave_energy;
   run.penalty_loss = flow.model().penalty_loss() / run.wave_energy;
   run.beyond = beyond.value();
   run.free_particles = flow.most_free_particles();
   run.steps = flow.steps();
   return run;
-}
-
-void add_frame(evidence::Exhibit& exhibit, const GaussFrame& frame) {
-  exhibit.snapshot({.time = frame.time,
-                    .x = frame.x,
-                    .z = frame.y,
-                    .unit = "depth",
-                    .fields = {{"u", "sqrt(g depth)", frame.u}, {"w", "sqrt(g depth)", frame.v}},
-                    .joined = false});
 }
 
 const std::string source = "Frank (1994), chapter 6; Su and Mirie (1980)";
@@ -415,15 +373,13 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   for (const GaussFrame* frame : {&run.at_highest, &run.at_end}) {
     auto& panel = water.panel(
         {.x = "x [depth]", .y = "y [depth]", .title = fmt::format("t = {:.2f}", frame->time), .equal_aspect = true});
-    std::vector<double> ground;
     const std::vector<double> x =
         evenly(frame->line_x.front(), r.climb.toe() + r.climb.cot_slope * (1 + run.highest), 201);
-    for (const double at : x) ground.push_back(r.climb.bottom(at));
-    panel.line("bottom", x, ground, Role::bed);
+    panel.line("bottom", x, each(x, [&](double at) { return r.climb.bottom(at); }), Role::bed);
     panel.line("surface", frame->line_x, frame->line_y, Role::computed);
   }
-  auto& history = exhibit.figure("history", "Level at the shore", "Highest marker beyond the toe, or at the wall.")
-                      .panel({.x = "t [sqrt(depth/g)]", .y = "level [depth]"});
+  auto& history = add_panel(exhibit, "history", "Level at the shore", "Highest marker beyond the toe, or at the wall.",
+                            {.x = "t [sqrt(depth/g)]", .y = "level [depth]"});
   history.line("particles", run.times, run.levels, Role::computed);
   const std::vector<double> ends{run.times.front(), run.times.back()};
   if (!std::isnan(r.exact)) history.line("exact run-up", ends, std::vector<double>(2, r.exact), Role::exact);
@@ -437,7 +393,7 @@ void draw_convergence(const Results& r, evidence::Exhibit& exhibit) {
     figure.panel({.x = "h [depth]", .y = "R [depth]"}).points("particles", r.spacing, r.runup, Role::computed);
     return;
   }
-  std::vector<double> errors = each(r.runup, [&](const double runup) { return std::abs(runup - r.exact); });
+  const std::vector<double> errors = each(r.runup, [&](double runup) { return std::abs(runup - r.exact); });
   auto& panel = figure.panel({.x = "h [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
   panel.points("particles", r.spacing, errors, Role::computed);
   slope_guide(panel, 2, r.spacing, errors.back());
@@ -461,8 +417,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   }
   draw(r, exhibit);
   if (r.spacing.size() > 2) draw_convergence(r, exhibit);
-  add_frame(exhibit, r.finest.at_highest);
-  add_frame(exhibit, r.finest.at_end);
+  r.finest.at_highest.add_to(exhibit, "depth");
+  r.finest.at_end.add_to(exhibit, "depth");
 }
 
 }  // namespace

@@ -87,9 +87,7 @@ struct Climbed {
   [[nodiscard]] std::vector<double> each(const Of& of) const {
     return validation::each(on, of);
   }
-  [[nodiscard]] std::vector<double> spacings() const {
-    return each([](const Reached& one) { return one.spacing; });
-  }
+  [[nodiscard]] std::vector<double> spacings() const { return each(&Reached::spacing); }
   /// Of the finest mesh's value, from the change from mesh to mesh.
   template <class Of>
   [[nodiscard]] Measurement finest(const Of& of, double order) const {
@@ -101,10 +99,6 @@ using Results = std::vector<Climbed>;
 
 const Climbed& find(const Results& all, const std::string& id) {
   return *std::ranges::find_if(all, [&](const Climbed& one) { return one.climb.id() == id; });
-}
-
-double runup_of(const Reached& one) {
-  return one.runup;
 }
 
 double exact_runup(const Values& values, const Climb& climb) {
@@ -139,7 +133,7 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
       .check(
           "exact-" + climb.id(), fmt::format("{}: the run-up agrees with the Euler equations.", climb.title()),
           "run-up [depth]",
-          [climb](const Results& all) { return find(all, climb.id()).finest(runup_of, climb.order()); },
+          [climb](const Results& all) { return find(all, climb.id()).finest(&Reached::runup, climb.order()); },
           Uncertainty{.expected = exact,
                       .data = 1e-6,
                       .useful = 0.1 * exact,
@@ -165,13 +159,11 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
 void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims) {
   const exact::SolitaryWave wave(climb.amplitude);
   claims.from("Frank (1994), section 1.2")
+      .where("t = {:.2f}")
       .check(
           "energy-" + climb.id(), fmt::format("{}: energy changes by what rezoning is booked for.", climb.title()),
           "largest change of the energy that is not booked, over the wave's energy",
-          [id = climb.id()](const Results& all) -> Measurement {
-            const Worst& off = find(all, id).on.back().unbooked;
-            return {.value = off.value(), .where = fmt::format("t = {:.2f}", off.where())};
-          },
+          [id = climb.id()](const Results& all) { return find(all, id).on.back().unbooked; },
           Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
                 .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate at which the "
                           "wave rises at a place, its speed times its tail's decay"});
@@ -257,17 +249,12 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
   for (const long part : parts) {
     table.columns.emplace_back(fmt::format("{} rows", values.integer("rows") * part / parts.back()), "depth");
   }
-  table.columns.emplace_back("exact", "depth");
-  table.columns.emplace_back("rezoned", "times");
-  table.columns.emplace_back("energy taken", "1");
-  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
+  table.columns.insert(table.columns.end(), {{"exact", "depth"}, {"rezoned", "times"}, {"energy taken", "1"}});
   for (const Climbed& one : all) {
-    std::vector<std::variant<double, std::string>> row{one.climb.title()};
-    for (const Reached& on : one.on) row.emplace_back(rounded(on.runup, 1e4));
-    row.emplace_back(rounded(exact_runup(values, one.climb), 1e4));
-    row.emplace_back(one.on.back().rezoned);
-    row.emplace_back(rounded(one.on.back().taken, 1e6));
-    table.rows.push_back(std::move(row));
+    std::vector<Cell>& row = table.rows.emplace_back(1, one.climb.title());
+    for (const Reached& on : one.on) row.push_back(rounded(on.runup));
+    row.insert(row.end(),
+               {rounded(exact_runup(values, one.climb)), one.on.back().rezoned, rounded(one.on.back().taken, 1e6)});
   }
 }
 
@@ -287,10 +274,9 @@ void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& ex
 
 void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   tabulate(all, values, exhibit);
-  auto& panel =
-      exhibit
-          .figure("convergence", "Convergence of the run-up", "To the exact values of the Euler equations, over them.")
-          .panel({.x = "h1 [depth]", .y = "|R/R_exact - 1|", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "convergence", "Convergence of the run-up",
+                          "To the exact values of the Euler equations, over them.",
+                          {.x = "h1 [depth]", .y = "|R/R_exact - 1|", .log_x = true, .log_y = true});
   for (const Climbed& one : all) {
     const double exact = exact_runup(values, one.climb);
     panel.points(one.climb.title(), one.spacings(),

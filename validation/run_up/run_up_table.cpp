@@ -32,6 +32,7 @@ thesis's kinetic energy comes nearer to them there because it errs to the same s
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/run_up/frank_runup.hpp"
 #include "validation/run_up/mild_slopes.hpp"
@@ -196,11 +197,6 @@ void claim_measurements(const Claims<Results>& claims) {
       Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
-std::variant<double, std::string> cell(double value) {
-  if (std::isnan(value)) return std::string();
-  return std::round(value * 1e4) / 1e4;
-}
-
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::size_t levels) {
   evidence::Table& table = add_table(
       exhibit, "runup", "Run-up on plane slopes",
@@ -213,10 +209,10 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::siz
       {"frank-table-runup"});
   for (const Row& row : rows) {
     const double value = row.computed[as_in_thesis][0];
-    table.rows.push_back({row.cot_slope, row.amplitude, row.printed, cell(row.printed_half), cell(value),
-                          std::round((value / row.printed - 1) * 1e4) / 1e2, cell(row.computed[as_in_thesis].back()),
-                          cell(row.computed[consistent].back()), cell(row.computed[green_naghdi].back()),
-                          cell(row.measured), row.law, row.calculated, row.calculated_by});
+    table.rows.push_back({row.cot_slope, row.amplitude, row.printed, rounded(row.printed_half), rounded(value),
+                          std::round((value / row.printed - 1) * 1e4) / 1e2, rounded(row.computed[as_in_thesis].back()),
+                          rounded(row.computed[consistent].back()), rounded(row.computed[green_naghdi].back()),
+                          rounded(row.measured), row.law, row.calculated, row.calculated_by});
   }
 }
 
@@ -254,12 +250,11 @@ Points points_of(const std::vector<Row>& rows, const Series& series, const Absci
 
 /// The columns of the table side by side at every slope.
 void draw_table(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
-  auto& panel = exhibit
-                    .figure("runup", "Run-up over amplitude, all columns of the table",
-                            "Columns are drawn side by side at every slope, one point per amplitude; the next figure "
-                            "shows the amplitudes.",
-                            {"frank-table-runup"})
-                    .panel({.x = "cotangent of the slope", .y = "R/A", .log_x = true, .log_y = true});
+  auto& panel =
+      add_panel(exhibit, "runup", "Run-up over amplitude, all columns of the table",
+                "Columns are drawn side by side at every slope, one point per amplitude; the next figure "
+                "shows the amplitudes.",
+                {.x = "cotangent of the slope", .y = "R/A", .log_x = true, .log_y = true}, {"frank-table-runup"});
   constexpr double side_step = 1.025;
   double side = std::pow(side_step, -3);
   std::vector<Series> all = printed_series;
@@ -284,10 +279,8 @@ void draw_slopes(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
     if (members.size() < 3) continue;
     std::ranges::sort(members, {}, amplitude);
     auto& panel = figure.panel({.x = "A [depth]", .y = "R/A", .title = fmt::format("cot = {:g}", cot_slope)});
-    std::vector<double> law;
     const std::vector<double> fine = evenly(members.front().amplitude, members.back().amplitude, 41);
-    for (const double a : fine) law.push_back(runup_law(cot_slope, a) / a);
-    panel.line(law_series.label, fine, law, Role::guide);
+    panel.line(law_series.label, fine, each(fine, [&](double a) { return runup_law(cot_slope, a) / a; }), Role::guide);
     for (const Series& series : printed_series) {
       const Points points = points_of(members, series, amplitude);
       if (!points.x.empty()) panel.points(series.label, points.x, points.y, series.role);
@@ -329,9 +322,9 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit, std::size_t leve
   exhibit.measure("thesis_printing_rms", thesis_values.decimals);
   exhibit.measure("thesis_change_by_halving_rms", thesis_values.change);
   exhibit.measure("own_change_by_halving_rms", own_change(r.rows));
-  Worst largest;
-  for (const Row& row : r.rows) largest.add(row.computed[as_in_thesis][0] / row.printed - 1);
-  exhibit.measure("thesis_largest_deviation", largest.value());
+  exhibit.measure("thesis_largest_deviation", over<Worst>(r.rows, [](const Row& row) {
+                                                return row.computed[as_in_thesis][0] / row.printed - 1;
+                                              }).value());
   exhibit.measure("change_by_last_halving_steepest", change_by_last_halving(r.rows, true).value());
   for (std::size_t level = 0; level < levels; ++level) {
     exhibit.measure(fmt::format("thesis_rms_h_1_{:g}", 1 / runup_spacing(level)), off_thesis(r.rows, level));
@@ -339,12 +332,10 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit, std::size_t leve
   for (std::size_t variant = 0; variant < runup_variants.size(); ++variant) {
     const std::string& id = runup_variants[variant].id;
     for (std::size_t level = 0; level < levels; ++level) {
-      evidence::Array array{.name = fmt::format("runup_{}_h_1_{:g}", id, 1 / runup_spacing(level)),
-                            .unit = "depth",
-                            .meaning = fmt::format("run-up, {}, rows of the table", runup_variants[variant].label),
-                            .values = {}};
-      for (const Row& row : r.rows) array.values.push_back(row.computed[variant][level]);
-      exhibit.array(std::move(array));
+      exhibit.array({.name = fmt::format("runup_{}_h_1_{:g}", id, 1 / runup_spacing(level)),
+                     .unit = "depth",
+                     .meaning = fmt::format("run-up, {}, rows of the table", runup_variants[variant].label),
+                     .values = each(r.rows, [&](const Row& row) { return row.computed[variant][level]; })});
     }
   }
 }

@@ -20,6 +20,8 @@ tension, and no measured tongue is followed to where it is thinner than a film.
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/case/reference_table.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::slope_run_up_exact {
 namespace {
@@ -38,8 +40,8 @@ double formula(const Values& values) {
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities),
-                   exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")), source);
+  claim_identities(claims.from(source).of(&Results::identities),
+                   exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")));
   claims.only_if(values.real("cotangent") > 0, "measurements are of slopes")
       .check(
           "measurements", "The run-up lies above the measured one, by no more than friction and scatter explain.",
@@ -72,28 +74,20 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (const double cotangent : {1.0, 2.0}) {
     auto& panel = figure.panel(
         {.x = "amplitude/depth", .y = "run-up/amplitude", .title = fmt::format("cotangent {:g}", cotangent)});
-    std::vector<double> a, ratio, law;
-    for (std::size_t k = 0; k < table.rows(); ++k) {
-      if (table.column("cot_slope")[k] != cotangent) continue;
-      a.push_back(table.column("A")[k]);
-      ratio.push_back(table.column("R")[k] / a.back());
-      law.push_back(exact::HallWatts(1, 1 / cotangent).runup(a.back()) / a.back());
-    }
-    panel.points("exact, tabulated", a, ratio, Role::exact);
-    panel.line("Hall and Watts", a, law, Role::guide);
+    const io::Table rows = rows_where(table, {{"cot_slope", cotangent}});
+    const std::vector<double>& a = rows.column("A");
+    const exact::HallWatts law(1, 1 / cotangent);
+    panel.points("exact, tabulated", a, quotients(rows.column("R"), a), Role::exact);
+    panel.line("Hall and Watts", a, each(a, [&](double height) { return law.runup(height) / height; }), Role::guide);
     if (values.real("cotangent") == cotangent) {
       panel.points("this run", std::vector{values.real("amplitude") / values.real("depth")},
                    std::vector{r.runup / values.real("amplitude")}, Role::computed);
     }
   }
-  std::vector<double> time, level;
-  for (const auto& shore : r.shore) {
-    time.push_back(shore.time);
-    level.push_back(shore.level);
-  }
-  exhibit.figure("shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.")
-      .panel({.x = "t sqrt(g/depth)", .y = "elevation [m]"})
-      .line("shore", time, level, Role::exact);
+  add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
+            {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
+      .line("shore", each(r.shore, &exact::SlopeRunup::Shore::time), each(r.shore, &exact::SlopeRunup::Shore::level),
+            Role::exact);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

@@ -27,6 +27,7 @@ its error: 3 % of the highest wave on the mild slope with columns an eighth wide
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <vector>
 
 #include <fmt/format.h>
@@ -37,6 +38,7 @@ its error: 3 % of the highest wave on the mild slope with columns an eighth wide
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_table.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/run_up/solitary_climb.hpp"
@@ -67,7 +69,8 @@ struct Row {
   double thesis = std::numeric_limits<double>::quiet_NaN();
   double exact = std::numeric_limits<double>::quiet_NaN();
 
-  [[nodiscard]] double formula() const;  ///< of Hall and Watts
+  ///< of Hall and Watts
+  [[nodiscard]] double formula() const { return exact::HallWatts(1, 1 / cot_slope).runup(amplitude); }
 };
 
 struct Climbed : Row {
@@ -78,15 +81,31 @@ struct Climbed : Row {
   Worst sliding_energy;             ///< largest change over the wave's energy
 
   /// To zero spacing, first order; from the two finest meshes but `coarser`.
-  [[nodiscard]] double extrapolated(std::size_t coarser = 0) const;
+  [[nodiscard]] double extrapolated(std::size_t coarser = 0) const {
+    const std::size_t n = runup.size() - coarser;
+    return 2 * runup[n - 1] - runup[n - 2];
+  }
   /// What the sliding toe changes on the finest mesh, over what the last halving of the cells changes with either toe.
-  [[nodiscard]] double toe_matters() const;
+  [[nodiscard]] double toe_matters() const {
+    const std::size_t n = runup.size();
+    const double left = std::abs(runup[n - 1] - runup[n - 2]) + std::abs(sliding[n - 1] - sliding[n - 2]);
+    return (sliding[n - 1] - runup[n - 1]) / left;
+  }
   /// Of the finest mesh's run-up; infinite where the meshes do not tell.
-  [[nodiscard]] double mesh_uncertainty() const;
+  [[nodiscard]] double mesh_uncertainty() const {
+    std::vector<double> spacings;
+    for (std::size_t m = 0; m < runup.size(); ++m) spacings.push_back(meshes[m].spacing);
+    return evidence::grid_convergence(spacings, runup, 1).uncertainty;
+  }
   /// Of the difference from the exact run-up, from the last halving.
-  [[nodiscard]] double order_of_error() const;
+  [[nodiscard]] double order_of_error() const {
+    return std::log2(std::abs(runup[runup.size() - 2] - exact) / std::abs(runup.back() - exact));
+  }
   /// From the last two halvings.
-  [[nodiscard]] double order() const;
+  [[nodiscard]] double order() const {
+    const std::size_t n = runup.size();
+    return std::log2((runup[n - 2] - runup[n - 3]) / (runup[n - 1] - runup[n - 2]));
+  }
 };
 
 /// Before the largest run-up.
@@ -101,10 +120,6 @@ MeshSlopeClimb with_sliding_toe(MeshSlopeClimb climb) {
   return climb;
 }
 
-double Row::formula() const {
-  return exact::HallWatts(1, 1 / cot_slope).runup(amplitude);
-}
-
 /// Of the tables that the case declares.
 std::vector<Row> rows_of(const Values& values) {
   const io::Table thesis = values.table("frank_1994_runup");
@@ -117,32 +132,6 @@ std::vector<Row> rows_of(const Values& values) {
         entry_where(thesis, {{"cot_slope", row.cot_slope}, {"A", row.amplitude}}, "R_calc").value_or(row.thesis);
   }
   return rows;
-}
-
-double Climbed::extrapolated(std::size_t coarser) const {
-  const std::size_t n = runup.size() - coarser;
-  return 2 * runup[n - 1] - runup[n - 2];
-}
-
-double Climbed::toe_matters() const {
-  const std::size_t n = runup.size();
-  const double left = std::abs(runup[n - 1] - runup[n - 2]) + std::abs(sliding[n - 1] - sliding[n - 2]);
-  return (sliding[n - 1] - runup[n - 1]) / left;
-}
-
-double Climbed::mesh_uncertainty() const {
-  std::vector<double> spacings;
-  for (std::size_t m = 0; m < runup.size(); ++m) spacings.push_back(meshes[m].spacing);
-  return evidence::grid_convergence(spacings, runup, 1).uncertainty;
-}
-
-double Climbed::order_of_error() const {
-  return std::log2(std::abs(runup[runup.size() - 2] - exact) / std::abs(runup.back() - exact));
-}
-
-double Climbed::order() const {
-  const std::size_t n = runup.size();
-  return std::log2((runup[n - 2] - runup[n - 3]) / (runup[n - 1] - runup[n - 2]));
 }
 
 /// Climbs the slope on as many of the meshes, with a toe that stays and with one that slides.
@@ -207,36 +196,38 @@ void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
                           "changes at most; the two decimals of the thesis are 2 % of the lowest value"});
 }
 
+/// The order that is farthest from 1 of all waves.
+Measurement order_off_first(const std::vector<Climbed>& all, double (Climbed::*order)() const) {
+  Worst off;
+  for (std::size_t k = 0; k < all.size(); ++k) off.add((all[k].*order)() - 1, static_cast<double>(k));
+  const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
+  return {.value = (worst.*order)(), .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
+}
+
 void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
   claims.at("three finest meshes")
       .from("contact points climb along the surface, where nodes are first-order accurate")
       .check(
           "order", "The run-up on slopes converges with the first order.",
           "order from the last two halvings, farthest from 1 of all waves",
-          [](const std::vector<Climbed>& all) -> Measurement {
-            Worst off;
-            for (std::size_t k = 0; k < all.size(); ++k) off.add(all[k].order() - 1, static_cast<double>(k));
-            const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
-            return {.value = worst.order(),
-                    .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
-          },
+          [](const std::vector<Climbed>& all) { return order_off_first(all, &Climbed::order); },
           Bound{.limit = 0.5,
                 .reason = "half an order: three meshes, the coarsest with four rows or less",
                 .expected = 1});
 }
 
 void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
-  const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing));
+  const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing)).where("A = {:g}");
   finest.check(
       "exact", "The run-up agrees with the Euler equations within the finest mesh's uncertainty.",
       "largest difference over the uncertainty that the change from mesh to mesh gives",
-      [](const std::vector<Climbed>& all) -> Measurement {
-        Worst off;
-        for (const Climbed& one : all) {
-          const double own = std::min(one.mesh_uncertainty(), useful * one.exact);
-          off.add((one.runup.back() - one.exact) / own, one.amplitude);
-        }
-        return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
+      [](const std::vector<Climbed>& all) {
+        return over<Worst>(
+            all,
+            [](const Climbed& one) {
+              return (one.runup.back() - one.exact) / std::min(one.mesh_uncertainty(), useful * one.exact);
+            },
+            &Climbed::amplitude);
       },
       Bound{.limit = 1,
             .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of the run-up "
@@ -244,13 +235,7 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
   finest.check(
       "exact-order", "The run-up converges to the Euler equations at first order.",
       "order of the difference from the last halving, farthest from 1 of all waves",
-      [](const std::vector<Climbed>& all) -> Measurement {
-        Worst off;
-        for (std::size_t k = 0; k < all.size(); ++k) off.add(all[k].order_of_error() - 1, static_cast<double>(k));
-        const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
-        return {.value = worst.order_of_error(),
-                .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
-      },
+      [](const std::vector<Climbed>& all) { return order_off_first(all, &Climbed::order_of_error); },
       Bound{.limit = 0.5, .reason = "half an order, as for the order from the meshes alone", .expected = 1});
 }
 
@@ -262,12 +247,11 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
           "The run-up extrapolated to fine meshes agrees with Hall and Watts' formula for their measurements.",
           "rms of R/R_formula - 1",
           [](const std::vector<Climbed>& all) -> Measurement {
-            Mean deviation;
-            Mean change;  // by the last halving: three times what the next order leaves; no rms changes by more
-            for (const Climbed& one : all) {
-              deviation.add(one.extrapolated() / one.formula() - 1);
-              change.add((one.extrapolated() - one.extrapolated(1)) / one.formula());
-            }
+            const auto deviation =
+                over<Mean>(all, [](const Climbed& one) { return one.extrapolated() / one.formula() - 1; });
+            // By the last halving: three times what the next order leaves; no rms changes by more.
+            const auto change = over<Mean>(
+                all, [](const Climbed& one) { return (one.extrapolated() - one.extrapolated(1)) / one.formula(); });
             return {.value = deviation.rms(), .uncertainty = change.rms()};
           },
           Uncertainty{.data = exact::HallWatts::scatter(),
@@ -283,20 +267,18 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
           "folds", "With a toe that slides no cell tangles before the maximum run-up.",
           "meshes on which one does, of all waves",
           [](const std::vector<Climbed>& all) {
-            double folded = 0;
-            for (const Climbed& one : all) folded += one.sliding_folds.value();
-            return folded;
+            return over<Mean>(all, [](const Climbed& one) { return one.sliding_folds.value(); }).sum();
           },
           Bound{.limit = 0, .reason = "none"});
   claims.at("all meshes")
+      .where("A = {:g}")
       .from("the discrete gradient, and chords for tangents: exact on any curve")
       .check(
           "energy", "Energy stays while nodes slide around the toe, until the maximum run-up.",
           "largest change over the wave's energy",
-          [](const std::vector<Climbed>& all) -> Measurement {
-            Worst off;
-            for (const Climbed& one : all) off.add(one.sliding_energy.value(), one.amplitude);
-            return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
+          [](const std::vector<Climbed>& all) {
+            return over<Worst>(
+                all, [](const Climbed& one) { return one.sliding_energy.value(); }, &Climbed::amplitude);
           },
           Roundoff{.operations = latest_runup / finest * sweeps,
                    .scale = farthest,
@@ -304,14 +286,11 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
                        "a rounded place, at most 27 depths from the origin, per sweep of a step, six a step, up to t = "
                        "17 on the finest mesh; pressures of the wave's height do the work of its energy over a depth"});
   claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
+      .where("A = {:g}")
       .check(
           "toe", "Whether the toe stays or slides changes the run-up by no more than what either still errs.",
           "largest change of the run-up over what the last halving of the cells changes with both toes",
-          [](const std::vector<Climbed>& all) -> Measurement {
-            Worst off;
-            for (const Climbed& one : all) off.add(one.toe_matters(), one.amplitude);
-            return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
-          },
+          [](const std::vector<Climbed>& all) { return over<Worst>(all, &Climbed::toe_matters, &Climbed::amplitude); },
           Bound{.limit = 1, .reason = "of first order: what the last halving changes is what is left of each"});
 }
 
@@ -367,17 +346,11 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
       {"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]", "extrapolated [depth]",
        "sliding toe [depth]", "exact [depth]", "thesis [depth]", "Hall-Watts [depth]", "fold [sqrt(depth/g)]"},
       {"frank-slopes-2d"});
-  const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Climbed& one : all) {
-    std::vector<std::variant<double, std::string>> cells{1 / one.cot_slope, one.amplitude};
-    for (std::size_t m = 0; m < compared; ++m) cells.emplace_back(rounded(one.runup[m]));
-    cells.emplace_back(rounded(one.extrapolated()));
-    cells.emplace_back(rounded(one.sliding.back()));
-    cells.emplace_back(rounded(one.exact));
-    cells.emplace_back(one.thesis);
-    cells.emplace_back(rounded(one.formula()));
-    cells.emplace_back(one.fold_time ? rounded(*one.fold_time) : std::variant<double, std::string>(""));
-    table.rows.push_back(std::move(cells));
+    std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{1 / one.cot_slope, one.amplitude});
+    for (std::size_t m = 0; m < compared; ++m) cells.push_back(rounded(one.runup[m]));
+    cells.insert(cells.end(), {rounded(one.extrapolated()), rounded(one.sliding.back()), rounded(one.exact), one.thesis,
+                               rounded(one.formula()), one.fold_time ? rounded(*one.fold_time) : ""});
   }
 }
 
@@ -390,24 +363,17 @@ void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
     auto& panel = figure.panel(
         {.x = "A [depth]", .y = "R [depth]", .title = fmt::format("slope of tangent {:g}", 1 / cot_slope)});
     const std::vector<double> fine = evenly(0.05, 0.55, 51);
-    std::vector<double> formula;
     const exact::HallWatts law(1, 1 / cot_slope);
-    for (const double a : fine) formula.push_back(law.runup(a));
-    panel.line("Hall and Watts", fine, formula, Role::guide);
-    std::vector<double> a, thesis, limit, exact;
-    std::array<std::vector<double>, compared> r;
-    for (const Climbed& one : all) {
-      if (one.cot_slope != cot_slope) continue;
-      a.push_back(one.amplitude);
-      thesis.push_back(one.thesis);
-      limit.push_back(one.extrapolated());
-      exact.push_back(one.exact);
-      for (std::size_t m = 0; m < compared; ++m) r[m].push_back(one.runup[m]);
+    panel.line("Hall and Watts", fine, each(fine, [&](double a) { return law.runup(a); }), Role::guide);
+    auto those = all | std::views::filter([&](const Climbed& one) { return one.cot_slope == cot_slope; });
+    const std::vector<double> a = each(those, &Climbed::amplitude);
+    panel.points("Euler equations", a, each(those, &Climbed::exact), Role::exact);
+    panel.points("thesis", a, each(those, &Climbed::thesis), Role::data);
+    for (std::size_t m = 0; m < compared; ++m) {
+      panel.line(fmt::format("h1 = {:g}", meshes[m].spacing), a,
+                 each(those, [&](const Climbed& one) { return one.runup[m]; }));
     }
-    panel.points("Euler equations", a, exact, Role::exact);
-    panel.points("thesis", a, thesis, Role::data);
-    for (std::size_t m = 0; m < compared; ++m) panel.line(fmt::format("h1 = {:g}", meshes[m].spacing), a, r[m]);
-    panel.line("extrapolated", a, limit, Role::peer);
+    panel.line("extrapolated", a, each(those, [](const Climbed& one) { return one.extrapolated(); }), Role::peer);
   }
 }
 
@@ -421,13 +387,13 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
   }
   const std::string title = fmt::format("A = {:g}, slope of tangent {:g}, {}.", one.climb.wave.amplitude(),
                                         one.climb.tan_slope, one.climb.resolution());
-  exhibit.figure("shoreline", "Elevation of the contact point", title)
-      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
+  add_panel(exhibit, "shoreline", "Elevation of the contact point", title,
+            {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("contact point", one.time, one.level);
   const double highest = std::isnan(one.run.runup) ? largest(one.level) : one.run.runup;
   const MeshWindow window{one.climb.toe - 4, one.climb.toe + (1 + 1.1 * highest) / one.climb.tan_slope};
   draw_mesh(
-      exhibit.figure("mesh", "The mesh at the maximum run-up", title, {"frank-slopes-2d"}).panel(mesh_axes("", window)),
+      add_panel(exhibit, "mesh", "The mesh at the maximum run-up", title, mesh_axes("", window), {"frank-slopes-2d"}),
       "mesh", one.run.flow.model().mesh(), one.x, one.y, window);
 }
 
@@ -436,14 +402,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure(
       "waves_that_fold_with_a_toe_that_stays",
       static_cast<double>(std::ranges::count_if(r.all, [](const Climbed& one) { return one.fold_time.has_value(); })));
-  Smallest least;
-  Largest most;
-  for (const Climbed& one : r.all) {
-    least.add(one.order());
-    most.add(one.order());
-  }
-  exhibit.measure("smallest_order", least.value());
-  exhibit.measure("largest_order", most.value());
+  const std::vector<double> orders = each(r.all, &Climbed::order);
+  exhibit.measure("smallest_order", smallest(orders));
+  exhibit.measure("largest_order", largest(orders));
   tabulate(r.all, exhibit);
   draw(r.all, exhibit);
 }

@@ -32,10 +32,6 @@ double SolitaryClimb::crest() const {
   return -cot_slope - reach(margin);
 }
 
-double SolitaryClimb::time_to(double x) const {
-  return (x - crest()) / exact::SerreSolitary(amplitude).speed();
-}
-
 dispersive::Flow SolitaryClimb::start() const {
   const double wall = crest() - reach(margin);
   const double beyond = wall - 1 - reach(margin);

@@ -5,6 +5,8 @@
 /// of its height is before the toe, with as much room behind it.
 #pragma once
 
+#include "seiche/exact/model_waves.hpp"
+
 #include <functional>
 #include <limits>
 #include <optional>
@@ -37,7 +39,7 @@ struct SolitaryClimb {
   /// Place of the crest at the start.
   [[nodiscard]] double crest() const;
   /// From the start until the crest of the undisturbed wave is at x.
-  [[nodiscard]] double time_to(double x) const;
+  [[nodiscard]] double time_to(double x) const { return (x - crest()) / exact::SerreSolitary(amplitude).speed(); }
   [[nodiscard]] dispersive::Flow start() const;
   /// The next step: tau_over_spacing * spacing, or less where the water is shallow.
   [[nodiscard]] double step(const dispersive::Flow& flow) const;

@@ -249,19 +249,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "A wave of A = 0.3 is outside the model's validity: the finer the markers, the earlier its front is too "
           "steep for them.",
           "runs stop earlier with each halving of the spacing",
-          [](const Results& r) { return stop_ever_earlier(r.breaking) ? 1.0 : 0.0; },
+          [](const Results& r) { return stop_ever_earlier(r.breaking); },
           Qualitative{.detector = "times at which markers cross or the water is gone",
                       .reason = "waves higher than 0.8183 cot^(-10/9) = 0.03 break on the way up; a model that keeps "
                                 "energy cannot carry the bore"});
   const auto closure = claims.at("h = 0.125, breaking, friction");
   closure.check(
       "closure-follows", "With breaking and friction the wave is followed up the beach and down again, until t = 80.",
-      "runs to the end", [](const Results& r) { return r.closure.stopped ? 0.0 : 1.0; },
+      "runs to the end", [](const Results& r) { return !r.closure.stopped.has_value(); },
       Qualitative{.detector = "markers cross or the water is gone before t = 80",
                   .reason = "the front is a bore of finite width, and the tongue is slowed down"});
   const auto distance = [](double t, const Results& r) {
-    const std::map<double, Difference> all = differences(r.closure.surfaces, r.breaking_laboratory);
-    return all.at(t).off.rms() / all.at(t).range;
+    const Difference off = differences(r.closure.surfaces, r.breaking_laboratory).at(t);
+    return off.off.rms() / off.range;
   };
   const std::string laboratory = "10 %, the tolerance of laboratory benchmarks in NOAA Tech. Memo. OAR PMEL-135 (2007)";
   const std::string ahead =

@@ -12,7 +12,9 @@ all 29 laboratory waves that do not break, $A \le 0.045$.
 at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theories say, higher ones less high.
 */
 #include <cmath>
+#include <functional>
 #include <map>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -20,6 +22,7 @@ at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theori
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
@@ -131,10 +134,9 @@ Results compute(const Run& run) {
 }
 
 void show_refinement(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("refinement", "The maximum run-up as the spacing goes to zero",
-                            "A = 0.019. The mass of the shoreline marker decides how fast it converges.")
-                    .panel({.x = "h [depth]", .y = "R [depth]"});
+  auto& panel = add_panel(exhibit, "refinement", "The maximum run-up as the spacing goes to zero",
+                          "A = 0.019. The mass of the shoreline marker decides how fast it converges.",
+                          {.x = "h [depth]", .y = "R [depth]"});
   for (const auto& [sequence, id, label] : {std::tuple{&r.elementary, "elementary", "tip V/4, the thesis's"},
                                             std::tuple{&r.consistent, "consistent", "tip V/6"}}) {
     panel.line(label, sequence->spacing, sequence->runup, Role::computed);
@@ -153,20 +155,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const Laboratory& all = r.laboratory;
   exhibit.measure("laboratory_runups", static_cast<double>(all.off_measured.count()));
   exhibit.measure("laboratory_runup_bias", all.off_measured.value());
-  auto& panel = exhibit
-                    .figure("laboratory_runups", "Run-up on the beach 1 : 19.85",
-                            "Measured, also for waves that break (A > 0.045); law and model where they do not.")
-                    .panel({.x = "A [depth]", .y = "R [depth]", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "laboratory_runups", "Run-up on the beach 1 : 19.85",
+                          "Measured, also for waves that break (A > 0.045); law and model where they do not.",
+                          {.x = "A [depth]", .y = "R [depth]", .log_x = true, .log_y = true});
   const io::Table table = values.table("synolakis_1987_runup");
   panel.points("laboratory", table.column("A_over_d"), table.column("R_over_d"), Role::data);
-  std::vector<double> a, height, law;
-  for (const auto& [amplitude, runup] : all.runup) {
-    a.push_back(amplitude);
-    height.push_back(runup);
-    law.push_back(runup_law(cot_slope, amplitude));
-  }
-  panel.line("run-up law", a, law, Role::guide);
-  panel.line("model", a, height, Role::computed);
+  const std::vector<double> a = each(std::views::keys(all.runup), std::identity{});
+  panel.line("run-up law", a, each(a, [](double height) { return runup_law(cot_slope, height); }), Role::guide);
+  panel.line("model", a, each(std::views::values(all.runup), std::identity{}), Role::computed);
 }
 
 }  // namespace

@@ -254,10 +254,9 @@ Results compute(const Run& run) {
 void draw(const Results& r, Curve Felt::*what, double shift, const std::string& id, const std::string& title,
           const std::string& axis, const Values& values, evidence::Exhibit& exhibit) {
   auto& panel =
-      exhibit
-          .figure(id, title,
-                  fmt::format("Wave of {:g} depths, each model on its finest resolution.", values.real("amplitude")))
-          .panel({.x = "t [sqrt(depth/g)]", .y = axis});
+      add_panel(exhibit, id, title,
+                fmt::format("Wave of {:g} depths, each model on its finest resolution.", values.real("amplitude")),
+                {.x = "t [sqrt(depth/g)]", .y = axis});
   const auto line = [&](const std::string& name, const Curve& all, Role role) {
     Curve times, values_there;
     for (std::size_t k = r.first; k < all.size(); ++k) {
@@ -276,15 +275,10 @@ void draw(const Results& r, Curve Felt::*what, double shift, const std::string& 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw(r, &Felt::force, 0.5, "force", "Force on the wall", "force - 1/2 [rho g depth^2]", values, exhibit);
   draw(r, &Felt::level, 1, "run-up", "Run-up on the wall", "level at the wall [depth]", values, exhibit);
-  evidence::Table table{.id = "force",
-                        .title = "Largest force, the dip between two maxima, and the run-up",
-                        .caption = "Forces are means over a tenth of sqrt(depth/g), beyond the force at rest.",
-                        .columns = {{"model", ""},
-                                    {"largest force", "1"},
-                                    {"over the exact", "1"},
-                                    {"dip", "1"},
-                                    {"run-up [depth]", "1"},
-                                    {"rms error of the level over the run-up", "1"}}};
+  evidence::Table& table = add_table(exhibit, "force", "Largest force, the dip between two maxima, and the run-up",
+                                     "Forces are means over a tenth of sqrt(depth/g), beyond the force at rest.",
+                                     {"model", "largest force [1]", "over the exact [1]", "dip [1]", "run-up [depth]",
+                                      "rms error of the level over the run-up [1]"});
   const auto row = [&](const std::string& name, const Felt& felt) {
     const double largest = felt.force.empty() ? 0 : std::ranges::max(felt.force);
     table.rows.push_back(
@@ -292,7 +286,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   };
   row("exact", r.exact);
   for (const Entry& entry : r.contest.entries()) row(entry.name, r.felt.at(entry.id));
-  exhibit.table(std::move(table));
   r.contest.show(exhibit, {.size = "depth", .error = "largest force", .time = "sqrt(depth/g)"});
 }
 

@@ -76,8 +76,7 @@ Comparison compare(const Run& run) {
 Worst over_series(const Comparison& all) {
   Worst worst;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    const double series = std::abs(WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]);
-    worst.add(all.gap(k) / series, all.amplitude[k]);
+    worst.add(all.gap(k) / (WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]), all.amplitude[k]);
   }
   return worst;
 }
@@ -93,18 +92,17 @@ void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
-  std::vector<double> euler, serre, gap;
+  std::vector<double> serre, gap;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    euler.push_back(all.euler[k] / all.amplitude[k]);
-    serre.push_back(all.serre(k) / all.amplitude[k]);
+    serre.push_back(all.serre(k));
     gap.push_back(all.gap(k));
   }
   auto& figure = exhibit.figure("runup", "Run-up on a vertical wall",
                                 "Model extrapolated to zero spacing, exact values of the Euler equations, and series; "
                                 "then the difference of model and Euler equations.");
   auto& heights = figure.panel({.x = "A [depth]", .y = "R/A"});
-  heights.line("Euler equations", all.amplitude, euler, Role::exact);
-  heights.points("model", all.amplitude, serre, Role::computed);
+  heights.line("Euler equations", all.amplitude, quotients(all.euler, all.amplitude), Role::exact);
+  heights.points("model", all.amplitude, quotients(serre, all.amplitude), Role::computed);
   heights.line("Su and Mirie", fine, each(fine, [](double a) { return WallRunup::su_mirie(a) / a; }), Role::guide);
   heights.line("Byatt-Smith", fine, each(fine, [](double a) { return WallRunup::byatt_smith(a) / a; }), Role::guide);
   auto& difference = figure.panel({.x = "A [depth]", .y = "|R - R_Euler| [depth]", .log_x = true, .log_y = true});
@@ -155,10 +153,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("delay_of_maximum", r.up.time - r.climb.time_to(0));
   exhibit.measure("su_mirie", WallRunup::su_mirie(r.climb.amplitude));
   measure_comparison(exhibit, r.comparison);
-  exhibit
-      .figure("wall", "Water level at the wall",
-              fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude))
-      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
+  add_panel(exhibit, "wall", "Water level at the wall",
+            fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude),
+            {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("model", r.time, r.level, Role::computed);
   draw_comparison(exhibit, r.comparison);
 }

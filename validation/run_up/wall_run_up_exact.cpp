@@ -31,8 +31,8 @@ struct Results {
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities),
-                   exact::WallRunup::identities(values.real("amplitude") / values.real("depth")), source);
+  claim_identities(claims.from(source).of(&Results::identities),
+                   exact::WallRunup::identities(values.real("amplitude") / values.real("depth")));
 }
 
 Results compute(const Run& run) {
@@ -49,15 +49,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
   const io::Table table = values.table("wall_runup_exact");
   const std::vector<double>& a = table.column("a");
-  std::vector<double> ratio;
-  for (std::size_t k = 0; k < a.size(); ++k) ratio.push_back(table.column("R")[k] / a[k]);
   const std::vector<double> fine = evenly(0.05, a.back(), 101);
-  auto& panel = exhibit
-                    .figure("runup", "Run-up over amplitude",
-                            fmt::format("Exact values (tabulated, and this run's at a = {:g} depth) beside the series.",
-                                        amplitude / depth))
-                    .panel({.x = "amplitude/depth", .y = "run-up/amplitude"});
-  panel.points("exact, tabulated", a, ratio, Role::exact);
+  auto& panel = add_panel(
+      exhibit, "runup", "Run-up over amplitude",
+      fmt::format("Exact values (tabulated, and this run's at a = {:g} depth) beside the series.", amplitude / depth),
+      {.x = "amplitude/depth", .y = "run-up/amplitude"});
+  panel.points("exact, tabulated", a, quotients(table.column("R"), a), Role::exact);
   panel.points("this run", std::vector{amplitude / depth}, std::vector{r.runup / amplitude}, Role::computed);
   panel.line("Su and Mirie", fine, each(fine, [](double at) { return exact::WallRunup::su_mirie(at) / at; }),
              Role::guide);

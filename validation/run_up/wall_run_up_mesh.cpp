@@ -273,10 +273,9 @@ void show_convergence(const Results& r, evidence::Exhibit& exhibit) {
   if (std::isnan(r.exact)) return;
   const double amplitude = r.climb.wave.amplitude();
   exhibit.measure("su_mirie", exact::WallRunup::su_mirie(amplitude));
-  auto& panel = exhibit
-                    .figure("convergence", "Convergence of the run-up",
-                            fmt::format("A = {:g}, exact value {:.6f}.", amplitude, r.exact))
-                    .panel({.x = "h1 [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "convergence", "Convergence of the run-up",
+                          fmt::format("A = {:g}, exact value {:.6f}.", amplitude, r.exact),
+                          {.x = "h1 [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
   const std::vector<double> error = r.errors();
   panel.points("mesh", r.all.spacing, error, Role::computed);
   slope_guide(panel, 2, r.all.spacing, error.back());

@@ -48,12 +48,10 @@ struct Curve {
   std::vector<Climbed> points;
   bool rezoned = false;
 
-  [[nodiscard]] std::vector<double> column(double Climbed::*member) const {
-    return each(points, [&](const Climbed& point) { return point.*member; });
-  }
+  [[nodiscard]] std::vector<double> column(double Climbed::*member) const { return each(points, member); }
   [[nodiscard]] const Climbed* at(double amplitude) const {
-    const auto found = std::find_if(points.begin(), points.end(),
-                                    [&](const Climbed& point) { return std::abs(point.amplitude - amplitude) < 1e-9; });
+    const auto found = std::ranges::find_if(
+        points, [&](const Climbed& point) { return std::abs(point.amplitude - amplitude) < 1e-9; });
     return found == points.end() ? nullptr : &*found;
   }
   /// NaN where the mesh folds.
@@ -121,11 +119,8 @@ Results compute(const Run& run) {
 
 /// Of the values that all meshes give for one wave, as half-width for the finest; NaN where one of them folds.
 double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member) {
-  std::vector<double> size, value;
-  for (const Curve& curve : curves) {
-    size.push_back(1 / static_cast<double>(curve.rows));
-    value.push_back(curve.value(amplitude, member));
-  }
+  const auto size = each(curves, [](const Curve& curve) { return 1 / static_cast<double>(curve.rows); });
+  const auto value = each(curves, [&](const Curve& curve) { return curve.value(amplitude, member); });
   return std::isnan(worst(value)) ? std::numeric_limits<double>::quiet_NaN()
                                   : evidence::grid_convergence(size, value, 2).uncertainty;
 }
@@ -139,26 +134,28 @@ double over_uncertainty(const std::vector<Curve>& curves, double amplitude, doub
   return (curves.back().value(amplitude, member) - reference) / std::hypot(counted, of_reference);
 }
 
-std::string at_amplitude(double amplitude) {
-  return fmt::format("A = {:g}", amplitude);
+/// The largest of them, over the waves of a table between two heights.
+auto off_table(const io::Table& table, const std::string& of_amplitude, const std::string& column,
+               double Climbed::*member, double lowest, double highest, double of_reference) {
+  return [=](const std::vector<Curve>& curves) {
+    Worst off;
+    for (std::size_t k = 0; k < table.rows(); ++k) {
+      const double amplitude = table.column(of_amplitude)[k];
+      if (amplitude < lowest - 1e-9 || amplitude > highest + 1e-9) continue;
+      off.add(over_uncertainty(curves, amplitude, member, table.column(column)[k], of_reference), amplitude);
+    }
+    return off;
+  };
 }
 
 void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exact) {
-  claims.check(
-      "exact", "Up to A = 0.5 the run-up agrees with the Euler equations within the finest mesh's uncertainty.",
-      "largest difference over the uncertainty that the change from mesh to mesh gives",
-      [exact](const std::vector<Curve>& curves) -> Measurement {
-        Worst off;
-        for (std::size_t k = 0; k < exact.rows(); ++k) {
-          const double amplitude = exact.column("a")[k];
-          if (amplitude > highest_claimed + 1e-9) continue;
-          off.add(over_uncertainty(curves, amplitude, &Climbed::runup, exact.column("R")[k], 0), amplitude);
-        }
-        return {.value = off.value(), .where = at_amplitude(off.where())};
-      },
-      Bound{.limit = 1,
-            .reason =
-                "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " + counted_text});
+  claims.check("exact",
+               "Up to A = 0.5 the run-up agrees with the Euler equations within the finest mesh's uncertainty.",
+               "largest difference over the uncertainty that the change from mesh to mesh gives",
+               off_table(exact, "a", "R", &Climbed::runup, 0, highest_claimed, 0),
+               Bound{.limit = 1,
+                     .reason = "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " +
+                               counted_text});
 }
 
 void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& table) {
@@ -169,15 +166,7 @@ void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& tabl
             "Up to A = 0.5 the largest {} agrees with the Euler equations within the finest mesh's uncertainty.",
             load.name),
         "largest difference over the uncertainty, A = 0.1 to 0.5",
-        [table, load](const std::vector<Curve>& curves) -> Measurement {
-          Worst off;
-          for (std::size_t k = 0; k < table.rows(); ++k) {
-            const double amplitude = table.column("A")[k];
-            if (amplitude < lowest_compared - 1e-9 || amplitude > highest_claimed + 1e-9) continue;
-            off.add(over_uncertainty(curves, amplitude, load.member, table.column(load.column)[k], 1e-10), amplitude);
-          }
-          return {.value = off.value(), .where = at_amplitude(off.where())};
-        },
+        off_table(table, "A", load.column, load.member, lowest_compared, highest_claimed, 1e-10),
         Bound{.limit = 1,
               .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than " + counted_text +
                         ", and column u of the exact values, at most 1e-10"});
@@ -194,15 +183,7 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
                     "finest mesh's uncertainty.",
                     lowest_rezoned, name),
         "largest difference over the uncertainty that the change from mesh to mesh gives",
-        [=](const std::vector<Curve>& curves) -> Measurement {
-          Worst off;
-          for (std::size_t k = 0; k < table.rows(); ++k) {
-            const double amplitude = table.column(of_amplitude)[k];
-            if (amplitude < lowest_rezoned - 1e-9) continue;
-            off.add(over_uncertainty(curves, amplitude, member, table.column(column)[k], 0), amplitude);
-          }
-          return {.value = off.value(), .where = at_amplitude(off.where())};
-        },
+        off_table(table, of_amplitude, column, member, lowest_rezoned, 1, 0),
         Bound{.limit = 1,
               .reason =
                   "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " + counted_text});
@@ -213,10 +194,11 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
 
 void claims(const Values& values, const Claims<Results>& all) {
   const std::vector<long> meshes = meshes_of(values);
-  claim_rezoned(
-      all.of(&Results::rezoned).at(Curve{.rows = values.integer("rows"), .points = {}, .rezoned = true}.name()),
-      values.table("wall_runup_exact"), values.table("wall_load_exact"));
-  const auto claims = all.of(&Results::curves);
+  claim_rezoned(all.of(&Results::rezoned)
+                    .where("A = {:g}")
+                    .at(Curve{.rows = values.integer("rows"), .points = {}, .rezoned = true}.name()),
+                values.table("wall_runup_exact"), values.table("wall_load_exact"));
+  const auto claims = all.of(&Results::curves).where("A = {:g}");
   const auto finest = claims.at(Curve{.rows = meshes.back(), .points = {}}.name());
   claim_exact(finest, values.table("wall_runup_exact"));
   claim_loads(finest, values.table("wall_load_exact"));
@@ -228,23 +210,15 @@ void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence
       "Nothing where the mesh tangles before; high waves also on a mesh that is rezoned. Series: 2A + A^2/2 + 3A^3/4.",
       {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
-  table.columns.emplace_back("exact", "depth");
-  table.columns.emplace_back("series", "depth");
-  const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
+  table.columns.insert(table.columns.end(), {{"exact", "depth"}, {"series", "depth"}});
   for (std::size_t k = 0; k < exact.column("a").size(); ++k) {
     const double amplitude = exact.column("a")[k];
-    std::vector<std::variant<double, std::string>> row{amplitude};
+    std::vector<Cell>& row = table.rows.emplace_back(1, amplitude);
     for (const Curve& curve : curves) {
       const Climbed* point = curve.at(amplitude);
-      if (point == nullptr) {
-        row.emplace_back(std::string(curve.rezoned && amplitude < lowest_rezoned ? "" : "folds"));
-      } else {
-        row.emplace_back(rounded(point->runup));
-      }
+      row.push_back(point ? rounded(point->runup) : curve.rezoned && amplitude < lowest_rezoned ? "" : "folds");
     }
-    row.emplace_back(rounded(exact.column("R")[k]));
-    row.emplace_back(rounded(exact::WallRunup::su_mirie(amplitude)));
-    table.rows.push_back(std::move(row));
+    row.insert(row.end(), {rounded(exact.column("R")[k]), rounded(exact::WallRunup::su_mirie(amplitude))});
   }
 }
 
@@ -268,17 +242,13 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
   curves_on(heights, &Climbed::runup);
   heights.line("2A + A^2/2 + 3A^3/4", fine, series, Role::guide);
   auto& ratios = runup.panel({.x = "A [depth]", .y = "R/A"});
-  const auto over = [](std::vector<double> values, const std::vector<double>& by) {
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] /= by[k];
-    return values;
-  };
-  ratios.points("Euler equations", exact.column("a"), over(exact.column("R"), exact.column("a")), Role::exact);
+  ratios.points("Euler equations", exact.column("a"), quotients(exact.column("R"), exact.column("a")), Role::exact);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const std::vector<double> amplitude = curves[k].column(&Climbed::amplitude);
-    ratios.points(curves[k].name(), amplitude, over(curves[k].column(&Climbed::runup), amplitude),
+    ratios.points(curves[k].name(), amplitude, quotients(curves[k].column(&Climbed::runup), amplitude),
                   k + 1 == curves.size() ? Role::computed : Role::peer);
   }
-  ratios.line("2A + A^2/2 + 3A^3/4", fine, over(series, fine), Role::guide);
+  ratios.line("2A + A^2/2 + 3A^3/4", fine, quotients(series, fine), Role::guide);
   const auto loads_on = [&](evidence::Panel& panel, std::size_t load) {
     panel.points("Euler equations", exact_loads.column("A"), exact_loads.column(compared_loads[load].column),
                  Role::exact);

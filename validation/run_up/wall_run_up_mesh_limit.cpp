@@ -25,6 +25,7 @@ with barrier and wide columns besides it completes, but then the run-up is too l
 #include <limits>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ with barrier and wide columns besides it completes, but then the run-up is too l
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_table.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -39,6 +41,9 @@ namespace seiche::validation::cases::wall_run_up_mesh_limit {
 namespace {
 
 const std::string source = "Frank (1994), chapter 2";
+
+/// Exact waves by height: each takes a tenth of a second.
+using Waves = std::map<double, exact::SolitaryWave>;
 
 struct Variant {
   std::string name;
@@ -93,30 +98,16 @@ struct Told {
 
   /// Null where it was not tried.
   [[nodiscard]] const Fate* at(double amplitude) const {
-    const auto found = std::find_if(fates.begin(), fates.end(),
-                                    [&](const Fate& fate) { return std::abs(fate.amplitude - amplitude) < 1e-9; });
+    const auto found =
+        std::ranges::find_if(fates, [&](const Fate& fate) { return std::abs(fate.amplitude - amplitude) < 1e-9; });
     return found == fates.end() ? nullptr : &*found;
   }
   /// Up to which all waves are so; none if the first is not.
   [[nodiscard]] std::optional<double> largest(bool Fate::*is) const {
     std::optional<double> amplitude;
-    for (const Fate& fate : fates) {
-      if (!(fate.*is)) break;
-      amplitude = fate.amplitude;
-    }
+    for (const Fate& fate : fates | std::views::take_while(is)) amplitude = fate.amplitude;
     return amplitude;
   }
-};
-
-/// The exact waves, which take longer to compute than the meshes need.
-class Waves {
- public:
-  const exact::SolitaryWave& operator()(double amplitude) {
-    return waves_.try_emplace(std::lround(1e6 * amplitude), amplitude).first->second;
-  }
-
- private:
-  std::map<long, exact::SolitaryWave> waves_;
 };
 
 std::vector<Told> tell(const Run& run, Waves& waves) {
@@ -131,7 +122,8 @@ std::vector<Told> tell(const Run& run, Waves& waves) {
     for (int k = 0;; ++k) {
       const double amplitude = lowest + k * step;
       if (amplitude > run.real("highest") + 1e-9) break;
-      MeshWallClimb climb = MeshWallClimb::with_rows(waves(amplitude), run.integer("rows"));
+      MeshWallClimb climb =
+          MeshWallClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, run.integer("rows"));
       variant.change(climb);
       const MeshWallRun up = climb_wall(climb);
       Fate fate{.amplitude = amplitude, .runup = up.runup(), .fold = up.fold};
@@ -154,7 +146,7 @@ struct Folded {
 };
 
 Folded folded(Waves& waves, double amplitude, long rows) {
-  const MeshWallClimb plain = MeshWallClimb::with_rows(waves(amplitude), rows);
+  const MeshWallClimb plain = MeshWallClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, rows);
   MeshWallClimb held = plain;
   held.settings.hourglass = 0.6;
   Folded both{amplitude, climb_wall(plain).flow, held.start()};
@@ -181,19 +173,17 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
       "tangles; then the largest height tried up to which the run-up is reached, and up to which the reflection "
       "completes.",
       {"variant", "A = 0.5 [%]", "its end", "A = 0.6 [%]", "its end ", "run-up [depth]", "reflection [depth]"});
-  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
   for (const Told& told : all) {
-    std::vector<std::variant<double, std::string>> row{told.variant.title};
+    std::vector<Cell>& row = table.rows.emplace_back(1, told.variant.title);
     for (const double amplitude : {0.5, 0.6}) {
       const Fate* fate = told.at(amplitude);
       if (fate == nullptr || !fate->reached) {
-        row.emplace_back(std::string("not reached"));
+        row.emplace_back("not reached");
       } else {
-        const double error =
-            fate->runup /
-                entry_where(exact, {{"a", amplitude}}, "R").value_or(std::numeric_limits<double>::quiet_NaN()) -
-            1;
-        row.emplace_back(rounded(100 * error, 100));
+        const double exactly =
+            entry_where(exact, {{"a", amplitude}}, "R").value_or(std::numeric_limits<double>::quiet_NaN());
+        const double error = fate->runup / exactly - 1;
+        row.push_back(rounded(100 * error, 100));
         exhibit.measure(fmt::format("{}_a_{:g}_over_exact_less_1", told.variant.name, amplitude), error);
       }
       row.emplace_back(fate == nullptr ? std::string("not tried")
@@ -202,34 +192,27 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
     }
     for (const auto& [what, is] : {std::pair{"run_up", &Fate::reached}, std::pair{"reflection", &Fate::through}}) {
       const std::optional<double> largest = told.largest(is);
-      row.emplace_back(largest ? std::variant<double, std::string>(rounded(*largest, 1e4)) : "none");
+      row.push_back(largest ? rounded(*largest) : "none");
       if (largest) exhibit.measure(fmt::format("{}_largest_{}", told.variant.name, what), *largest);
     }
-    table.rows.push_back(std::move(row));
   }
 }
 
 void draw_runup(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("runup", "Run-up of the variants",
-                            "Up to the first height that does not reach its maximum run-up; exact values of the Euler "
-                            "equations end at A = 0.6.")
-                    .panel({.x = "A [depth]", .y = "R/A", .x_min = 0.38});
-  std::vector<double> ratio;
-  for (std::size_t k = 0; k < exact.column("a").size(); ++k)
-    ratio.push_back(exact.column("R")[k] / exact.column("a")[k]);
-  panel.points("Euler equations", exact.column("a"), ratio, Role::exact);
+  auto& panel = add_panel(exhibit, "runup", "Run-up of the variants",
+                          "Up to the first height that does not reach its maximum run-up; exact values of the Euler "
+                          "equations end at A = 0.6.",
+                          {.x = "A [depth]", .y = "R/A", .x_min = 0.38});
+  const std::vector<double>& a = exact.column("a");
+  panel.points("Euler equations", a, quotients(exact.column("R"), a), Role::exact);
   const std::vector<std::string> shown{"frank", "coarse", "hourglass_1", "barrier_hourglass", "all", "rezoned"};
   for (const std::string& name : shown) {
     const Told& told = find(all, name);
-    std::vector<double> amplitude, runup;
-    for (const Fate& fate : told.fates) {
-      if (!fate.reached) break;
-      amplitude.push_back(fate.amplitude);
-      runup.push_back(fate.runup / fate.amplitude);
-    }
-    if (!runup.empty()) {
-      panel.points(told.variant.title, amplitude, runup, name == "frank" ? Role::computed : Role::peer);
+    auto reached = told.fates | std::views::take_while(&Fate::reached);
+    if (!reached.empty()) {
+      panel.points(told.variant.title, each(reached, &Fate::amplitude),
+                   each(reached, [](const Fate& fate) { return fate.runup / fate.amplitude; }),
+                   name == "frank" ? Role::computed : Role::peer);
     }
   }
 }

@@ -91,9 +91,7 @@ struct Family {
   MeshResolution mesh;
   std::vector<Born> waves;
 
-  [[nodiscard]] std::vector<double> amplitudes() const {
-    return each(waves, [&](const Born& wave) { return wave.amplitude; });
-  }
+  [[nodiscard]] std::vector<double> amplitudes() const { return each(waves, &Born::amplitude); }
   /// A quantity at a height, linear between the waves.
   template <class Quantity>
   [[nodiscard]] double at(double amplitude, const Quantity& quantity) const {
@@ -104,9 +102,7 @@ struct Family {
     const double w = (amplitude - low.amplitude) / (high.amplitude - low.amplitude);
     return (1 - w) * quantity(low) + w * quantity(high);
   }
-  [[nodiscard]] double speed_at(double amplitude) const {
-    return at(amplitude, [](const Born& wave) { return wave.speed; });
-  }
+  [[nodiscard]] double speed_at(double amplitude) const { return at(amplitude, std::mem_fn(&Born::speed)); }
 };
 
 using lagrangian_mesh_2d::Settings;
@@ -229,7 +225,7 @@ void claim_source_table(const Claims<Family>& claims, const io::Table& published
         for (std::size_t k = 0; k < published.rows(); ++k) {
           difference.add(coarse.speed_at(published.column("A")[k]) - published.column("C")[k]);
         }
-        return difference.value();
+        return difference;
       },
       Bound{.limit = 0.005,
             .reason = "half a unit of the last digit of A moves C by 0.002, half a unit of C is 0.0005; the source "
@@ -281,9 +277,8 @@ void claim_second_approximation(const Claims<Family>& claims) {
       "shows them.",
       "largest ratio of the distances",
       [](const Family& coarse) {
-        Largest ratio;
-        for (const Born& wave : coarse.waves) ratio.add(wave.from_laitone / wave.from_exact);
-        return ratio.value();
+        return over<Largest>(coarse.waves, [](const Born& wave) { return wave.from_laitone / wave.from_exact; })
+            .value();
       },
       Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
@@ -291,16 +286,16 @@ void claim_second_approximation(const Claims<Family>& claims) {
 /// The same wave however it was made: the exact Euler wave, let run on the coarsest mesh, ends on the curve of waves
 /// born from humps.
 void claim_one_curve(const Claims<Results>& claims) {
-  claims.from("a mesh has one solitary wave of each height")
+  claims
+      .at([](const Results& r) {
+        return r.coarsest().label + fmt::format(", A = {:.4f} at last", r.from_exact.amplitude);
+      })
+      .from("a mesh has one solitary wave of each height")
       .check(
           "one-curve",
           "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height and speed.",
           "difference of C [sqrt(g depth)]",
-          [](const Results& r) -> Measurement {
-            const Born& late = r.from_exact;
-            return {.value = std::abs(late.speed - r.coarsest().speed_at(late.amplitude)),
-                    .resolution = r.coarsest().label + fmt::format(", A = {:.4f} at last", late.amplitude)};
-          },
+          [](const Results& r) { return std::abs(r.from_exact.speed - r.coarsest().speed_at(r.from_exact.amplitude)); },
           Bound{.limit = 7e-4,
                 .reason = "the curve is linear between heights 0.1 apart: 3e-4 at most; heights still change by 1e-3 "
                           "while they are averaged: 4e-4"});
@@ -376,13 +371,13 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
   speeds.line("sqrt(1 + A)", fine, each(fine, root), Role::guide);
   excess.line("sqrt(1 + A)", fine, each(fine, [&](double a) { return root(a) - euler(a); }), Role::guide);
   const ColumnUncertainty uncertainty = reference_source("frank_1994_celerity").standard_uncertainty.at("C");
-  std::vector<double> error, data_excess;
-  for (std::size_t k = 0; k < published.rows(); ++k) {
-    error.push_back(uncertainty.of(published.column("C")[k]));
-    data_excess.push_back(published.column("C")[k] - euler(published.column("A")[k]));
-  }
-  speeds.points("Frank (1994)", published.column("A"), published.column("C"), Role::data, error);
-  excess.points("Frank (1994)", published.column("A"), data_excess, Role::data, error);
+  const std::vector<double>& amplitude = published.column("A");
+  const std::vector<double>& speed = published.column("C");
+  const std::vector<double> error = each(speed, [&](double c) { return uncertainty.of(c); });
+  std::vector<double> data_excess = speed;
+  for (std::size_t k = 0; k < speed.size(); ++k) data_excess[k] -= euler(amplitude[k]);
+  speeds.points("Frank (1994)", amplitude, speed, Role::data, error);
+  excess.points("Frank (1994)", amplitude, data_excess, Role::data, error);
   for (const Family& family : all) {
     const auto over = [&](const Born& wave) { return wave.speed - euler(wave.amplitude); };
     speeds.points(family.label, family.amplitudes(), each(family.waves, &Born::speed), Role::computed);
@@ -392,8 +387,8 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
 
 /// The wave of the parameters: its birth, and its profile at the end.
 void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& resolution) {
-  auto& surface = exhibit.figure("birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".")
-                      .panel({.x = "x [depth]", .y = "elevation [depth]"});
+  auto& surface = add_panel(exhibit, "birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".",
+                            {.x = "x [depth]", .y = "elevation [depth]"});
   for (const Surface& s : r.birth) surface.line(fmt::format("t = {:.0f}", s.time), s.x, s.y, Role::computed);
 
   const double crest = r.own.track.place.back();
@@ -401,8 +396,6 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
   const LaitoneSolitary laitone(r.own.end_amplitude());
   const MeshWindow window{crest - birth_reach - 2, crest + birth_reach + 2};
   const std::vector<double> x = evenly(window.begin, window.end, 241);
-  std::vector<double> euler = each(x, [&](const double at) { return exact.elevation(at - crest); });
-  std::vector<double> second = each(x, [&](const double at) { return laitone.elevation(at - crest); });
   auto& figure = exhibit.figure(
       "profile", "The wave that was born",
       fmt::format("Mesh and surface at t = {:g}, {}; exact wave and second approximation of the same height.",
@@ -411,14 +404,10 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
   draw_mesh(figure.panel(mesh_axes("Mesh", window)), "", r.flow, window);
   auto& profile =
       figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = window.begin, .x_max = window.end});
-  profile.line("Euler equations", x, euler, Role::exact);
-  profile.line("second approximation", x, second, Role::guide);
-  std::vector<double> nodes, heights;
-  for (std::size_t i = 0; i < r.flow.surface_x().size(); ++i) {
-    if (r.flow.surface_x()[i] < window.begin || r.flow.surface_x()[i] > window.end) continue;
-    nodes.push_back(r.flow.surface_x()[i]);
-    heights.push_back(r.flow.surface_y()[i]);
-  }
+  profile.line("Euler equations", x, each(x, [&](double at) { return exact.elevation(at - crest); }), Role::exact);
+  profile.line("second approximation", x, each(x, [&](double at) { return laitone.elevation(at - crest); }),
+               Role::guide);
+  const auto [nodes, heights] = surface_nodes(r.flow, window);
   profile.points("nodes", nodes, heights, Role::computed);
 }
 

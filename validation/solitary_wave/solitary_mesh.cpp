@@ -234,10 +234,9 @@ Results compute(const Run& run) {
 }
 
 void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
-  auto& errors = exhibit
-                     .figure("errors", "Errors against the height of the cells",
-                             "At the end of the run; cells twice as wide as high, five steps to a column.")
-                     .panel({.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
+  auto& errors = add_panel(exhibit, "errors", "Errors against the height of the cells",
+                           "At the end of the run; cells twice as wide as high, five steps to a column.",
+                           {.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
   auto& history = exhibit.figure(
       "history", "The crest on its way",
       "The wave of the mesh is not quite the exact one: the crest falls back while the difference is left behind.");
@@ -246,13 +245,11 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
   Travels unfolded;
   for (const Travel& travel : r.refinement) {
     const CrestTrack& track = travel.outcome.track;
-    std::vector<double> lags, heights;
-    for (std::size_t k = 0; k < track.time.size(); ++k) {
-      lags.push_back(track.place[k] - start - r.wave.speed() * track.time[k]);
-      heights.push_back(track.elevation[k] / travel.amplitude);
-    }
+    std::vector<double> lags = track.place;
+    for (std::size_t k = 0; k < lags.size(); ++k) lags[k] -= start + r.wave.speed() * track.time[k];
     lag.line(fmt::format("{} rows", travel.mesh.rows), track.time, lags, Role::computed);
-    height.line(fmt::format("{} rows", travel.mesh.rows), track.time, heights, Role::computed);
+    height.line(fmt::format("{} rows", travel.mesh.rows), track.time,
+                each(track.elevation, [&](double y) { return y / travel.amplitude; }), Role::computed);
     if (!track.folded) unfolded.push_back(travel);
   }
   if (unfolded.empty()) return;
@@ -266,22 +263,16 @@ void draw_wave(evidence::Exhibit& exhibit, const Results& r, const MeshResolutio
   const MeshWindow window{place - 6, place + 6};
   auto& figure =
       exhibit.figure("wave", "The wave at the end", "Mesh; surface nodes and exact surface: " + mesh.text() + ".");
-  std::vector<double> x = evenly(window.begin, window.end, 241);
-  std::vector<double> surface = each(x, [&](const double at) { return r.wave.elevation(at - place); });
-  auto& picture = figure.panel(mesh_axes("Mesh", window));
-  draw_mesh(picture, "", r.flow, window);
+  const std::vector<double> x = evenly(window.begin, window.end, 241);
+  draw_mesh(figure.panel(mesh_axes("Mesh", window)), "", r.flow, window);
   auto& profile =
       figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = window.begin, .x_max = window.end});
-  profile.line("exact", x, surface, Role::exact);
+  profile.line("exact", x, each(x, [&](double at) { return r.wave.elevation(at - place); }), Role::exact);
   auto& error =
       figure.panel({.x = "x [depth]", .y = "computed less exact [depth]", .x_min = window.begin, .x_max = window.end});
-  std::vector<double> nodes, heights, differences;
-  for (std::size_t i = 0; i < r.flow.surface_x().size(); ++i) {
-    if (std::abs(r.flow.surface_x()[i] - place) > 6) continue;
-    nodes.push_back(r.flow.surface_x()[i]);
-    heights.push_back(r.flow.surface_y()[i]);
-    differences.push_back(heights.back() - r.wave.elevation(nodes.back() - place));
-  }
+  const auto [nodes, heights] = surface_nodes(r.flow, window);
+  std::vector<double> differences = heights;
+  for (std::size_t k = 0; k < nodes.size(); ++k) differences[k] -= r.wave.elevation(nodes[k] - place);
   profile.points("nodes", nodes, heights, Role::computed);
   error.points("nodes", nodes, differences, Role::computed);
 }

@@ -29,22 +29,7 @@ exact::SolitaryWave wave_of(const Values& values) {
   return exact::SolitaryWave(values.real("amplitude"), values.real("depth"), values.real("gravity"));
 }
 
-struct Results {
-  exact::SolitaryWave wave;
-  exact::SelfTest identities;
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
-}
-
-Results compute(const Run& run) {
-  const exact::SolitaryWave wave = wave_of(run);
-  return {wave, wave.self_test()};
-}
-
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const exact::SolitaryWave& wave = r.wave;
+void show(const exact::SolitaryWave& wave, const Values& /*values*/, evidence::Exhibit& exhibit) {
   exhibit.measure("reference_uncertainty", wave.uncertainty());
   exhibit.measure("speed", wave.speed());
   exhibit.measure("mass", wave.mass());
@@ -118,7 +103,7 @@ Case solitary_wave() {
       real("time", 10.0, "s", {1e-6, 1e6}, "last time at which a surface is asked for"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};
   return c;
 }

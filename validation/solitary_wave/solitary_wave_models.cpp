@@ -78,10 +78,6 @@ Trial trial_of(const Values& values) {
           .reference_uncertainty = wave.uncertainty() / wave.amplitude()};
 }
 
-struct Results {
-  Contest contest;
-};
-
 /// Of the wave of Serre's equations, of the same height, from the exact one at the time that is compared; equal weights
 /// for equal water, as markers have.
 double equations_apart(const Values& values) {
@@ -146,9 +142,8 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                    "the viscosity acts on approaching pairs against their approach", source);
 }
 
-void claims(const Values& values, const Claims<Results>& all) {
-  const Claims<Contest> claims =
-      all.at(fmt::format("the finest, after {:g} depths", values.real("way"))).of(&Results::contest);
+void claims(const Values& values, const Claims<Contest>& all) {
+  const Claims<Contest> claims = all.at(fmt::format("the finest, after {:g} depths", values.real("way")));
   claim_accuracy(claims, values);
   const double steps = values.real("way") * static_cast<double>(values.integer("particles")) / 0.15;
   claim_energy(claims_of(claims, "particles"), particles, steps, 2,
@@ -161,7 +156,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   }
 }
 
-Results compute(const Run& run) {
+Contest compute(const Run& run) {
   const SolitaryWave wave = wave_of(run);
   const TankWave tank = tank_of(wave, run.real("last"));
   const auto dispersive = [&](double spacing) {
@@ -170,11 +165,11 @@ Results compute(const Run& run) {
     return Flow(channel, solitary_markers(channel, 0, tank.length, spacing,
                                           {.amplitude = wave.amplitude(), .crest = room(wave)}));
   };
-  return {contest(run, tank_contenders(tank, dispersive, tank_sizes(run)), trial_of(run))};
+  return contest(run, tank_contenders(tank, dispersive, tank_sizes(run)), trial_of(run));
 }
 
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, {.size = "depth", .error = "height", .time = "sqrt(depth/g)"});
+void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  contest.show(exhibit, {.size = "depth", .error = "height", .time = "sqrt(depth/g)"});
 }
 
 }  // namespace

@@ -174,12 +174,11 @@ Results compute(const Run& run) {
 
 void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
   const PlanSolitonRun& coarsest = r.travels.front().run;
-  auto& figure = exhibit.figure("waves", "The wave at the beginning and at the end",
-                                fmt::format("2DH model, h = {:g}: nodes of one row about the crest, and the exact wave "
-                                            "of the equations moved to the crest.",
-                                            coarsest.spacing),
-                                {"frank-soliton-plan"});
-  auto& panel = figure.panel({.x = "x - crest", .y = "elevation"});
+  auto& panel = add_panel(exhibit, "waves", "The wave at the beginning and at the end",
+                          fmt::format("2DH model, h = {:g}: nodes of one row about the crest, and the exact wave "
+                                      "of the equations moved to the crest.",
+                                      coarsest.spacing),
+                          {.x = "x - crest", .y = "elevation"}, {"frank-soliton-plan"});
   for (const Row& row : r.rows) {
     panel.points(fmt::format("t = {:g}", row.time), row.x, row.z, row.time == 0 ? Role::peer : Role::computed);
   }

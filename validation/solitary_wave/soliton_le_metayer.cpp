@@ -63,17 +63,15 @@ struct SerreWave {
   [[nodiscard]] exact::SerreSolitary exact() const { return exact::SerreSolitary(amplitude, depth, gravity, alpha); }
   [[nodiscard]] double length() const { return end - begin; }
   /// Width at rest of so many cells of equal volume [m]: the channel's length and what the wave adds to it.
-  [[nodiscard]] double spacing(long cells) const;
+  [[nodiscard]] double spacing(long cells) const {
+    const exact::SerreSolitary wave = exact();
+    const double excess = wave.excess_up_to(end) - wave.excess_up_to(begin);
+    return (length() + excess / depth) / static_cast<double>(cells);
+  }
 };
 
 using dispersive_shallow_water_1d::Channel;
 using dispersive_shallow_water_1d::End;
-
-double SerreWave::spacing(long cells) const {
-  const exact::SerreSolitary wave = exact();
-  const double excess = wave.excess_up_to(end) - wave.excess_up_to(begin);
-  return (length() + excess / depth) / static_cast<double>(cells);
-}
 
 /// The wave on markers `spacing` apart when at rest.
 Flow start(const SerreWave& wave, double spacing, Scheme scheme) {
@@ -350,26 +348,22 @@ void show_costs(evidence::Exhibit& exhibit, const std::string& id, const Curve& 
 void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture& picture) {
   const exact::SerreSolitary exact = wave.exact();
   const std::vector<double> x = evenly(wave.begin, wave.end, 701);
-  std::vector<double> before = each(x, [&](const double at) { return exact.elevation(at); });
-  std::vector<double> after = each(x, [&](const double at) { return exact.elevation(at, wave.time); });
   auto& panel =
-      exhibit
-          .figure("wave", "The wave at the beginning and at the end",
-                  fmt::format("One-step scheme, {} cells, steps of {:.3g} s.", picture.x.size() - 1, picture.tau))
-          .panel({.x = "x [m]", .y = "elevation [m]"});
-  panel.line("exact", x, after, Role::exact);
-  panel.line("at the beginning", x, before, Role::guide);
+      add_panel(exhibit, "wave", "The wave at the beginning and at the end",
+                fmt::format("One-step scheme, {} cells, steps of {:.3g} s.", picture.x.size() - 1, picture.tau),
+                {.x = "x [m]", .y = "elevation [m]"});
+  panel.line("exact", x, each(x, [&](double at) { return exact.elevation(at, wave.time); }), Role::exact);
+  panel.line("at the beginning", x, each(x, [&](double at) { return exact.elevation(at); }), Role::guide);
   panel.points("markers", picture.x, picture.y, Role::computed);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("tail_at_walls", r.tail);
   exhibit.measure("pilot_space_error", r.space_error);
-  auto& by_time = exhibit
-                      .figure("work_precision", "Error against processor time",
-                              "Largest error of the elevation over the amplitude after 32 depths. Basilisk's time is "
-                              "from another machine.")
-                      .panel({.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
+  auto& by_time = add_panel(exhibit, "work_precision", "Error against processor time",
+                            "Largest error of the elevation over the amplitude after 32 depths. Basilisk's time is "
+                            "from another machine.",
+                            {.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
   auto& figure = exhibit.figure("cells_and_work", "Error against cells and work", "The same, free of any machine.");
   auto& by_cells = figure.panel({.x = "cells", .y = "error/a", .log_x = true, .log_y = true});
   auto& by_work = figure.panel({.x = "markers x solves", .y = "error/a", .log_x = true, .log_y = true});

@@ -56,12 +56,43 @@ struct SurfaceLine {
   std::vector<double> x, y;
 
   /// Highest crest of a part of it; a height of NaN where there is none.
-  [[nodiscard]] CurveCrest highest(double from, double to) const;
+  [[nodiscard]] CurveCrest highest(double from, double to) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    CurveCrest top{nan, nan};
+    for (const CurveCrest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
+      if (!(one.height <= top.height)) top = one;
+    }
+    return top;
+  }
   /// Crests above a threshold of a part of it: all, and those that are the highest place within a distance.
-  [[nodiscard]] std::vector<CurveCrest> crests(double threshold, double from, double to) const;
-  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double apart, double from, double to) const;
+  [[nodiscard]] std::vector<CurveCrest> crests(double threshold, double from, double to) const {
+    std::vector<CurveCrest> found = crests_above(threshold, x, y);
+    std::erase_if(found, [&](const CurveCrest& one) { return !(one.place >= from && one.place <= to); });
+    return found;
+  }
+  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double apart, double from, double to) const {
+    std::vector<CurveCrest> found = crests(threshold, from, to);
+    std::erase_if(found, [&](const CurveCrest& one) {
+      const auto begin = std::lower_bound(x.begin(), x.end(), one.place - apart) - x.begin();
+      const auto end = std::upper_bound(x.begin(), x.end(), one.place + apart) - x.begin();
+      return std::any_of(y.begin() + begin, y.begin() + end, [&](double height) { return height > one.height; });
+    });
+    return found;
+  }
   /// Top of the parabola, by least squares, through what is within a distance of a place: a crest with ripples on it.
-  [[nodiscard]] double smoothed_height(double place, double within) const;
+  [[nodiscard]] double smoothed_height(double place, double within) const {
+    const auto begin = std::lower_bound(x.begin(), x.end(), place - within) - x.begin();
+    const auto end = std::upper_bound(x.begin(), x.end(), place + within) - x.begin();
+    Eigen::MatrixXd powers(end - begin, 3);
+    Eigen::VectorXd heights(end - begin);
+    for (auto k = begin; k < end; ++k) {
+      const double s = (x[static_cast<std::size_t>(k)] - place) / within;
+      powers.row(k - begin) << 1, s, s * s;
+      heights[k - begin] = y[static_cast<std::size_t>(k)];
+    }
+    const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(heights);
+    return c[0] - c[1] * c[1] / (4 * c[2]);
+  }
 };
 
 /// What a run leaves: surfaces at equal intervals and, with them, the budget of energy over the kinetic energy of the
@@ -76,7 +107,9 @@ struct SolitaryRun {
 
   [[nodiscard]] const SurfaceLine& last() const { return surfaces.back(); }
   /// The line nearest to a time.
-  [[nodiscard]] const SurfaceLine& at(double time) const;
+  [[nodiscard]] const SurfaceLine& at(double when) const {
+    return *std::ranges::min_element(surfaces, {}, [&](const SurfaceLine& one) { return std::abs(one.time - when); });
+  }
 };
 
 using variable_mass::Flow;
@@ -92,45 +125,6 @@ variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double cres
           }};
 }
 
-CurveCrest SurfaceLine::highest(double from, double to) const {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  CurveCrest top{nan, nan};
-  for (const CurveCrest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
-    if (!(one.height <= top.height)) top = one;
-  }
-  return top;
-}
-
-std::vector<CurveCrest> SurfaceLine::crests(double threshold, double from, double to) const {
-  std::vector<CurveCrest> found = crests_above(threshold, x, y);
-  std::erase_if(found, [&](const CurveCrest& one) { return !(one.place >= from && one.place <= to); });
-  return found;
-}
-
-std::vector<CurveCrest> SurfaceLine::waves(double threshold, double apart, double from, double to) const {
-  std::vector<CurveCrest> found = crests(threshold, from, to);
-  std::erase_if(found, [&](const CurveCrest& one) {
-    const auto begin = std::lower_bound(x.begin(), x.end(), one.place - apart) - x.begin();
-    const auto end = std::upper_bound(x.begin(), x.end(), one.place + apart) - x.begin();
-    return std::any_of(y.begin() + begin, y.begin() + end, [&](double height) { return height > one.height; });
-  });
-  return found;
-}
-
-double SurfaceLine::smoothed_height(double place, double within) const {
-  const auto begin = std::lower_bound(x.begin(), x.end(), place - within) - x.begin();
-  const auto end = std::upper_bound(x.begin(), x.end(), place + within) - x.begin();
-  Eigen::MatrixXd powers(end - begin, 3);
-  Eigen::VectorXd heights(end - begin);
-  for (auto k = begin; k < end; ++k) {
-    const double s = (x[static_cast<std::size_t>(k)] - place) / within;
-    powers.row(k - begin) << 1, s, s * s;
-    heights[k - begin] = y[static_cast<std::size_t>(k)];
-  }
-  const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(heights);
-  return c[0] - c[1] * c[1] / (4 * c[2]);
-}
-
 SurfaceLine surface_line(const Flow& flow) {
   SurfaceLine line{.time = flow.time(), .x = {}, .y = {}};
   for (const int k : flow.control().surface().nodes()) {
@@ -139,12 +133,6 @@ SurfaceLine surface_line(const Flow& flow) {
     line.y.push_back(r.y);
   }
   return line;
-}
-
-const SurfaceLine& SolitaryRun::at(double when) const {
-  return *std::min_element(surfaces.begin(), surfaces.end(), [&](const SurfaceLine& a, const SurfaceLine& b) {
-    return std::abs(a.time - when) < std::abs(b.time - when);
-  });
 }
 
 /// @param rest      the mesh of the flow under a flat surface, from which potential energies count
@@ -274,11 +262,9 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
   parted.check(
       "order-of-waves", "Waves follow one another by height.", "waves in front, each higher than the next",
       [](const Passage& p) {
-        bool descending = p.peaks.size() >= 2;
-        for (std::size_t n = 1; n < std::min(p.peaks.size(), shown); ++n) {
-          descending = descending && p.peaks[n].height < p.peaks[n - 1].height;
-        }
-        return descending ? 1.0 : 0.0;
+        const std::span front = std::span(p.peaks).first(std::min(p.peaks.size(), shown));
+        return front.size() >= 2 &&
+               std::ranges::adjacent_find(front, std::less_equal{}, &CurveCrest::height) == front.end();
       },
       Qualitative{"two crests or more in the front half of the way on the shelf, the first three descending",
                   "higher waves are faster"});
@@ -368,8 +354,7 @@ void draw_way(const Results& r, evidence::Exhibit& exhibit) {
   constexpr std::size_t every = 4;
   for (std::size_t k = 0; k < r.own().run.surfaces.size(); k += every) {
     const SurfaceLine& line = r.own().run.surfaces[k];
-    std::vector<double> lifted = each(line.y, [&](const double y) { return line.time + 40 * y; });
-    way.line("", line.x, lifted);
+    way.line("", line.x, each(line.y, [&](double y) { return line.time + 40 * y; }));
   }
   way.vertical("", std::vector{r.step}, Role::guide);
   auto& profile = figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = r.step - 4});
@@ -408,18 +393,11 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
                                        "dissipated [1]", "energy with booked [1]", "largest drift of a cell [cell]"});
   const double a = r.wave.amplitude();
   for (const Passage& p : r.passages) {
-    auto& row = meshes.rows.emplace_back();
-    row.emplace_back(fmt::format("{}", p.run.rows));
+    std::vector<Cell>& row = meshes.rows.emplace_back(1, fmt::format("{}", p.run.rows));
     for (std::size_t n = 1; n <= shown; ++n) {
-      if (n <= p.peaks.size()) {
-        row.emplace_back(peak(p, n));
-      } else {
-        row.emplace_back("not parted");
-      }
+      row.push_back(n <= p.peaks.size() ? Cell(peak(p, n)) : "not parted");
     }
-    for (const double value : {p.reflected, p.run.dissipated.back(), p.run.energy_defect, p.run.drift}) {
-      row.emplace_back(value);
-    }
+    row.insert(row.end(), {p.reflected, p.run.dissipated.back(), p.run.energy_defect, p.run.drift});
   }
   meshes.rows.push_back({"theory", a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
                          a * r.theory.reflection(), 0.0, "", ""});

@@ -37,6 +37,7 @@ waves are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::standing_1d {
 namespace {
@@ -67,13 +68,6 @@ Parameters like_water() {
 /// Tadjbakhsh and Keller's coefficient over (a/H)^2.
 double in_water(double kh) {
   return kh * kh * exact::StandingWave::frequency_correction(kh) / (2 * exact::StandingWave::linear_frequency(kh));
-}
-
-template <class Function>
-std::vector<double> values_at(const std::vector<double>& places, const Function& function) {
-  std::vector<double> values(places.size());
-  std::transform(places.begin(), places.end(), values.begin(), function);
-  return values;
 }
 
 double coefficient(const StandingBox& box, double amplitude, double periods) {
@@ -264,7 +258,7 @@ Results compute(const Run& run) {
   r.critical_with_weight = limit.critical_wavelength(like_water());
   for (const auto& [label, parameters] : models()) {
     r.curves.push_back(
-        values_at(drawn_lengths, [&, p = parameters](double length) { return limit.coefficient(2 * pi / length, p); }));
+        each(drawn_lengths, [&, p = parameters](double length) { return limit.coefficient(2 * pi / length, p); }));
     run.progress(0.3 + 0.2 * static_cast<double>(r.curves.size()));
   }
   for (const double kh : drawn_depths) {
@@ -272,7 +266,7 @@ Results compute(const Run& run) {
                     .cells = 2 * static_cast<std::size_t>(run.integer("cells")),
                     .scheme = {.stepping = stepping_named(run.text("scheme"))}};
     box.tau = 0.4 * box.spacing();
-    r.shifts.push_back(values_at(drawn_amplitudes, [&](double a) { return a * a * coefficient(box, a, periods); }));
+    r.shifts.push_back(each(drawn_amplitudes, [&](double a) { return a * a * coefficient(box, a, periods); }));
   }
   return r;
 }
@@ -290,16 +284,15 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
 
 /// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
 void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("coefficient", "How the frequency of standing waves depends on amplitude",
-                            "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines "
-                            "are theory, circles are measured, vertical lines the critical wavelengths, 5.938 depths "
-                            "in water and 6.671 in the model.",
-                            {"frank-standing"})
-                    .panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
+  auto& panel = add_panel(exhibit, "coefficient", "How the frequency of standing waves depends on amplitude",
+                          "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines "
+                          "are theory, circles are measured, vertical lines the critical wavelengths, 5.938 depths "
+                          "in water and 6.671 in the model.",
+                          {.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6},
+                          {"frank-standing"});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
   const auto line = [&](const std::string& label, Role role, const auto& correction) {
-    panel.line(label, lengths, values_at(lengths, [&](double length) { return correction(2 * pi / length); }), role);
+    panel.line(label, lengths, each(lengths, [&](double length) { return correction(2 * pi / length); }), role);
   };
   line("Tadjbakhsh and Keller", Role::exact, in_water);
   for (const auto& [label, parameters] : models()) {
@@ -313,15 +306,14 @@ void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
 
 /// Frequencies of Frank's model over amplitude.
 void draw_frequencies(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = exhibit
-                    .figure("frequency", "Frequency of Frank's model over amplitude",
-                            "Circles are measured, the parabolas are third-order theory; the middle wave has the "
-                            "model's critical wavelength.")
-                    .panel({.x = "a/H", .y = "Omega/omega - 1"});
+  auto& panel = add_panel(exhibit, "frequency", "Frequency of Frank's model over amplitude",
+                          "Circles are measured, the parabolas are third-order theory; the middle wave has the "
+                          "model's critical wavelength.",
+                          {.x = "a/H", .y = "Omega/omega - 1"});
   const std::vector<double> fine = evenly(0, 0.1, 61);
   for (std::size_t k = 0; k < drawn_depths.size(); ++k) {
     const double c = DispersiveStandingWave::frequency_correction(drawn_depths[k], frank_model);
-    const auto theory = values_at(fine, [&](double a) { return a * a * c; });
+    const auto theory = each(fine, [&](double a) { return a * a * c; });
     panel.line(fmt::format("kH = {:g}", drawn_depths[k]), fine, theory, Role::exact);
     panel.points("measured", drawn_amplitudes, r.shifts[k], Role::data);
   }

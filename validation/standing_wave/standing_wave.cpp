@@ -36,29 +36,14 @@ exact::StandingWave wave_of(const Values& values) {
   return {values.real("amplitude"), values.real("wavelength"), values.real("depth"), values.real("gravity")};
 }
 
-struct Results {
-  exact::StandingWave wave;
-  exact::SelfTest identities;
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
-}
-
-Results compute(const Run& run) {
-  const exact::StandingWave wave = wave_of(run);
-  return {wave, wave.self_test()};
-}
-
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const exact::StandingWave& wave = r.wave;
+void show(const exact::StandingWave& wave, const Values& /*values*/, evidence::Exhibit& exhibit) {
   exhibit.measure("reference_uncertainty", wave.uncertainty());
   exhibit.measure("frequency", wave.frequency());
   exhibit.measure("critical_depth", exact::StandingWave::critical_depth());
   const std::vector<double> x = evenly(0, std::numbers::pi / wave.wavenumber(), 201);
-  auto& figure = exhibit.figure("surface", "Half a wavelength at five instants",
-                                "From the highest surface at the left wall to the lowest.");
-  auto& panel = figure.panel({.x = "x [m]", .y = "elevation [m]"});
+  auto& panel =
+      add_panel(exhibit, "surface", "Half a wavelength at five instants",
+                "From the highest surface at the left wall to the lowest.", {.x = "x [m]", .y = "elevation [m]"});
   for (const double phase : {0.0, 0.125, 0.25, 0.375, 0.5}) {
     std::vector<double> eta = each(x, [&](const double at) { return wave.elevation(at, phase * wave.period()); });
     panel.line(phase == 0 ? "t = 0" : phase == 0.5 ? "half a period" : "", x, eta, Role::exact);
@@ -151,7 +136,7 @@ Case standing_wave() {
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
       real("periods", 5.0, "1", {1, 1e3}, "periods of the series that is asked for"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};
   return c;
 }

@@ -240,9 +240,8 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
 }
 
 void claim_root(const Claims<Coefficients>& claims, std::size_t finest) {
-  std::vector<double> theory = each(wavelengths, [&](const double wavelength) { return in_water(wavelength); });
   const double exact = exact::StandingWave::critical_wavelength();
-  const double interpolation = std::abs(root_of(theory) - exact);
+  const double interpolation = std::abs(root_of(each(wavelengths, in_water)) - exact);
   const double slope = (in_water(exact + 0.1) - in_water(exact - 0.1)) / 0.2;
   claims.at(fmt::format("{} and {} rows, extrapolated", finest / 2, finest))
       .check(
@@ -291,11 +290,10 @@ void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::s
   auto& coefficient =
       figure.panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.45, .y_max = 0.5});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
-  std::vector<double> theory = each(lengths, [&](const double length) { return in_water(length); });
   std::vector<double> markers = each(lengths, [&](const double length) {
     return exact::DispersiveStandingWave::frequency_correction(2 * pi / length, {.weight_exponent = 2});
   });
-  coefficient.line("Tadjbakhsh and Keller", lengths, theory, Role::exact);
+  coefficient.line("Tadjbakhsh and Keller", lengths, each(lengths, in_water), Role::exact);
   coefficient.line("one-dimensional dispersive model", lengths, markers, Role::guide);
   coefficient.points(fmt::format("{} rows", finest / 2), wavelengths, c.coarse);
   coefficient.points(fmt::format("{} rows", finest), wavelengths, c.fine);
@@ -304,14 +302,13 @@ void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::s
 }
 
 void draw_frequencies(evidence::Exhibit& exhibit, const std::vector<Frequencies>& all) {
-  auto& figure =
-      exhibit.figure("frequency", "Frequency of standing waves over amplitude",
-                     "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.");
-  auto& frequency = figure.panel({.x = "a/H", .y = "Omega/omega - 1"});
+  auto& frequency = add_panel(exhibit, "frequency", "Frequency of standing waves over amplitude",
+                              "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.",
+                              {.x = "a/H", .y = "Omega/omega - 1"});
   const std::vector<double> fine = evenly(0, 0.1, 41);
   for (const Frequencies& one : all) {
-    std::vector<double> parabola = each(fine, [&](const double a) { return in_water(one.wavelength) * a * a; });
-    frequency.line(fmt::format("{:g} depths", one.wavelength), fine, parabola, Role::exact);
+    frequency.line(fmt::format("{:g} depths", one.wavelength), fine,
+                   each(fine, [&](double a) { return in_water(one.wavelength) * a * a; }), Role::exact);
     frequency.points("measured", amplitudes, one.changes, Role::data);
   }
 }

@@ -218,7 +218,7 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
       .check(
           "carries-with-hourglass" + suffix,
           fmt::format("With the hourglass potential the mesh carries the wave to t = {:g}.", values.real("time")),
-          "the mesh does not tangle", [](const Wave& wave) { return wave.with.fold ? 0.0 : 1.0; },
+          "the mesh does not tangle", [](const Wave& wave) { return !wave.with.fold; },
           Qualitative{.detector = "a corner's triangle with negative area",
                       .reason = "the potential gives those motions a frequency, so that they are no longer driven at "
                                 "zero frequency"});
@@ -246,7 +246,7 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
   claims.from(hirt).check(
       "carries-rezoned" + suffix,
       fmt::format("With rezoned columns the mesh carries the wave to t = {:g}.", values.real("time")),
-      "the mesh does not tangle", [](const Wave& wave) { return wave.rezoned.fold ? 0.0 : 1.0; },
+      "the mesh does not tangle", [](const Wave& wave) { return !wave.rezoned.fold; },
       Qualitative{.detector = "a corner's triangle with negative area",
                   .reason = "water under a wave of this height has a surface of one elevation at every place: upright "
                             "columns cannot tangle"});

@@ -99,10 +99,6 @@ Trial trial_of(const Values& values) {
           .reference_uncertainty = std::pow(wave.wavenumber() * a, 2)};
 }
 
-struct Results {
-  Contest contest;
-};
-
 /// Of the surface of the dispersive model's own wave from the exact one, in the first harmonic, which a phase moves.
 double equations_apart(const Values& values) {
   const StandingWave wave = wave_of(values);
@@ -161,15 +157,14 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
             values.integer("sph") > 12)
       .check(
           "sph-falls", "The finest lattice of SPH is nearer than one of half as many rows.", "it is",
-          [](const Entry& entry) { return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0; },
+          [](const Entry& entry) { return entry.finest().error < entry.attempts.front().error; },
           Qualitative{.detector = "rms error of the surface",
                       .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
                                 "with a quarter of the water in a particle it must show"});
 }
 
-void claims(const Values& values, const Claims<Results>& all) {
-  const Claims<Contest> claims =
-      all.at(fmt::format("the finest, after {:g} periods", values.real("periods"))).of(&Results::contest);
+void claims(const Values& values, const Claims<Contest>& all) {
+  const Claims<Contest> claims = all.at(fmt::format("the finest, after {:g} periods", values.real("periods")));
   claim_accuracy(claims, values);
   const Trial trial = trial_of(values);
   const double omega = wave_of(values).frequency();
@@ -195,17 +190,15 @@ void claims(const Values& values, const Claims<Results>& all) {
       "Frank (1994), section 5.2, in words");
 }
 
-Results compute(const Run& run) {
+Contest compute(const Run& run) {
   const StandingWave wave = wave_of(run);
   const TankWave tank = tank_of(wave, run.real("amplitude"));
-  return {contest(run,
-                  tank_contenders(
-                      tank, [&](double spacing) { return dispersive_of(wave, tank.length, spacing); }, tank_sizes(run)),
-                  trial_of(run))};
+  const auto dispersive_flow = [&](double spacing) { return dispersive_of(wave, tank.length, spacing); };
+  return contest(run, tank_contenders(tank, dispersive_flow, tank_sizes(run)), trial_of(run));
 }
 
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, {.size = "depth", .error = "amplitude", .time = "sqrt(depth/g)"});
+void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  contest.show(exhibit, {.size = "depth", .error = "amplitude", .time = "sqrt(depth/g)"});
 }
 
 }  // namespace

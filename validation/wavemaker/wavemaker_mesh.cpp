@@ -306,11 +306,10 @@ Results compute(const Run& run) {
 }
 
 void draw_convergence(evidence::Exhibit& exhibit, const Convergence& c) {
-  auto& panel = exhibit
-                    .figure("convergence", "Errors of the linear wave",
-                            "Relative L2 difference from the exact transient at the gauges; rows and steps in "
-                            "proportion to the columns.")
-                    .panel({.x = "h1 [depth]", .y = "relative error", .log_x = true, .log_y = true});
+  auto& panel = add_panel(exhibit, "convergence", "Errors of the linear wave",
+                          "Relative L2 difference from the exact transient at the gauges; rows and steps in "
+                          "proportion to the columns.",
+                          {.x = "h1 [depth]", .y = "relative error", .log_x = true, .log_y = true});
   for (std::size_t g = 0; g < gauges.size(); ++g) {
     panel.points(fmt::format("gauge at {:g}", gauges[g]), c.sizes, c.errors[g], g == 0 ? Role::computed : Role::peer);
   }

@@ -47,36 +47,18 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, end, 40 * static_cast<int>(values.real("periods")) + 1);
 }
 
-struct Results {
-  exact::SelfTest identities;
-  std::vector<double> elevation, settled;  ///< at the gauge, at the times that are asked for
-};
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  claim_identities(claims.of(&Results::identities), start_of(values).self_test(), source);
-}
-
-Results compute(const Run& run) {
-  const exact::WavemakerTransient start = start_of(run);
-  const double gauge = gauge_of(run);
-  Results r{.identities = start.self_test()};
-  r.elevation = each(times_of(run), [&](double t) { return start.elevation(gauge, t); });
-  r.settled = each(times_of(run), [&](double t) { return start.steady().elevation(gauge, t); });
-  return r;
-}
-
-void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  const exact::WavemakerTransient start = start_of(values);
+void show(const exact::WavemakerTransient& start, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("reference_uncertainty", start.uncertainty());
   exhibit.measure("wave_height", start.steady().wave_height());
   exhibit.measure("wavelength", start.steady().wavelength());
   auto& panel =
-      exhibit
-          .figure("gauge", "Elevation at the gauge",
-                  fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge_of(values)))
-          .panel({.x = "t [s]", .y = "elevation [m]"});
-  panel.line("start from rest", times_of(values), r.elevation, Role::exact);
-  panel.line("settled", times_of(values), r.settled, Role::guide);
+      add_panel(exhibit, "gauge", "Elevation at the gauge",
+                fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge_of(values)),
+                {.x = "t [s]", .y = "elevation [m]"});
+  const double gauge = gauge_of(values);
+  const std::vector<double> times = times_of(values);
+  panel.line("start from rest", times, each(times, [&](double t) { return start.elevation(gauge, t); }), Role::exact);
+  panel.line("settled", times, each(times, [&](double t) { return start.steady().elevation(gauge, t); }), Role::guide);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
@@ -117,7 +99,7 @@ Case wavemaker_start() {
       real("periods", 6.0, "1", {1, 1e3}, "periods that are asked for"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = exact_study<start_of, show>(source);
   c.submission = {.tables = wanted};
   return c;
 }

@@ -53,7 +53,6 @@ PressureFit::PressureFit(const Model& model, double tau, std::function<Level(Poi
   }
   const Eigen::VectorXd solution = fields.colPivHouseholderQr().solve(gradient);
   coefficients_.assign(solution.data(), solution.data() + count);
-  residue_ = (gradient - fields * solution).norm() / gradient.norm();
 }
 
 double PressureFit::pressure(Point place) const {

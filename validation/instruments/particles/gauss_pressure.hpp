@@ -33,14 +33,11 @@ class PressureFit {
   PressureFit(const Model& model, double tau, std::function<Level(Point place)> level, int degree);
 
   [[nodiscard]] double pressure(Point place) const;  ///< [Pa]
-  /// Root mean square of what the fit leaves of grad p, over that of grad p.
-  [[nodiscard]] double residue() const { return residue_; }
 
  private:
   std::function<Level(Point place)> level_;
   int degree_;
   std::vector<double> coefficients_;
-  double residue_ = 0;
 };
 
 }  // namespace seiche::gauss_particles

@@ -53,10 +53,6 @@ SteepWaveStart::SteepWaveStart(double amplitude, double wavelength, double depth
   rate_.assign(solution.begin(), solution.end());
 }
 
-double SteepWaveStart::elevation(double x) const {
-  return amplitude_ * std::cos(k_ * x);
-}
-
 std::array<double, 2> SteepWaveStart::velocity(double x, double y) const {
   const double scale = std::sqrt(gravity_ / k_) * a_ / w_ / std::cosh(h_);
   return {scale * std::cosh(k_ * y + h_) * std::cos(k_ * x), scale * std::sinh(k_ * y + h_) * std::sin(k_ * x)};

@@ -15,6 +15,8 @@
 /// and a related least-squares solution to scattering problems for periodic surfaces, Radio Sci. 8 (1973) 785.
 #pragma once
 
+#include <cmath>
+
 #include <array>
 #include <vector>
 
@@ -26,7 +28,7 @@ class SteepWaveStart {
   SteepWaveStart(double amplitude, double wavelength, double depth, double gravity);
 
   /// Elevation [m] above the level at rest.
-  [[nodiscard]] double elevation(double x) const;
+  [[nodiscard]] double elevation(double x) const { return amplitude_ * std::cos(k_ * x); }
   /// (u, v) [m/s], y from the level at rest.
   [[nodiscard]] std::array<double, 2> velocity(double x, double y) const;
   /// p/rho [m^2/s^2]; below the bottom that of the bottom and the weight of still water.

@@ -58,10 +58,6 @@ double ConicalIsland::bottom(double x, double y) const {
   return slope * (base_radius - radius) - settings_.depth;
 }
 
-double ConicalIsland::step() const {
-  return 0.18 * settings_.spacing / std::sqrt(gravity * settings_.depth);
-}
-
 /// Along the walls, from the line of symmetry in front of the island to that behind it.
 std::vector<Point> ConicalIsland::outer_places() const {
   const std::array corners{Point{crest() - reach_, 0}, Point{crest() - reach_, side_wall}, Point{rear_wall, side_wall},

@@ -10,6 +10,8 @@
 /// circular island, Pure Appl. Geophys. 144 (1995) 569.
 #pragma once
 
+#include <cmath>
+
 #include <memory>
 #include <vector>
 
@@ -59,7 +61,7 @@ class ConicalIsland {
   /// The crest passes the middle of the island where it is not held up.
   [[nodiscard]] double passage() const { return -crest() / wave_.speed(); }
   /// About half of what a long wave in the deep water needs for the rows near the shore.
-  [[nodiscard]] double step() const;
+  [[nodiscard]] double step() const { return 0.18 * settings_.spacing / std::sqrt(gravity * settings_.depth); }
 
  private:
   [[nodiscard]] std::vector<Point> outer_places() const;

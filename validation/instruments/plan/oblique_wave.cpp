@@ -22,10 +22,6 @@ double ObliqueWave::phase(double x, double y, double time) const {
   return (x - crest_) * std::cos(angle_) - y * std::sin(angle_) - wave_.speed() * time;
 }
 
-double ObliqueWave::elevation(double x, double y, double time) const {
-  return wave_.elevation(phase(x, y, time));
-}
-
 Velocity ObliqueWave::velocity(double x, double y, double time) const {
   const double s = phase(x, y, time);
   const double eta = wave_.elevation(s);
@@ -42,10 +38,6 @@ double ObliqueWave::crest_at(double y, double time) const {
 double ObliqueWave::margin() const {
   const double decay = std::sqrt(3 * amplitude_ / (4 * (1 + amplitude_)));
   return std::log(4 * amplitude_ / 1e-5) / (2 * decay * std::cos(angle_));
-}
-
-double ObliqueWave::width_unit() const {
-  return std::sqrt(0.3 / amplitude_);
 }
 
 namespace {

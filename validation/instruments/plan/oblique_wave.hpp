@@ -7,6 +7,8 @@
 /// wall at c/cos psi, faster than any wave behind it.
 #pragma once
 
+#include <cmath>
+
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
@@ -24,7 +26,7 @@ class ObliqueWave {
 
   [[nodiscard]] double amplitude() const { return amplitude_; }
   [[nodiscard]] double angle() const { return angle_; }
-  [[nodiscard]] double elevation(double x, double y, double time) const;
+  [[nodiscard]] double elevation(double x, double y, double time) const { return wave_.elevation(phase(x, y, time)); }
   /// Of the water at the surface; the horizontal one is that of the whole column.
   [[nodiscard]] dispersive_shallow_water_2d::Velocity velocity(double x, double y, double time) const;
   /// x of the crest at y.
@@ -32,7 +34,7 @@ class ObliqueWave {
   /// Distance along x ahead of the crest beyond which the wave is lower than 1e-5 (of the depth).
   [[nodiscard]] double margin() const;
   /// Widths of waves go like sqrt(0.3/a) of that with a = 0.3.
-  [[nodiscard]] double width_unit() const;
+  [[nodiscard]] double width_unit() const { return std::sqrt(0.3 / amplitude_); }
 
  private:
   [[nodiscard]] double phase(double x, double y, double time) const;

@@ -79,18 +79,6 @@ double SolitonTravel::mean_height() const {
   return std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
 }
 
-double SolitonTravel::lowest() const {
-  return smallest(from_then(height));
-}
-
-double SolitonTravel::highest() const {
-  return largest(from_then(height));
-}
-
-double SolitonTravel::speed() const {
-  return straight_line(from_then(time), from_then(place)).slope;
-}
-
 dispersive_shallow_water_2d::Flow plan_soliton_flow(const PlanSolitonRun& run) {
   const Tank tank = tank_of(run);
   const SerreSolitary wave(run.amplitude);

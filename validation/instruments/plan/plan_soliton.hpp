@@ -9,6 +9,8 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/samples.hpp"
+#include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {
 
@@ -36,9 +38,10 @@ struct SolitonTravel {
 
   // From the time on when the wave has settled.
   [[nodiscard]] double mean_height() const;
-  [[nodiscard]] double lowest() const;
-  [[nodiscard]] double highest() const;
-  [[nodiscard]] double speed() const;  ///< of the least-squares line through the places
+  [[nodiscard]] double lowest() const { return smallest(from_then(height)); }
+  [[nodiscard]] double highest() const { return largest(from_then(height)); }
+  /// Of the least-squares line through the places.
+  [[nodiscard]] double speed() const { return straight_line(from_then(time), from_then(place)).slope; }
 
  private:
   /// Values from then on.

@@ -38,10 +38,6 @@ PlanMode::PlanMode(const PlanTank& tank, std::size_t half_waves_x, std::size_t h
       kx_(std::numbers::pi * static_cast<double>(half_waves_x) / tank.length),
       ky_(std::numbers::pi * static_cast<double>(half_waves_y) / tank.width) {}
 
-double PlanMode::at(double x, double y) const {
-  return std::cos(kx_ * x) * std::cos(ky_ * y);
-}
-
 Lattice PlanMode::lattice() const {
   return dispersive_shallow_water_2d::rectangular_lattice({.begin = 0,
                                                            .end = tank_.length,

@@ -2,6 +2,8 @@
 /// from runs.
 #pragma once
 
+#include <cmath>
+
 #include <cstddef>
 #include <span>
 #include <string>
@@ -37,7 +39,7 @@ class PlanMode {
   [[nodiscard]] double ky() const { return ky_; }
   /// Of the closed form.
   [[nodiscard]] double linear_frequency() const { return tank_.frequency(kx_, ky_); }
-  [[nodiscard]] double at(double x, double y) const;
+  [[nodiscard]] double at(double x, double y) const { return std::cos(kx_ * x) * std::cos(ky_ * y); }
 
   /// What the linearised model makes of the mode: omega^2, and the largest vertical acceleration off the mode's shape,
   /// over omega^2. No run, no amplitude: forces are linear in z but for terms that change no sign with it, so that half

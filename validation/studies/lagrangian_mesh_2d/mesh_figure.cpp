@@ -76,4 +76,14 @@ void draw_mesh(evidence::Panel& panel, const std::string& label, const lagrangia
   draw_mesh(panel, label, flow.model().mesh(), flow.x(), flow.y(), window, role);
 }
 
+SurfaceNodes surface_nodes(const lagrangian_mesh_2d::Flow& flow, const MeshWindow& window) {
+  SurfaceNodes nodes;
+  for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
+    if (flow.surface_x()[i] < window.begin || flow.surface_x()[i] > window.end) continue;
+    nodes.x.push_back(flow.surface_x()[i]);
+    nodes.y.push_back(flow.surface_y()[i]);
+  }
+  return nodes;
+}
+
 }  // namespace seiche::validation

@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "reports/evidence/figure.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
@@ -24,6 +25,11 @@ evidence::Axes mesh_axes(const std::string& title, const MeshWindow& window = {}
 void draw_mesh(evidence::Panel& panel, const std::string& label, const lagrangian_mesh_2d::Mesh& mesh,
                std::span<const double> x, std::span<const double> y, const MeshWindow& window = {},
                evidence::Role role = evidence::Role::computed);
+/// Nodes of the surface that are in the window.
+struct SurfaceNodes {
+  std::vector<double> x, y;
+};
+SurfaceNodes surface_nodes(const lagrangian_mesh_2d::Flow& flow, const MeshWindow& window);
 /// As it is now.
 void draw_mesh(evidence::Panel& panel, const std::string& label, const lagrangian_mesh_2d::Flow& flow,
                const MeshWindow& window = {}, evidence::Role role = evidence::Role::computed);

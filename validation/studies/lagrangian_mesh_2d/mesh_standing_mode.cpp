@@ -36,10 +36,6 @@ std::size_t MeshTank::columns_of(double wavenumber, double width, std::size_t ha
   return static_cast<std::size_t>(std::max(1.0, std::round(length / width)));
 }
 
-double MeshTank::length() const {
-  return std::numbers::pi * static_cast<double>(half_waves) / wavenumber;
-}
-
 exact::LagrangianMeshDispersion MeshTank::law() const {
   return {1, 1, column_width(), rows,
           tuned_surface_inertia ? exact::SurfaceInertia::tuned : exact::SurfaceInertia::nodal};

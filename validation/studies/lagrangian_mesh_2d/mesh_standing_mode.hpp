@@ -2,6 +2,8 @@
 /// Depth, gravity and density are 1.
 #pragma once
 
+#include <numbers>
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -26,7 +28,7 @@ struct MeshTank {
   /// Number of columns of about `width` in a tank.
   static std::size_t columns_of(double wavenumber, double width, std::size_t half_waves = 1);
 
-  [[nodiscard]] double length() const;
+  [[nodiscard]] double length() const { return std::numbers::pi * static_cast<double>(half_waves) / wavenumber; }
   [[nodiscard]] double column_width() const { return length() / static_cast<double>(columns); }
   /// Law of the semi-discrete model without hourglass potential.
   [[nodiscard]] exact::LagrangianMeshDispersion law() const;

@@ -215,10 +215,6 @@ class CellRun : public Flow {
   cells::FiniteVolumeFlow flow_;
 };
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
 
 std::string Discretisation::text() const {
@@ -258,8 +254,8 @@ std::unique_ptr<Flow> make_flow(const FlowProblem& problem, const Discretisation
   require_at_least("particles", d.particles, 4);
   require_not_negative("time_step", d.time_step);
   if (d.scheme == as_written) return std::make_unique<AsWrittenRun>(problem, d);
-  if (contains(particle_schemes, d.scheme)) return std::make_unique<ParticleRun>(problem, d);
-  if (contains(peer_schemes, d.scheme)) return std::make_unique<CellRun>(problem, d);
+  if (std::ranges::count(particle_schemes, d.scheme) > 0) return std::make_unique<ParticleRun>(problem, d);
+  if (std::ranges::count(peer_schemes, d.scheme) > 0) return std::make_unique<CellRun>(problem, d);
   throw std::invalid_argument(fmt::format("scheme = {} is unknown", d.scheme));
 }
 

@@ -30,6 +30,10 @@ Extent extent_of(const FlowProblem& problem, double time) {
   return extent;
 }
 
+std::string resolution_of(const FlowRun& flow) {
+  return flow.discretisation.text();
+}
+
 }  // namespace
 
 FlowRun compute_flow(const FlowProblem& problem, const Discretisation& discretisation, const std::vector<double>& times,
@@ -154,23 +158,21 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
 }
 
 void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
-  claims.from("the hand-over of section 3 of the paper")
+  claims.at(resolution_of)
+      .from("the hand-over of section 3 of the paper")
       .check(
           "width", "The width of the bore is a single particle.", "particles between 5 % and 95 % of the jump",
-          [front](const FlowRun& flow) -> Measurement {
-            return {.value = front_width(flow.profile(), front), .resolution = flow.discretisation.text()};
-          },
+          [front](const FlowRun& flow) { return front_width(flow.profile(), front); },
           Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
 }
 
 void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Discretisation& discretisation,
                          double time) {
-  claims.from("jump conditions (11) of the paper")
+  claims.at(resolution_of)
+      .from("jump conditions (11) of the paper")
       .check(
           "reconstructed_l1_h", "The method's profile is the exact one.", "reconstructed L1(h) [m]",
-          [](const FlowRun& flow) -> Measurement {
-            return {.value = flow.errors.reconstructed.depth.l1, .resolution = flow.discretisation.text()};
-          },
+          [](const FlowRun& flow) { return flow.errors.reconstructed.depth.l1; },
           Roundoff{.operations =
                        8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
                    .scale = deepest,
@@ -179,17 +181,17 @@ void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Di
 
 void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source) {
-  claims.from(source).check(
-      "range", "No depth leaves the range of the exact solution.", "largest depth outside the range [m]",
-      [lowest, highest](const FlowRun& flow) -> Measurement {
-        const Worst outside = excursion(flow.profile(), lowest, highest);
-        return {.value = outside.value(), .resolution = flow.discretisation.text()};
-      },
-      // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
-      Roundoff{.operations = std::round(time / discretisation.time_step),
-               .scale = highest * static_cast<double>(discretisation.particles),
-               .reason = "edges as large as the channel are rounded once per step, and a width is their difference, N "
-                         "times smaller"});
+  claims.at(resolution_of)
+      .from(source)
+      .check(
+          "range", "No depth leaves the range of the exact solution.", "largest depth outside the range [m]",
+          [lowest, highest](const FlowRun& flow) { return excursion(flow.profile(), lowest, highest); },
+          // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
+          Roundoff{.operations = std::round(time / discretisation.time_step),
+                   .scale = highest * static_cast<double>(discretisation.particles),
+                   .reason =
+                       "edges as large as the channel are rounded once per step, and a width is their difference, N "
+                       "times smaller"});
 }
 
 void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title) {

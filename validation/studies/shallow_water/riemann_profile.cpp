@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -49,9 +50,7 @@ double fastest(const State& state, double gravity) {
 
 /// Of the fastest wave [m].
 double way(const exact::Riemann& solution, double time) {
-  Largest farthest;
-  for (const double place : solution.breakpoints(time)) farthest.add(std::abs(place - solution.jump()));
-  return farthest.value();
+  return worst(each(solution.breakpoints(time), [&](double place) { return place - solution.jump(); }));
 }
 
 /// What Rusanov's scheme makes of it: of first order, and the most viscous of those in use. Cells beyond the channel's
@@ -180,8 +179,7 @@ double judged_position(const exact::Riemann& solution, const JudgedFront& judged
   if (judged.is_jump) return front_position(profile, judged.front);
   if (solution.left().depth > 0 && solution.right().depth > 0) return std::numeric_limits<double>::quiet_NaN();
   if (particles) return solution.left().depth == 0 ? profile.edges.front() : profile.edges.back();
-  Largest deepest;
-  for (const State& mean : profile.means) deepest.add(mean.depth);
+  const auto deepest = over<Largest>(profile.means, &State::depth);
   if (!(deepest.value() > 0)) return std::numeric_limits<double>::quiet_NaN();
   const auto is_wet = [&](const State& mean) { return mean.depth > wet_share * deepest.value(); };
   if (solution.left().depth == 0) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -18,16 +20,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double rms(const std::vector<double>& off) {
-  Mean mean;
-  for (const double one : off) mean.add(one);
-  return mean.rms();
-}
-
 /// Standard error of the rms of so many points.
 double standard_error(const std::vector<double>& off) {
-  Mean squares;
-  for (const double one : off) squares.add(one * one);
+  const auto squares = over<Mean>(off, [](double one) { return one * one; });
   const double variance = squares.rms() * squares.rms() - squares.value() * squares.value();
   const double root = std::sqrt(squares.value());
   return root > 0 ? std::sqrt(std::max(variance, 0.0) / static_cast<double>(off.size())) / (2 * root) : 0;
@@ -42,15 +37,12 @@ std::string cause_of(const Divergence& divergence) {
 }  // namespace
 
 evidence::ObservedOrder Entry::order() const {
-  std::vector<double> sizes = each(attempts, [](const Attempt& one) { return one.size; });
-  std::vector<double> errors = each(attempts, [](const Attempt& one) { return one.error; });
-  return evidence::observed_order(sizes, errors);
+  return evidence::observed_order(each(attempts, &Attempt::size), each(attempts, &Attempt::error));
 }
 
 const Entry& Contest::of(const std::string& id) const {
-  for (const Entry& entry : entries_) {
-    if (entry.id == id) return entry;
-  }
+  const auto found = std::ranges::find(entries_, id, &Entry::id);
+  if (found != entries_.end()) return *found;
   throw std::logic_error("no model of the contest is called \"" + id + "\"");
 }
 
@@ -70,7 +62,7 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
       racer.advance_to(to);
       if (!at_end) result.seconds += processor_seconds() - began;
       const Sight sight = racer.look();
-      const double error = rms(sight.off);
+      const double error = over<Mean>(sight.off, std::identity{}).rms();
       if (!at_end && to >= trial.end) {
         at_end = true;
         result.error = error;
@@ -125,11 +117,9 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
 
 void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
   auto& cost =
-      exhibit
-          .figure("cost", "Error against processor time",
-                  fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
-          .panel(
-              {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
+      add_panel(exhibit, "cost", "Error against processor time",
+                fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end),
+                {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
   const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
   evidence::Table& table = add_table(
       exhibit, "side_by_side", "The models side by side",
@@ -141,16 +131,14 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
        "processor time [s]", "energy [1]", "momentum [1]", in("lasted", units.time), in("asked", units.time),
        "broke by"});
   for (const Entry& entry : entries_) {
-    std::vector<double> seconds, errors, uncertainties;
     for (const Attempt& one : entry.attempts) {
       table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
                             one.momentum, one.lasted, one.asked, one.cause});
-      if (std::isnan(one.error)) continue;
-      seconds.push_back(one.seconds);
-      errors.push_back(one.error);
-      uncertainties.push_back(one.uncertainty);
     }
-    if (!errors.empty()) cost.points(entry.name, seconds, errors, entry.role, uncertainties);
+    auto known = entry.attempts | std::views::filter([](const Attempt& one) { return !std::isnan(one.error); });
+    if (known.empty()) continue;
+    cost.points(entry.name, each(known, &Attempt::seconds), each(known, &Attempt::error), entry.role,
+                each(known, &Attempt::uncertainty));
   }
 }
 
@@ -183,7 +171,7 @@ void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::st
   claims.from(source).check(
       model.id + "-breaks", fmt::format("Breaks down before the end: {}.", model.name),
       "on one of its resolutions it breaks down before",
-      [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke) ? 1.0 : 0.0; },
+      [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke); },
       Qualitative{.detector = "it stops, or its error says that it has lost the flow", .reason = reason});
 }
 
@@ -193,8 +181,7 @@ void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std
       model.id + "-dissipates", fmt::format("Energy at the end is below the energy at the start ({}).", model.name),
       "the energy falls, on every resolution",
       [](const Entry& entry) {
-        const auto falls = [](const Attempt& one) { return one.energy < 0; };
-        return std::ranges::all_of(entry.attempts, falls) ? 1.0 : 0.0;
+        return std::ranges::all_of(entry.attempts, [](const Attempt& one) { return one.energy < 0; });
       },
       Qualitative{.detector = "energy at the end less the initial energy is negative", .reason = reason});
 }

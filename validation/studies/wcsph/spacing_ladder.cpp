@@ -27,9 +27,7 @@ std::vector<long> sph_ladder(Tier tier, long finest, int rungs) {
 }
 
 void climb(const Run& run, std::size_t sizes, const std::function<void(std::size_t)>& compute) {
-  on_threads(
-      sizes, workers_of(run.tier()), [&](std::size_t k) { compute(sizes - 1 - k); },
-      [&](std::size_t done) { run.progress(static_cast<double>(done) / static_cast<double>(sizes)); });
+  on_threads(run, sizes, [&](std::size_t k) { compute(sizes - 1 - k); });
 }
 
 std::optional<double> resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values) {
