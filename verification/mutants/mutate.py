@@ -152,19 +152,21 @@ class Judge:
         return 30 + 10 * self.cost(check)
 
     def sound(self, check):
-        """What the check says of the program without a change: names that are unexpected; None of a check that breaks."""
+        """What the check says of the program without a change: names that are unexpected; None of a check that breaks, and of
+        one in Python that fails, which names no more than its first failure."""
         if check not in self.sound_ones:
             with tempfile.TemporaryDirectory(dir=self.scratch) as folder:
                 try:
                     said = findings(check, self.build.program(check.target), pathlib.Path(folder) / "evidence", ROOT,
                                     self.limit(check))
-                    self.sound_ones[check] = {name for name, finding in said.items() if finding.unexpected}
+                    names = {name for name, finding in said.items() if finding.unexpected}
+                    self.sound_ones[check] = None if names and check.is_python else names
                 except NoAnswer:
                     self.sound_ones[check] = None
         return self.sound_ones[check]
 
     def noticed(self, check, program, evidence, tree):
-        """The first name that is unexpected with the change alone; empty where nothing is."""
+        """The names that are unexpected with the change alone; none of a check that breaks without it too."""
         try:
             said = findings(check, program, evidence, tree, self.limit(check))
             names = {name for name, finding in said.items() if finding.unexpected}
@@ -193,10 +195,10 @@ class Judge:
                     if " is not made from " in str(trouble):
                         continue
                     raise
-                ran += 1
                 names = self.noticed(check, program, place / "evidence", changed.tree)
                 if names:
                     return "killed", names[0]
+                ran += self.sound_ones.get(check, ()) is not None
             by = f"{ran} of {len(checks)} checks"
             return ("record only" if self.differs(place / "evidence") else "survived"), by
         finally:
