@@ -120,6 +120,12 @@ class Adapt(Scoring):
                 # Without the library that reads the format, it is the library that is named.
                 self.refuses(made, "needs the Python package" if "needs the Python package" in made.stderr else name)
 
+    def test_limits_of_a_batch_system_stay(self):
+        command = ["prlimit", "--cpu=60", sys.executable, "-m", "seiche.adapt", "front", WRITTEN / "gerris/floor.txt",
+                   "--field", "T"]
+        made = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": PACKAGE})
+        self.assertEqual((made.returncode, made.stderr), (0, ""))
+
     def test_a_link_out_of_particles_is_not_followed(self):
         self.hdf5("secret.h5", x=np.arange(3.0))
         with h5py.File(self.folder / "a.hdf5", "w") as file:

@@ -168,6 +168,20 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
                       "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
 }
 
+TEST_CASE("thin water at a wall of free particles slides along it", "[conservation]") {
+  Particles particles = disc(1, 12);
+  for (const double place : {-3.95, 3.95}) particles.add(place, 0, 0.001);
+  const std::size_t n = particles.size();
+  Model model(particles, std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.25, .left_wall = -4, .right_wall = 4}),
+              {.gravity = 1, .penalty = 0});
+  State state = model.state([](Point r) { return std::abs(r.x) > 3 ? Point{r.x / 4, 1} : Point{0, 0}; });
+  OneStep<Model> step(model);
+  for (int k = 0; k < 64; ++k) step.step(state, 1.0 / 64);
+  // Free, they would have passed the walls by far.
+  for (const std::size_t k : {n - 2, n - 1}) CHECK(std::abs(state.q[k]) < 4);
+  CHECK(state.q[n - 1] == Approx(-state.q[n - 2]));
+}
+
 TEST_CASE("markers among free particles are never reflected", "[conservation]") {
   Check check("gauss_particles_markers", "Free particles: markers ride on the field",
               "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "

@@ -205,8 +205,8 @@ class Changed:
                 shutil.copy2(original, program)
             if check.target == "seiche_python":
                 (made / "seiche").symlink_to(self.build.program("seiche_command"))
-                for module in (self.tree / "solver/python/seiche").glob("*.py"):
-                    shutil.copy2(module, program.parent)
+                for file in filter(pathlib.Path.is_file, (self.tree / "solver/python/seiche").iterdir()):
+                    shutil.copy2(file, program.parent)
             self.programs[key] = program
         return self.programs[key]
 

@@ -427,8 +427,9 @@ def apart(work):
         status = 2
         for chatter in (1, 2):
             os.dup2(os.open(os.devnull, os.O_WRONLY), chatter)
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS))
+        for what, most in ((resource.RLIMIT_AS, MOST_MEMORY), (resource.RLIMIT_CPU, MOST_SECONDS)):
+            allowed = resource.getrlimit(what)[1]
+            resource.setrlimit(what, 2 * (most if allowed == resource.RLIM_INFINITY else min(most, allowed),))
         warnings.simplefilter("ignore")
         try:
             told, status = work(), 0

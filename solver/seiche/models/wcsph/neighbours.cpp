@@ -276,7 +276,6 @@ void BinnedOrder::sort(const TileGrid& grid, std::span<const double> x, std::spa
   for (std::int32_t bin = 0; bin < grid.size(); ++bin) {
     const auto first = begin_[static_cast<std::size_t>(bin)];
     const auto last = begin_[static_cast<std::size_t>(bin) + 1];
-    if (last - first < 2) continue;
     const double sign = grid.backwards(bin) ? -1 : 1;
     for (std::int32_t k = first + 1; k < last; ++k) {
       const std::int32_t moving = order[static_cast<std::size_t>(k)];
