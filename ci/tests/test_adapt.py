@@ -74,6 +74,18 @@ class Adapt(Scoring):
         _, front = self.rows("front", self.folder / "mine.csv", "--field", "h", "--level", 0.6)
         np.testing.assert_allclose(front, [[0, 1.5], [1, 2.4]])
 
+    def test_surface_is_where_a_column_of_points_is_half_full(self):
+        self.write("t,x,y,h\n3,0,0,1\n3,0,1,1\n3,0,2,0\n3,1,0,1\n3,1,1,0.25\n3,1,2,0\n")
+        _, surface = self.rows("surface", self.folder / "mine.csv", "--field", "h", "--level", 0.5)
+        np.testing.assert_allclose(surface, [[3, 0, 1.5], [3, 1, 2 / 3]])
+
+    def test_points_that_are_none_are_refused(self):
+        for x, y in (([], []), ([0.0, 1.0], [0.0]), ([[0.0, 1.0]], [[0.0, 0.0]])):
+            with h5py.File(self.folder / "a.hdf5", "w") as file:
+                file.create_group("solver_data").attrs["t"] = 0.5
+                file["particles/fluid/arrays/x"], file["particles/fluid/arrays/y"] = np.array(x), np.array(y)
+            self.refuses(self.adapt("front", self.folder / "a.hdf5", "--near", 1), "needs x and y of the particles")
+
     def test_spray_is_no_front(self):
         folder = self.folder / "run"
         folder.mkdir()
@@ -121,7 +133,7 @@ class Adapt(Scoring):
                 self.refuses(made, "needs the Python package" if "needs the Python package" in made.stderr else name)
 
     def test_limits_of_a_batch_system_stay(self):
-        command = ["prlimit", "--cpu=60", sys.executable, "-m", "seiche.adapt", "front", WRITTEN / "gerris/floor.txt",
+        command = ["prlimit", "--cpu=10", sys.executable, "-m", "seiche.adapt", "front", WRITTEN / "gerris/floor.txt",
                    "--field", "T"]
         made = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": PACKAGE})
         self.assertEqual((made.returncode, made.stderr), (0, ""))

@@ -119,8 +119,7 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   };
   check.holds("An exact reference is drawn between the points too.", {drawn(Role::exact)},
               Bound{0, "601 places, and the points asked for", 601 + 51});
-  check.holds("A measured reference is drawn at its points alone.", {drawn(Role::measured)},
-              Bound{0, "its points", 51});
+  check.holds("A measured reference is drawn at its points alone.", {drawn(Role::data)}, Bound{0, "its points", 51});
   check.holds("Each time is measured by itself.", {bad.measurements().at("eta_relative_l2_t_2")},
               Roundoff{2 * 51, 0.1, "a rounded term and a rounded sum for each of 51 points", 0.1});
 
