@@ -130,7 +130,10 @@ class Adapt(Scoring):
             with self.subTest(name):
                 made = self.adapt("surface", path, "--field", "h", "--step", 1)
                 # Without the library that reads the format, it is the library that is named.
-                self.refuses(made, "needs the Python package" if "needs the Python package" in made.stderr else name)
+                missing = "needs the Python package" in made.stderr
+                self.refuses(made, "needs the Python package" if missing else name)
+                if missing:
+                    self.assertRegex(made.stderr, r"package (vtk|meshio|xarray|netCDF4|scipy\S*): apt install python3-")
 
     def test_limits_of_a_batch_system_stay(self):
         command = ["prlimit", "--cpu=10", sys.executable, "-m", "seiche.adapt", "front", WRITTEN / "gerris/floor.txt",

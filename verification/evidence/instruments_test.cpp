@@ -12,6 +12,7 @@
 #include "validation/instruments/peak.hpp"
 #include "validation/instruments/straight_line.hpp"
 #include "validation/instruments/wave_statistics.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 #include "validation/studies/shallow_water/riemann_profile.hpp"
 #include "verification/check.hpp"
 
@@ -46,6 +47,19 @@ TEST_CASE("what is required of a dam break is required of its mirror image", "[e
   const std::vector<double> left = limits(exact::Riemann(9.81, {0.5, 0}, {1, 0}));
   REQUIRE((right.size() == left.size() && right.size() > 3));
   for (std::size_t k = 0; k < right.size(); ++k) CHECK(left[k] == Approx(right[k]).epsilon(1e-9));
+}
+
+TEST_CASE("the curve of a profile goes forwards through its breaks", "[evidence]") {
+  const shallow_water::MeasuredProfile profile{.edges = {0, 1, 2},
+                                               .means = {{1, 0}, {2, 0}},
+                                               .reconstruction =
+                                                   [](double x) {
+                                                     return shallow_water::State{x, 0};
+                                                   },
+                                               .breaks = {0.4, 0.1, 1.7}};
+  const ProfileCurve curve = computed_curve(profile);
+  CHECK(std::is_sorted(curve.x.begin(), curve.x.end()));
+  CHECK((curve.x.size() == 16 && curve.depth == curve.x));
 }
 
 TEST_CASE("instruments for series find what is in them", "[evidence]") {

@@ -429,7 +429,8 @@ def apart(work):
             os.dup2(os.open(os.devnull, os.O_WRONLY), chatter)
         for what, most in ((resource.RLIMIT_AS, MOST_MEMORY), (resource.RLIMIT_CPU, MOST_SECONDS)):
             allowed = resource.getrlimit(what)[1]
-            resource.setrlimit(what, 2 * (most if allowed == resource.RLIM_INFINITY else min(most, allowed),))
+            least = most if allowed == resource.RLIM_INFINITY else min(most, allowed)
+            resource.setrlimit(what, (least, least))
         warnings.simplefilter("ignore")
         try:
             told, status = work(), 0
