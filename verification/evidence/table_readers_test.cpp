@@ -115,7 +115,7 @@ TEST_CASE("gauges beside each other are told by the numbers in their names", "[e
                            .group = Column{"x", "m", "position"},
                            .abscissa = Column{"t", "s", "time"},
                            .quantities = {{.column = {"eta", "m", "elevation"}, .reference = {}, .requirements = {}}},
-                           .groups = {-2.5, 6},
+                           .groups = {-2.5, 6.0},
                            .points = {}};
   for (const std::string names : {"x=-2.5,x=6", "-2.5,sta-6", "eta=-2.5,WG_06"}) {
     std::istringstream in("t," + names + "\n0,1,2\n1,3,4\n");

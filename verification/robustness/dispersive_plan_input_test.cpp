@@ -99,6 +99,8 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   refusals.refused({"moving window", "shoreline"}, [] {
     Rectangle beach = still_water();
     beach.sides.south = plan_lattice::ShoreSide{};
+    beach.bottom =
+        std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{.coefficient = -1, .y_power = 1}});
     Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
   refusals.refused({"moving window", "absorption"}, [] {
