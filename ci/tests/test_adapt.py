@@ -70,9 +70,22 @@ class Adapt(Scoring):
         self.assertTrue(-0.055 < gauge[1, 2] < -0.04, gauge)
 
     def test_front_between_points_is_on_the_straight_line(self):
-        self.write("t,x,h\n0,0,1\n0,1,1\n0,2,0.2\n0,3,0\n1,0,1\n1,1,1\n1,2,1\n1,3,0\n")
+        self.write("t,x,h\n0,0,1\n0,1,1\n0,2,0.2\n0,3,0\n1,0,1\n1,1,1\n1,2,1\n1,3,0\n"
+                   "2,0,1\n2,1,1\n2,2,1\n2,3,1\n3,0,0\n3,1,0\n")
         _, front = self.rows("front", self.folder / "mine.csv", "--field", "h", "--level", 0.6)
-        np.testing.assert_allclose(front, [[0, 1.5], [1, 2.4]])
+        np.testing.assert_allclose(front, [[0, 1.5], [1, 2.4], [2, 3]])
+
+    def test_surface_is_where_a_column_of_points_is_half_full(self):
+        self.write("t,x,y,h\n3,0,0,1\n3,0,1,1\n3,0,2,0\n3,1,0,1\n3,1,1,0.25\n3,1,2,0\n")
+        _, surface = self.rows("surface", self.folder / "mine.csv", "--field", "h", "--level", 0.5)
+        np.testing.assert_allclose(surface, [[3, 0, 1.5], [3, 1, 2 / 3]])
+
+    def test_points_that_are_none_are_refused(self):
+        for x, y in (([], []), ([0.0, 1.0], [0.0]), ([[0.0, 1.0]], [[0.0, 0.0]])):
+            with h5py.File(self.folder / "a.hdf5", "w") as file:
+                file.create_group("solver_data").attrs["t"] = 0.5
+                file["particles/fluid/arrays/x"], file["particles/fluid/arrays/y"] = np.array(x), np.array(y)
+            self.refuses(self.adapt("front", self.folder / "a.hdf5", "--near", 1), "needs x and y of the particles")
 
     def test_spray_is_no_front(self):
         folder = self.folder / "run"
@@ -118,7 +131,16 @@ class Adapt(Scoring):
             with self.subTest(name):
                 made = self.adapt("surface", path, "--field", "h", "--step", 1)
                 # Without the library that reads the format, it is the library that is named.
-                self.refuses(made, "needs the Python package" if "needs the Python package" in made.stderr else name)
+                missing = "needs the Python package" in made.stderr
+                self.refuses(made, "needs the Python package" if missing else name)
+                if missing:
+                    self.assertRegex(made.stderr, r"package (vtk|meshio|xarray|netCDF4|scipy\S*): apt install python3-")
+
+    def test_limits_of_a_batch_system_stay(self):
+        command = ["prlimit", "--cpu=10", sys.executable, "-m", "seiche.adapt", "front", WRITTEN / "gerris/floor.txt",
+                   "--field", "T"]
+        made = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": PACKAGE})
+        self.assertEqual((made.returncode, made.stderr), (0, ""))
 
     def test_a_link_out_of_particles_is_not_followed(self):
         self.hdf5("secret.h5", x=np.arange(3.0))

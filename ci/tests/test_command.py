@@ -26,6 +26,7 @@ class Command(Scratch):
         for threads in ("1", "2"):
             result = seiche("run", "moving_bore", "--threads", threads, "--out", self.out)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn("[  1/1]", result.stdout)
             self.assertEqual(self.record("moving_bore")["provenance"]["threads"], int(threads))
         self.assertEqual(seiche("run", "moving_bore", "--threads", "0", "--out", self.out).returncode, 2)
 
@@ -261,6 +262,7 @@ class Command(Scratch):
         self.assertIn(", worse", result.stdout)
         self.assertIn("something got worse", result.stdout)
         self.assertEqual(seiche("compare", self.out, later, "--factor", 2).returncode, 0)
+        self.assertEqual(seiche().returncode, 2)
         for factor in ("nan", "0.5", "inf", "x"):
             result = seiche("compare", later, later, "--factor", factor)
             self.assertEqual(result.returncode, 2)

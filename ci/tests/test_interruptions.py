@@ -228,6 +228,7 @@ class Killed(Scratch):
         self.assertIn("error", states)
         errors = [record["error"] for record in records.values() if record["status"] == "error"]
         self.assertTrue(any("signal 9" in error for error in errors), errors)
+        self.assertTrue(all(record["wall_time"] > 0 for record in records.values()), records)
         self.assertEqual([p.name for p in self.out.glob(".*")], [])
 
     def test_resume_after_kill_redoes_only_what_is_not_finished(self):

@@ -56,11 +56,11 @@ std::pair<std::size_t, std::vector<double>> range_of(const ExactSolution& soluti
 
 /// Time alone has no default: a motion is asked for at an instant.
 void require_time(const ExactSolution& solution, const std::string& text, const std::vector<std::size_t>& given) {
-  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
-    if (solution.inputs[k].name != "t" || std::find(given.begin(), given.end(), k) != given.end()) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: t is missing: {} changes in time, add t=0 for its beginning", text, solution.name));
-  }
+  const auto time = std::ranges::find(solution.inputs, "t", &exact::Coordinate::name);
+  const auto number = static_cast<std::size_t>(time - solution.inputs.begin());
+  if (time == solution.inputs.end() || std::ranges::find(given, number) != given.end()) return;
+  throw std::invalid_argument(
+      fmt::format("{}: t is missing: {} changes in time, add t=0 for its beginning", text, solution.name));
 }
 
 Point default_point(const ExactSolution& solution) {

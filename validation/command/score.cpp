@@ -204,16 +204,12 @@ void require_repeats(const ScoreOptions& options) {
 
 void require_ladder(const ScoreOptions& options) {
   const std::size_t sizes = options.sizes.size();
-  if (options.seconds.size() > 1 && options.seconds.size() != sizes) {
+  if (!options.seconds.empty() && options.seconds.size() != std::max<std::size_t>(sizes, 1)) {
     throw std::invalid_argument(fmt::format("--seconds {}: must be one number, or one for each of the {} --sizes",
                                             fmt::join(options.seconds, ","), sizes));
   }
   if (sizes == 0) return;
   if (options.cell > 0) throw std::invalid_argument("--dx: --sizes say how large the cells are");
-  if (options.seconds.size() == 1) {
-    throw std::invalid_argument(
-        fmt::format("--seconds {:g}: must be one for each of the {} --sizes", options.seconds.front(), sizes));
-  }
   if (options.data.size() % sizes != 0) {
     throw std::invalid_argument(fmt::format(
         "--data: got {} files for {} cell sizes; give the same number for each size, all files of the first size first",

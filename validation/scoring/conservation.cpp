@@ -68,8 +68,7 @@ std::string name_in_file(const std::string& name, const ColumnNames& renamed) {
 }
 
 struct Change {
-  double largest = 0;  ///< over the first value, growth or magnitude
-  double at = 0;
+  double largest, at;  ///< over the first value, growth or magnitude; when
 };
 
 Change change_of(const std::vector<double>& t, const std::vector<double>& values, bool growth_alone) {

@@ -199,8 +199,12 @@ void try_fitted(Search& search, Curve submitted) {
   });
 }
 
+bool alike(double factor, double known) {
+  return std::abs(factor / known - 1) < 0.05;
+}
+
 std::string unit_name(double factor, const std::string& unit) {
-  const auto is = [&](double f) { return std::abs(factor / f - 1) < 0.05; };
+  const auto is = [&](double known) { return alike(factor, known); };
   if (unit == "m") {
     if (is(1000)) return "millimetres for metres";
     if (is(100)) return "centimetres for metres";
@@ -228,7 +232,7 @@ double misfit(Curve submitted, Curve reference) {
 std::string unit_mistaken(double factor, const std::string& unit) {
   for (const double known : factors) {
     for (const double f : {known, 1 / known}) {
-      if (std::abs(factor / f - 1) < 0.05) return unit_name(f, unit);
+      if (alike(factor, f)) return unit_name(f, unit);
     }
   }
   return {};

@@ -168,6 +168,26 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
                       "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
 }
 
+TEST_CASE("thin water at a wall of free particles slides along it", "[conservation]") {
+  Particles particles = disc(1, 12);
+  for (double& y : particles.y) y += 2;
+  const std::size_t drop = particles.size();
+  for (int k = 0; k < 25; ++k) {
+    for (const double side : {-1, 1}) particles.add(side * (3.775 + 0.05 * (k % 5)), 2.025 + 0.05 * (k / 5), 0.001);
+  }
+  Model model(
+      particles,
+      std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.25, .left_wall = -4, .right_wall = 4, .bottom = true}),
+      {.gravity = 1, .penalty = 0});
+  State state = model.state([](Point r) { return std::abs(r.x) > 3 ? Point{r.x / 4, 1} : Point{0, 0}; });
+  OneStep<Model> step(model);
+  step.step(state, 0.1);
+  for (std::size_t k = drop; k < particles.size(); k += 2) {
+    CHECK(state.q[k + 1] < 4);  // in free flight the outer ones would have left
+    CHECK(state.q[k + 1] == Approx(-state.q[k]));
+  }
+}
+
 TEST_CASE("markers among free particles are never reflected", "[conservation]") {
   Check check("gauss_particles_markers", "Free particles: markers ride on the field",
               "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "

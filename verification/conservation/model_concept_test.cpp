@@ -155,6 +155,7 @@ TEST_CASE("one step for turned axes and for a basis", "[conservation]") {
              "largest difference of a coordinate",
              {.value = distance_after(turned, in_axes, 100, 0.01), .resolution = "tau = 0.01, 100 steps"}, same);
   BasisChain basis(heavy_chain(), alternating_masses(4));
+  CHECK_THROWS_WITH(OneStep<BasisChain>(basis, {.drift_feedback = true}), Catch::Contains("constraint_values"));
   check.that("basis", "Projection on a basis gives the same motion as multipliers.",
              "largest difference of a coordinate",
              {.value = distance_after(basis, start, 100, 0.01), .resolution = "tau = 0.01, 100 steps"}, same);

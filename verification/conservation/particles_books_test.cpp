@@ -58,6 +58,31 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
                    "mean lies by less than half of it from the state there"});
 }
 
+TEST_CASE("everything that pushes the water is booked", "[conservation]") {
+  Check check(
+      "particles_all_books", "Momentum under all forces",
+      "A dam break between walls over a wavy bed, with friction and a body force: momentum is the sum of what the "
+      "two walls, the bed, the friction and the body force have given.",
+      source);
+  Forcing forcing;
+  forcing.bed = Bed{[](double x) { return 0.1 * std::cos(x); }, [](double x) { return 0.1 * std::sin(x); }};
+  forcing.manning = 0.05;
+  forcing.body_force = [](double x, double t) { return 0.5 + 0.3 * std::sin(x + t); };
+  ParticleFlow flow(dam_break(0, 4, 10, {2, 0}, {1, 0}, 100), {}, forcing);
+  constexpr int count = 200;
+  for (int k = 0; k < count; ++k) flow.advance(0.004);
+  const Ledger& ledger = flow.ledger();
+  Smallest least;
+  for (const CompensatedSum& one : {ledger.left_impulse, ledger.right_impulse, ledger.bed_impulse,
+                                    ledger.friction_impulse, ledger.source_impulse}) {
+    least.add(std::abs(one.value()));
+  }
+  check.holds("Momentum minus the booked impulses stays constant.", {flow.momentum_defect()},
+              Roundoff{5.0 * count * 100, 0.2, "five rounded impulses of at most 0.2 per particle and step"});
+  check.holds("Each of the five has a part in it.", {least.value() > 0.01 ? 1.0 : 0.0},
+              Qualitative{"each above 0.01 m^3/s", "what is nothing could be booked with any sign"});
+}
+
 TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
   Check check("particles_lake_at_rest", "Lake at rest over an uneven bed",
               "Surface 0.8 over $z = 0.3 e^{-(x-5)^2} + 0.05 \\sin 3x$. Edge thrusts and bed reaction cancel to "

@@ -92,6 +92,14 @@ TEST_CASE("a remap of the plan model keeps a stream", "[conservation]") {
              {.value = off.value(), .resolution = "16 x 16 cells"}, rounded);
 }
 
+TEST_CASE("a remap of the plan model onto cells that have no area in a corner is infeasible", "[conservation]") {
+  const Model model(box());
+  const mechanics::State state = model.state();
+  std::vector<double> x = model.lattice().x;
+  x[model.shape().node(2, 1)] = x[model.shape().node(1, 1)];
+  CHECK_THROWS_WITH(remap(model, state.q, state.u, x, model.lattice().y), Catch::Contains("would fold"));
+}
+
 TEST_CASE("a remap of the plan model keeps water and momentum and lets no column fall dry", "[conservation]") {
   Check check("plan_remap_thin", "Remap of the two-dimensional horizontal model: rough and thin water",
               "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities of 1 m/s at "

@@ -11,6 +11,9 @@
 #include "validation/instruments/oscillation.hpp"
 #include "validation/instruments/peak.hpp"
 #include "validation/instruments/straight_line.hpp"
+#include "validation/instruments/wave_statistics.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
+#include "validation/studies/shallow_water/riemann_profile.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::instruments_test {
@@ -31,6 +34,33 @@ class Exactly {
  private:
   Check& check_;
 };
+
+TEST_CASE("what is required of a dam break is required of its mirror image", "[evidence]") {
+  const auto limits = [](const exact::Riemann& solution) {
+    std::vector<double> all;
+    for (const RiemannRequirement& one : riemann_requirements(solution, 2, -15, 15, 0.5)) {
+      all.push_back(one.bound.limit.value());
+    }
+    return all;
+  };
+  const std::vector<double> right = limits(exact::Riemann(9.81, {1, 0}, {0.5, 0}));
+  const std::vector<double> left = limits(exact::Riemann(9.81, {0.5, 0}, {1, 0}));
+  REQUIRE((right.size() == left.size() && right.size() > 3));
+  for (std::size_t k = 0; k < right.size(); ++k) CHECK(left[k] == Approx(right[k]).epsilon(1e-9));
+}
+
+TEST_CASE("the curve of a profile goes forwards through its breaks", "[evidence]") {
+  const shallow_water::MeasuredProfile profile{.edges = {0, 1, 2},
+                                               .means = {{1, 0}, {2, 0}},
+                                               .reconstruction =
+                                                   [](double x) {
+                                                     return shallow_water::State{x, 0};
+                                                   },
+                                               .breaks = {0.4, 0.1, 1.7}};
+  const ProfileCurve curve = computed_curve(profile);
+  CHECK(std::is_sorted(curve.x.begin(), curve.x.end()));
+  CHECK((curve.x.size() == 16 && curve.depth == curve.x));
+}
 
 TEST_CASE("instruments for series find what is in them", "[evidence]") {
   Check check("instruments_of_series", "Instruments for series",
@@ -58,6 +88,9 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   exactly("frequency", "The frequency of an oscillation with a second harmonic.", fit.frequency, frequency, 2000, 10,
           sums);
   exactly("amplitude", "The amplitude of its first harmonic.", fit.amplitude, 1.5, 2000, 10, sums);
+
+  exactly("sawtooth", "The deviation of a signal that changes its sign from sample to sample is its amplitude.",
+          wave_statistics(std::vector<double>{3, -3, 3, -3, 3, -3}).deviation, 3, 20, 3, "a Fourier transform of six");
 
   std::vector<double> wave;
   for (int n = 0; n <= 400; ++n) wave.push_back(std::cos(2 * pi * n * 0.05 / 3.37));

@@ -1,10 +1,14 @@
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include <H5Cpp.h>
+#include <fmt/core.h>
+#include <boost/version.hpp>
 #include <nlohmann/json.hpp>
 
+#include "reports/evidence/provenance.hpp"
 #include "reports/evidence/record_files.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "verification/check.hpp"
@@ -88,6 +92,7 @@ TEST_CASE("a file that is not committed leaves nothing behind and the old one in
     std::ofstream(file.path()) << "half of the n";
   }
   CHECK(io::read_file(target) == "old");
+  CHECK_THROWS_WITH(io::AtomicFile(scratch.path()), Catch::Contains(scratch.path().string() + ": it is a"));
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path()), {}) == 1);
 }
 
@@ -96,6 +101,19 @@ TEST_CASE("ids with other characters and figures named twice are refused", "[rec
   CHECK_THROWS_AS(record.figure("../x", "", ""), std::invalid_argument);
   CHECK_THROWS_AS(record.figure("profile", "", ""), std::invalid_argument);
   CHECK_THROWS_AS(record.check({.id = ""}, {.value = 1}, Bound{1, "r"}), std::invalid_argument);
+}
+
+TEST_CASE("provenance names the machine, and each library's version as its header has it", "[record]") {
+  const Provenance here = provenance();
+  CHECK((here.cores > 0 && here.threads > 0));
+  CHECK(io::read_file("/proc/cpuinfo").find(": " + here.processor + "\n") != std::string::npos);
+  const auto number = [&](const std::string& library, int major, int minor) {
+    int a = 0, b = 0, c = 0;
+    CHECK(std::sscanf(here.libraries.at(library).c_str(), "%d.%d.%d", &a, &b, &c) == 3);
+    return a * major + b * minor + c;
+  };
+  CHECK(number("Boost", 100000, 100) == BOOST_VERSION);
+  CHECK(number("fmt", 10000, 100) == FMT_VERSION);
 }
 
 TEST_CASE("SHA-256 of known texts", "[record]") {

@@ -107,6 +107,19 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"), "t = 2");
   is("A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
   is("Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
+  const auto drawn = [&](evidence::Role role) {
+    std::vector<WantedTable> wanted = wanted_tables();
+    for (WantedTable& one : wanted) one.reference_role = role;
+    evidence::Record record;
+    record.name = "scored";
+    record.solver = "other";
+    Understanding understood;
+    score(wanted, submitted_from({table(profiles(0), "p.csv")}, wanted, understood), {}, record);
+    return static_cast<double>(record.figures().front().panels().front().series().front().x.size());
+  };
+  check.holds("An exact reference is drawn between the points too.", {drawn(Role::exact)},
+              Bound{0, "601 places, and the points asked for", 601 + 51});
+  check.holds("A measured reference is drawn at its points alone.", {drawn(Role::data)}, Bound{0, "its points", 51});
   check.holds("Each time is measured by itself.", {bad.measurements().at("eta_relative_l2_t_2")},
               Roundoff{2 * 51, 0.1, "a rounded term and a rounded sum for each of 51 points", 0.1});
 
@@ -139,6 +152,24 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("A file that holds nothing wanted is rejected.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
   is("The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
+}
+
+TEST_CASE("what the reference does not know need not be submitted", "[evidence]") {
+  const std::vector<WantedTable> wanted{
+      {.name = "gauge",
+       .kind = WantedTable::Kind::series,
+       .abscissa = Column{"t", "s", "time"},
+       .quantities = {{.column = {"eta", "m", "elevation"},
+                       .reference = [](Place p) { return p.abscissa > 0 ? std::sin(p.abscissa) : std::nan(""); }}},
+       .points = [](double) {
+         return std::vector<double>{0, 1, 2, 3, 4};
+       }}};
+  SubmittedGroup later{.value = 0, .abscissa = {1, 2, 3, 4}, .values = {}};
+  for (const double t : later.abscissa) later.values["eta"].push_back(std::sin(t));
+  evidence::Record record;
+  record.solver = "other";
+  score(wanted, {{"gauge", {later}}}, {}, record);
+  CHECK(verdict(record, "gauge-coverage") == "pass");
 }
 
 TEST_CASE("an arrival is measured where something arrives", "[evidence]") {

@@ -99,6 +99,9 @@ TEST_CASE("a record with a new article is sealed again", "[record]") {
   CHECK(summary.error.empty());
   CHECK(summary.sealed);
   CHECK(io::read_file(written.json).find("Another article.") != std::string::npos);
+  written.replace("\"measured\": 0.25", "\"measured\": 0.24");
+  refresh_article(written.json, "Another article.");
+  CHECK_FALSE(written.error(Reading::json).empty());
 }
 
 TEST_CASE("a record without a digest is told from a changed one", "[record]") {
@@ -120,6 +123,8 @@ TEST_CASE("what is no file is no record", "[record]") {
   const auto link = written.scratch.path() / "link.json";
   std::filesystem::create_symlink("sample.json", link);
   CHECK_THROWS_WITH(read_summary(link), Catch::Matchers::Contains("link.json"));
+  std::filesystem::resize_file(written.json, 9 << 20);
+  CHECK_THROWS_WITH(read_summary(written.json), Catch::Matchers::Contains("9437184 bytes, more than"));
 }
 
 TEST_CASE("a record has one writer, and its lock goes with it", "[record]") {

@@ -75,6 +75,9 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(csv.units, {"s", "m", ""}));
   claims.none_wrong("csv-lines", "Each row of a CSV file knows its line number.",
                     wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
+  std::istringstream beginning("ab\r\ncdef\ngh");
+  claims.none_wrong("most", "Of a file no more bytes are read than asked for.",
+                    wrong_words(io::text_of(beginning, "table.csv", 6).lines, {"ab", "cd"}));
   claims.is_refused("comma", "Decimal commas between commas are rejected.", refused("t,h\n0,5,1,5\n"));
   claims.is_refused("missing", "An entry that is missing is rejected, it does not become 0.",
                     refused("t,h\n0,\n1,2\n"));
@@ -103,6 +106,26 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(units, {"s", "m", ""}));
   claims.none_wrong("hdf5-wanted", "What is not asked for is not read.",
                     wrong_words(io::read_table(file, {"h"}).names, {"h"}));
+}
+
+TEST_CASE("gauges beside each other are told by the numbers in their names", "[evidence]") {
+  using namespace validation;
+  const WantedTable wanted{.name = "gauges",
+                           .kind = WantedTable::Kind::series,
+                           .group = Column{"x", "m", "position"},
+                           .abscissa = Column{"t", "s", "time"},
+                           .quantities = {{.column = {"eta", "m", "elevation"}, .reference = {}, .requirements = {}}},
+                           .groups = {-2.5, 6.0},
+                           .points = {}};
+  for (const std::string names : {"x=-2.5,x=6", "-2.5,sta-6", "eta=-2.5,WG_06"}) {
+    std::istringstream in("t," + names + "\n0,1,2\n1,3,4\n");
+    Understanding understood;
+    const auto groups = submitted_from({io::read_text_table(io::text_of(in, "mine.csv"))}, {wanted}, understood);
+    INFO(names);
+    REQUIRE(groups.at("gauges").size() == 2);
+    CHECK(groups.at("gauges")[0].value == -2.5);
+    CHECK(groups.at("gauges")[1].values.at("eta") == std::vector<double>{2, 4});
+  }
 }
 
 TEST_CASE("a submission is read by the names and units of its columns", "[evidence]") {

@@ -140,6 +140,10 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
       Roundoff{10, 1, "(600 - (2 + 0.8 598))/600; interpolation is exact for a line: ten roundings of values up to 1",
                0.2 * 598 / 600});
   CHECK_FALSE(none.steady());
+  const History late = sampled(600, [](double t) { return t < 60 ? 0.5 : 1; });
+  check.holds("What a series was long before it became steady does not widen its limit.",
+              {wall_limit(late.time, late.amplitude).amplitude.uncertainty.value()},
+              Bound{1e-9, "fits of a constant, to round-off of sums over 200 values"});
 
   CHECK_FALSE(wall_limit(line.time, line.amplitude, 0).amplitude.uncertainty.has_value());
 

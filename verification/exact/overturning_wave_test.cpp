@@ -121,6 +121,14 @@ TEST_CASE("an overturning wave is even in its points, and refuses what it is not
                  std::hypot(arc.x[51] - arc.x[50], arc.y[51] - arc.y[50])) < 1e-4);
   CHECK(!unit.vertical_tangent_time());
   CHECK(!unit.jet(0.5));
+  const OverturningWave breaking({.amplitude = over_bottom.amplitude, .depth = over_bottom.depth, .markers = 96});
+  try {
+    (void)breaking.profile(0.6 * finite_period);
+    FAIL("the jet has met the surface by then");
+  } catch (const Divergence& end) {
+    CHECK(end.time() == breaking.end_time());
+    CHECK(std::abs(end.place() - breaking.jet(end.time()).value().nose_x) < period / 4);  // on the crest
+  }
   CHECK_THROWS_AS(unit.profile(0.6), std::invalid_argument);
   CHECK_THROWS_AS(unit.profile(-0.1), std::invalid_argument);
 }

@@ -31,6 +31,7 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
               "symmetrical about a curved edge.",
               source);
   bool two = true;
+  bool marked = true;
   refine(check, {"spacing", widths(1, {10, 20, 40, 80})},
          {{"order",
            "The outer area errs by the square of the spacing.",
@@ -43,12 +44,16 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
              if (std::hypot(particles.x[k], particles.y[k]) < 0.4) particles.mass[k] = 0;
            }
            const auto lines = surface_contours(particles.x, particles.y, particles.mass, 1, width);
+           particles.add(-3, 5, 0);
+           marked = marked && lines == surface_contours(particles.x, particles.y, particles.mass, 1, width);
            two = two && lines.size() == 2 && area(lines[0]) > 0 && area(lines[1]) < 0;
            return std::abs(area(lines[0]) - std::numbers::pi);
          });
   check.that("lines", "There are two lines, each the right way round.", "so at all spacings",
              {.value = two ? 1.0 : 0.0, .resolution = "10 to 80 rings"},
              Qualitative{"two lines, areas of opposite sign", "a ring has an outer and an inner edge"});
+  check.holds("A marker far from the water changes no line.", {marked ? 1.0 : 0.0},
+              Qualitative{"equal bits at all spacings", "markers have no mass"});
 }
 
 TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc", "[geometry]") {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
@@ -221,6 +222,14 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
       .that("sweep", "The length by which the paddle reaches behind the end of the bottom is zero.",
             "rearmost place of the paddle behind the end of the bottom [m]",
             {std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
+
+  Settings extrapolating = water(0.2);
+  extrapolating.walls = WallPressure::extrapolated;
+  const Scene thick = tank({.width = 0.4, .depth = 0.2, .spacing = 0.02, .lattice = Lattice::square}, extrapolating);
+  check.that(
+      "thickness", "Walls that continue the lattice are as thick as the support.", "lowest row of the wall/dx",
+      {smallest(thick.particles.z) / thick.spacing},
+      Roundoff{6, 10, "a sum of rounded lengths, up to 10 dx", 0.5 - std::ceil(support * extrapolating.smoothing)});
 
   DamBreak odd = tall_column(Lattice::square, false);
   CHECK(dam_break(odd, water(0.114)).warnings.empty());

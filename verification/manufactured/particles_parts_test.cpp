@@ -10,8 +10,10 @@
 
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
+#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/noise.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::particles_parts_test {
@@ -164,6 +166,68 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
     };
     claim("By its volume the particle has the depth behind.", mass / width, back.depth);
     claim("By its momentum it has the velocity behind.", momentum / mass, back.velocity);
+  }
+}
+
+TEST_CASE("no jump between two particles is overlooked", "[manufactured]") {
+  Check check(
+      "particles_suspects", "Where jumps are looked for",
+      "Ten thousand pairs of states that approach each other, with depths up to a tenth apart. Wherever the depth "
+      "of two waves between them exceeds the threshold the particle is a suspect; and where depths and velocities "
+      "account for less than a quarter of it, the particle is none.",
+      source);
+  Noise noise(4);
+  Count missed, needless;
+  long jumps = 0, calm = 0;
+  constexpr double threshold = 0.02;
+  const double quarter = std::sqrt(1 + threshold / 4) - 1;
+  for (int k = 0; k < 10000; ++k) {
+    const double size = k % 2 == 0 ? 1 : 0.03;
+    const State left{1 + 0.05 * size * noise(), 0.15 * size * std::abs(noise())};
+    const State right{1 + 0.05 * size * noise(), -0.15 * size * std::abs(noise())};
+    const double low = std::min(left.depth, right.depth);
+    const double high = std::max(left.depth, right.depth);
+    const std::array depth{left.depth, 1.0, right.depth};
+    const std::array velocity{left.velocity, 0.0, right.velocity};
+    const bool suspect = may_hold_jump(&depth[1], &velocity[1], g, threshold, 1);
+    const bool jump = shallow_water::two_rarefaction_depth(g, left, right) > (1 + threshold) * low;
+    const bool level = high < (1 + threshold / 4) * low &&
+                       left.velocity - right.velocity < 2 * quarter * shallow_water::celerity(g, low);
+    missed.add(jump && !suspect ? 1 : 0, [](double one) { return one > 0; });
+    needless.add(level && suspect ? 1 : 0, [](double one) { return one > 0; });
+    jumps += jump ? 1 : 0;
+    calm += level ? 1 : 0;
+  }
+  check.holds("No particle with a jump is passed over.", {missed.value()}, Bound{0, "a necessary condition"});
+  check.holds("No particle in calm water is looked at.", {needless.value()},
+              Bound{0, "either half of a rise of two per cent comes from the depths or from the velocities"});
+  CHECK((jumps > 1000 && calm > 1000));
+}
+
+TEST_CASE("every stretch of water has a particle, and two jumps that have met say so", "[manufactured]") {
+  const Particles thin = uniform_stretches({{0, 1, {1, 0}}, {1, 1 + 1e-6, {2, 0}}}, 10);
+  CHECK((thin.size() == 10 && thin.edge[9] == 1));
+  CHECK(thin.depth(9) == Approx(2));
+
+  const double speed = shallow_water::velocity_change(g, 2, 1);
+  const auto jump = [&](std::size_t particle, Facing facing) {
+    const double sign = facing == Facing::right ? 1 : -1;
+    InteriorJump one;
+    one.particle = particle;
+    one.facing = facing;
+    one.ahead = {1, 0};
+    one.behind = {2, sign * speed};
+    one.behind_by_volume = one.behind_by_momentum = 0.5;
+    one.mass_flux = shallow_water::jump_mass_flux(g, 1, 2);
+    return one;
+  };
+  const Array mass(12, 1.0);
+  Collision collision(g, jump(3, Facing::right), jump(8, Facing::left), mass);
+  const double meeting = 2.5 / shallow_water::jump_mass_flux(g, 1, 2);
+  const double tau = 0.5 / collision.fastest_mass_flux();
+  for (int k = 0; k < 16; ++k) {
+    CHECK(collision.met() == (k * tau > meeting));
+    collision.advance(tau, mass);
   }
 }
 

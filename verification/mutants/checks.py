@@ -18,8 +18,10 @@ PROJECT = {  # what else decides a file, by its path: programs of ci.* and of th
     "solver/python/seiche/": ["solver/python/tests"],
     "reports/evidence/": ["ci/tests/test_junit.py", "ci/tests/test_command.py"],
     "validation/case/": ["ci/tests/test_command.py"],
-    "validation/command/": ["ci/tests/test_exact_inputs.py", "ci/tests/test_command.py", "ci/tests/test_score.py"],
-    "validation/scoring/": ["ci/tests/test_solver_files.py", "ci/tests/test_score.py", "ci/tests/test_wrong_results.py",
+    "validation/command/": ["ci/tests/test_score_gates.py", "ci/tests/test_command.py", "ci/tests/test_score.py",
+                            "ci/tests/test_exact_inputs.py"],
+    "validation/scoring/": ["ci/tests/test_solver_files.py", "ci/tests/test_score.py", "ci/tests/test_score_gates.py",
+                            "ci/tests/test_wrong_results.py",
                             "ci/tests/test_resolving_power.py"],
 }
 
@@ -50,7 +52,7 @@ class Check:
     @property
     def target(self):
         """What Ninja calls the program that runs it."""
-        if self.file.startswith("solver/python"):
+        if self.file.startswith("solver/python") or self.file == "ci/tests/test_adapt.py":
             return "seiche_python"
         return f"verify_{pathlib.PurePath(self.file).parts[1]}" if self.file.startswith("verification/") else "seiche_command"
 
@@ -124,8 +126,10 @@ def findings(check, program, folder, tree, seconds, extra={}, spent=lambda secon
     """
     folder.mkdir(parents=True, exist_ok=True)
     before = set(folder.glob("*.json"))
-    environment = {**os.environ, "SEICHE_EVIDENCE": str(folder), "OMP_NUM_THREADS": "1", "SEICHE": str(program),
-                   "SEICHE_SOURCE": str(tree), "PYTHON": sys.executable, "PYTHONPATH": str(program.parent.parent)}
+    package = str(program.parent.parent)  # of the module: the command lies beside it
+    command = program.parents[2] / "seiche" if check.target == "seiche_python" else program
+    environment = {**os.environ, "SEICHE_EVIDENCE": str(folder), "OMP_NUM_THREADS": "1", "SEICHE": str(command),
+                   "SEICHE_SOURCE": str(tree), "PYTHON": sys.executable, "PYTHONPATH": package, "SEICHE_PYTHON_PATH": package}
     status, whole, used = ended(check.command(program, folder, tree), environment | extra, folder, seconds)
     spent(used)
     said = whole[-2000:]

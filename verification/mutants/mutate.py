@@ -1,6 +1,6 @@
 """Changes the code at random, one small fault at a time, and asks whether a check notices.
 
-    mutate.py --build DIR [--record FILE] [--seed S] [--count N] [--rooms ROOM...] [--changed COMMIT]
+    mutate.py --build DIR [--record FILE] [--seed S] [--count N] [--rooms ROOM...] [--files GLOB] [--changed COMMIT]
     mutate.py --build DIR [--record FILE] --seeded [FAULT...]
 
 A room is drawn in turn, of it a file by its lines, of that a line that an operator (operators.py) can change, and one of
@@ -18,6 +18,8 @@ fault survives, or a change of --changed; 2 for wrong input.
 
 import argparse
 import csv
+import dataclasses
+import fnmatch
 import json
 import pathlib
 import random
@@ -72,7 +74,7 @@ def room_of(file):
 class Pool:
     """The code that is changed."""
 
-    def __init__(self, arguments, changed=None):
+    def __init__(self, arguments, changed=None, glob="*"):
         self.arguments = arguments
         self.kept = {}
         self.rooms = {room: {} for room in ROOMS}
@@ -80,7 +82,7 @@ class Pool:
                                text=True).stdout.split()
         for file in files:
             room = room_of(file)
-            if room and not LEFT_OUT.search(file) and (changed is None or file in changed):
+            if room and fnmatch.fnmatch(file, glob) and not LEFT_OUT.search(file) and (changed is None or file in changed):
                 text = (ROOT / file).read_text().splitlines()
                 lines = changed[file] if changed else range(1, len(text) + 1)
                 code = [n for n in lines if n <= len(text) and not re.match(r"\s*(//|#|\"\"\"|$)", text[n - 1])]
@@ -151,28 +153,31 @@ class Judge:
         """A program that takes ten times its time hangs."""
         return 30 + 10 * self.cost(check)
 
-    def sound(self, check):
-        """What the check says of the program without a change: names that are unexpected; None of a check that breaks."""
+    def sound(self, check, change):
+        """What the check says of the program without a change, which is put where the changed one is unless it is compiled:
+        names that are unexpected; None of a check that breaks, and of one in Python that fails, which names its first alone."""
         if check not in self.sound_ones:
             with tempfile.TemporaryDirectory(dir=self.scratch) as folder:
+                same = Changed(self.build, dataclasses.replace(change, end=change.begin, text=""), pathlib.Path(folder) / "same")
+                program, tree = (self.build.program(check.target), ROOT) if same.compiled else (same.program(check), same.tree)
                 try:
-                    said = findings(check, self.build.program(check.target), pathlib.Path(folder) / "evidence", ROOT,
-                                    self.limit(check))
-                    self.sound_ones[check] = {name for name, finding in said.items() if finding.unexpected}
+                    said = findings(check, program, pathlib.Path(folder) / "evidence", tree, self.limit(check))
+                    names = {name for name, finding in said.items() if finding.unexpected}
+                    self.sound_ones[check] = None if names and check.is_python else names
                 except NoAnswer:
                     self.sound_ones[check] = None
         return self.sound_ones[check]
 
-    def noticed(self, check, program, evidence, tree):
-        """The first name that is unexpected with the change alone; empty where nothing is."""
+    def noticed(self, check, changed, evidence):
+        """The names that are unexpected with the change alone; none of a check that breaks without it too."""
         try:
-            said = findings(check, program, evidence, tree, self.limit(check))
+            said = findings(check, changed.program(check), evidence, changed.tree, self.limit(check))
             names = {name for name, finding in said.items() if finding.unexpected}
         except NoAnswer as trouble:
             names = {f"{check.stem}: {str(trouble).splitlines()[0]}"}
-        if not names or self.sound(check) is None:
+        if not names or self.sound(check, changed.change) is None:
             return []
-        names -= self.sound(check)
+        names -= self.sound_ones[check]
         # A test that fails because its claims do says nothing more than they.
         return sorted(names, key=lambda name: (name.startswith("test: "), name))
 
@@ -188,15 +193,14 @@ class Judge:
                 if ran and processor_time() - begin + seconds > self.budget:
                     continue
                 try:
-                    program = changed.program(check)
+                    names = self.noticed(check, changed, place / "evidence")
                 except NotBuilt as trouble:
                     if " is not made from " in str(trouble):
                         continue
                     raise
-                ran += 1
-                names = self.noticed(check, program, place / "evidence", changed.tree)
                 if names:
                     return "killed", names[0]
+                ran += self.sound_ones.get(check, ()) is not None
             by = f"{ran} of {len(checks)} checks"
             return ("record only" if self.differs(place / "evidence") else "survived"), by
         finally:
@@ -215,7 +219,7 @@ class Judge:
         shutil.rmtree(place, ignore_errors=True)
         try:
             changed = Changed(self.build, fault.change, place)
-            names = self.noticed(fault.check, changed.program(fault.check), place / "evidence", changed.tree)
+            names = self.noticed(fault.check, changed, place / "evidence")
             return ("killed", fault.noticed_by) if fault.noticed_by in names else ("survived", ", ".join(names[:3]))
         except NotBuilt as trouble:
             return "survived", str(trouble).splitlines()[0]
@@ -311,7 +315,7 @@ def lines_of_change(base):
 
 def at_random(options, judge, record):
     """Draws and tries; the rows of this seed."""
-    pool = Pool(judge.build.parsing(), lines_of_change(options.changed) if options.changed else None)
+    pool = Pool(judge.build.parsing(), lines_of_change(options.changed) if options.changed else None, options.files)
     rooms = [room for room, files in pool.rooms.items() if files and (not options.rooms or room in options.rooms)]
     if not rooms:
         raise BadFault("no line of the rooms is changed")
@@ -377,6 +381,7 @@ def main():
     parser.add_argument("--seed", type=int)
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--rooms", nargs="*", choices=list(ROOMS), metavar="ROOM")
+    parser.add_argument("--files", default="*", metavar="GLOB", help="only these: '*.py' needs no compiler")
     parser.add_argument("--changed", metavar="COMMIT", help="only lines that differ from this commit's")
     parser.add_argument("--seeded", nargs="*", metavar="FAULT", help="the seeded faults named, or rooms of them, or all")
     parser.add_argument("--jobs", type=int, default=2, help="checks at a time, of changes that are compiled together")

@@ -191,7 +191,8 @@ class Changed:
         # Of a header, what is compiled depends on the check.
         key = check if self.change.file.endswith(".hpp") else check.target
         if key not in self.programs:
-            program = self.scratch / str(len(self.programs)) / original.parent.name / original.name
+            made = self.scratch / str(len(self.programs))
+            program = made / original.relative_to(self.build.folder)
             shared = program.parent / "share/seiche"
             shared.mkdir(parents=True)
             for entry in (self.build.folder / "share/seiche").iterdir():
@@ -203,8 +204,9 @@ class Changed:
             else:
                 shutil.copy2(original, program)
             if check.target == "seiche_python":
-                for module in (self.tree / "solver/python/seiche").glob("*.py"):
-                    shutil.copy2(module, program.parent)
+                (made / "seiche").symlink_to(self.build.program("seiche_command"))
+                for file in filter(pathlib.Path.is_file, (self.tree / "solver/python/seiche").iterdir()):
+                    shutil.copy2(file, program.parent)
             self.programs[key] = program
         return self.programs[key]
 

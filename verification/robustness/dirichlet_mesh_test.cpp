@@ -120,8 +120,10 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
     m.held.emplace_back();
   });
   refused({"coincides", "apart", "at least"}, [](Mesh& m) {
-    m.x.push_back(0.4 + 1e-14);
-    m.y.push_back(0.45);
+    for (double& x : m.x) x -= 0.5;
+    for (double& y : m.y) y -= 0.5;
+    m.x.push_back(m.x[4] + 1e-14);
+    m.y.push_back(m.y[4]);
     m.held.emplace_back();
   });
   refused({"counter-clockwise", "-1"}, [](Mesh& m) { std::reverse(m.outline.begin(), m.outline.end()); });

@@ -96,6 +96,13 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
     bent.y[bent.shape.node(4, bent.shape.rows)] -= 0.2;
     Flow flow(std::move(bent), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
+  refusals.refused({"moving window", "shoreline"}, [] {
+    Rectangle beach = still_water();
+    beach.sides.south = plan_lattice::ShoreSide{};
+    beach.bottom =
+        std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{.coefficient = -1, .y_power = 1}});
+    Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
+  });
   refusals.refused({"moving window", "absorption"}, [] {
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
               {.reach = [](double t) { return t; }});

@@ -27,6 +27,11 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
   particles({"velocity"}, [](Particles& p) { p.velocity[0] = not_a_number; });
   particles({"mass"}, [](Particles& p) { p.mass[2] = 0; });
   refusals.refused({"depth"}, [] { dam_break(0, 5, 10, {1, 0}, {0, 0}, 10); });
+  refusals.refused({"mass[2]"}, [] {
+    const auto level = [](double) { return 0.0; };
+    ParticleFlow flow(particles_from_profile(
+        {0, 1, 2, 3, 4}, [](double x) { return 2.25 - x; }, level));
+  });
   refusals.refused({"bore"}, [] { bore(9.81, 0, 5, 10, 1, 2, 10); });
   refusals.refused({"gravity"}, [] {
     Forcing forcing;

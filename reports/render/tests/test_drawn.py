@@ -74,6 +74,8 @@ class Drawn(unittest.TestCase):
                              {(X[0], base), (X[-1], base), *((x, base) for x in X), *zip(X, y)})
         (axis,) = drawn(panel(series("w", "water", "fill", y=Y + 10))).axes
         self.assertEqual(axis.get_ylim()[0], 0)
+        (axis,) = drawn(panel(series("w", style="fill"))).axes
+        self.assertEqual(axis.get_ylim()[0], axis.collections[0].get_paths()[0].vertices[:, 1].min())
 
     def test_steps_of_water_are_filled_columns_with_edges_to_the_lower_neighbour(self):
         edges = numpy.append(X, 6.0)
@@ -147,6 +149,8 @@ class Drawn(unittest.TestCase):
                              (numpy.nanmin(y[start:start + 16]), numpy.nanmax(y[start:start + 16])))
         (axis,) = drawn(panel(series("a", x=x, y=y))).axes
         self.assertEqual(len(axis.lines[0].get_xdata()), len(kept_x))
+        for values, all_of in zip(panels.thin(x[:panels.MANY], y[:panels.MANY]), (x, y)):
+            numpy.testing.assert_array_equal(values, all_of[:panels.MANY])
 
     def test_a_stamp_has_the_numbers_and_no_text(self):
         shown = [panel(series("a", y=Y + k)) for k in range(8)]
@@ -156,6 +160,13 @@ class Drawn(unittest.TestCase):
 
 
 class Axes(unittest.TestCase):
+    def test_an_equal_aspect_gives_a_panel_its_height_within_a_page(self):
+        def height(tall):
+            return layout.height(panel(series("a", y=tall * (X - X[0])), aspect="equal"), 5.0, 2)
+        self.assertAlmostEqual(height(0.5), (5 - 0.65) * 0.5 * 1.1 + 0.62)
+        self.assertEqual([height(tall) for tall in (5, 500)], [6.5, 6.5])
+        self.assertAlmostEqual(height(1e-3), 0.55 + 0.62)
+
     def test_error_bars_stay_on_shared_axes(self):
         def panel(error):
             return {"y_label": "h", "series": [{"style": "points", "x": numpy.array([0.0, 1.0]), "y": numpy.array([1.0, 2.0]),

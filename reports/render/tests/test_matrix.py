@@ -92,6 +92,7 @@ class Matrix(unittest.TestCase):
         drop = next(one for one in matrix.survey(cases, {}, [])["problems"] if one.id == "drop")
         self.assertEqual((drop.cells["lagrangian-mesh"].error, drop.cells["lagrangian-mesh"].flaws), (0.5, ["stops at 0.7 s"]))
         self.assertEqual(drop.cells["sph"].flaws, ["energy -20 %"])
+        self.assertEqual((drop.cells["sph"].uncertainty, drop.cells["sph"].seconds), (0.0011, 0.25))
         self.assertEqual([model for model, _ in drop.sorted_cells], ["sph", "lagrangian-mesh"])
 
     def test_claims_are_counted_by_evidence_and_of_the_laboratory_readings_alone(self):

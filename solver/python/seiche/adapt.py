@@ -427,8 +427,10 @@ def apart(work):
         status = 2
         for chatter in (1, 2):
             os.dup2(os.open(os.devnull, os.O_WRONLY), chatter)
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS))
+        for what, most in ((resource.RLIMIT_AS, MOST_MEMORY), (resource.RLIMIT_CPU, MOST_SECONDS)):
+            allowed = resource.getrlimit(what)[1]
+            least = most if allowed == resource.RLIM_INFINITY else min(most, allowed)
+            resource.setrlimit(what, (least, least))
         warnings.simplefilter("ignore")
         try:
             told, status = work(), 0

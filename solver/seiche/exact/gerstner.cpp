@@ -19,7 +19,6 @@ namespace seiche::exact {
 namespace {
 
 using std::numbers::pi;
-constexpr int newton_digits = 53;
 
 }  // namespace
 
@@ -79,7 +78,7 @@ double GerstnerWave::phase_at(double x, double b, double t) const {
   const double highest = m + e + epsilon * (1 + m);  // deep down e is below the rounding of m
   const double p = boost::math::tools::newton_raphson_iterate(
       [&](double q) { return std::pair(q - e * std::sin(q) - m, 1 - e * std::cos(q)); }, std::clamp(guess, m, highest),
-      m, highest, newton_digits);
+      m, highest, std::numeric_limits<double>::digits);
   return std::copysign(p, mean);
 }
 
@@ -111,7 +110,7 @@ GerstnerWave::Label GerstnerWave::label(double x, double y, double t) const {
               -std::expm1(2 * wavenumber_ * trial) / std::max(1 - e * std::cos(phase), epsilon);  // 0/0 at the cusp
           return std::pair(trial + radius(trial) * std::cos(phase) - y, slope);
         },
-        std::clamp(y, lowest, top_), lowest, top_, newton_digits);
+        std::clamp(y, lowest, top_), lowest, top_, std::numeric_limits<double>::digits);
   }
   return {x + radius(b) * std::sin(phase_at(x, b, t)), b};
 }

@@ -73,7 +73,6 @@ inline LatticeWeights linear_weights(double at, std::size_t cells) {
   const double first = std::clamp(std::floor(at), 0.0, static_cast<double>(cells) - 1);
   LatticeWeights w{.first = static_cast<std::size_t>(first), .count = 2};
   w.weight = {1 - (at - first), at - first};
-  w.slope = {-1, 1};
   return w;
 }
 

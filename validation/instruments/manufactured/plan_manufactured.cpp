@@ -199,9 +199,11 @@ exact::SelfTest PlanManufactured::self_test() const {
     const double jacobian = x_x * y_y - x_y * y_x;
     const Sample here = at(a, b, t);
     mass.add(here.depth * jacobian / p.depth - 1);
-    rates.add((rate(&Sample::x) - here.u) / speed);
-    rates.add((rate(&Sample::y) - here.v) / speed);
-    rates.add((rate(&Sample::depth) - here.depth_rate) / (p.frequency * here.depth));
+    for (const auto& [value, its_rate, scale] :
+         {std::tuple(&Sample::x, &Sample::u, speed), std::tuple(&Sample::y, &Sample::v, speed),
+          std::tuple(&Sample::depth, &Sample::depth_rate, p.frequency * here.depth)}) {
+      rates.add((rate(value) - here.*its_rate) / scale);
+    }
     const double rise = p.alpha * rate(&Sample::depth_rate);
     vertical.add((rise - (here.lambda - p.gravity * here.depth) / here.depth) /
                  (p.frequency * p.frequency * here.depth));

@@ -47,11 +47,6 @@ evidence::Axes mesh_axes(const std::string& title, const MeshWindow& window) {
 
 void draw_mesh(evidence::Panel& panel, const std::string& label, const lagrangian_mesh_2d::Mesh& mesh,
                std::span<const double> x, std::span<const double> y, const MeshWindow& window, evidence::Role role) {
-  const std::size_t nodes = (mesh.columns + 1) * (mesh.rows + 1);
-  if (x.size() != nodes || y.size() != nodes) {
-    throw std::invalid_argument(
-        fmt::format("drawing of a mesh: {} and {} coordinates of {} nodes", x.size(), y.size(), nodes));
-  }
   const Columns part = columns_in(mesh, x, window);
   std::vector<double> line_x, line_y;
   const auto through = [&](std::size_t i, std::size_t j) {

@@ -143,16 +143,17 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   penalty_factor_ = penalty * settings_.density * std::pow(cell, 3.5);
   if (penalty_factor_ != 0) penalty_.prepare(lattice);
   facts_ = {.unknowns = functions_.unknowns(), .inner_cells = functions_.inner_cells()};
-  free_.clear();
+  std::vector<std::uint8_t> free;
   for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
     if (!functions_.free(c)) continue;
-    free_.resize(particles_, 0);
+    free.resize(particles_, 0);
     const OccupiedCells::Cell& flying = cells_.cells()[c];
     for (std::size_t k = flying.begin; k < flying.begin + flying.count; ++k) {
-      free_[cells_.particle()[k]] = 1;
+      free[cells_.particle()[k]] = 1;
       if (cells_.mass()[k] > 0) ++facts_.free_particles;
     }
   }
+  free_ = std::move(free);
   assemble();
   system_.factor();
 }

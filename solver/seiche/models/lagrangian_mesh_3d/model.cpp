@@ -129,10 +129,9 @@ void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
 }
 
 void Model::measure(Input q) {
-  for (std::size_t d = 0; d < driven_place_.size(); ++d) {
-    const std::size_t k = nodes_.driven()[d].node;
-    driven_place_[d] = {q[k], q[n_ + k], q[2 * n_ + k]};
-  }
+  std::ranges::transform(nodes_.driven(), driven_place_.begin(), [&](const auto& driven) {
+    return Place{q[driven.node], q[n_ + driven.node], q[2 * n_ + driven.node]};
+  });
   std::atomic<bool> folded = false;
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);

@@ -82,7 +82,6 @@ Particles particles_from_primitives(Array edges, const Function& mass_up_to, con
     p.mass.push_back(mass);
     p.velocity.push_back((momentum_up_to(p.edge[i + 1]) - momentum_up_to(p.edge[i])) / mass);
   }
-  p.validate();
   return p;
 }
 
@@ -103,7 +102,6 @@ Particles particles_from_profile(Array edges, const Function& depth, const Funct
     p.mass.push_back(mass);
     p.velocity.push_back(momentum / mass);
   }
-  p.validate();
   return p;
 }
 
@@ -138,7 +136,6 @@ Particles uniform_stretches(const std::vector<Stretch>& stretches, std::size_t c
       p.velocity.push_back(s.state.velocity);
     }
   }
-  p.validate();
   return p;
 }
 

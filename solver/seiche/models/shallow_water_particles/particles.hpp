@@ -59,8 +59,7 @@ using Function = std::function<double(double)>;
 
 /// Uniform water between `left` and `right`.
 struct Stretch {
-  double left = 0;
-  double right = 0;
+  double left, right;
   shallow_water::State state;
 };
 
