@@ -38,7 +38,7 @@ Flow dam_break(double high, double reach, double spacing) {
 
 namespace plan = dispersive_shallow_water_2d;
 
-/// The same in plan, a channel of two rows between walls.
+/// The same in 2DH, a channel of two rows between walls.
 plan::Flow dam_break_in_plan(double high, double reach, double spacing) {
   return plan::Flow(plan::rectangular_lattice({.begin = -reach,
                                                .end = reach,
@@ -153,8 +153,8 @@ TEST_CASE("behind a breaking bore stands the conjugate depth", "[conservation]")
       [&] { return flow.lost().breaking; });
 }
 
-TEST_CASE("behind a breaking bore in plan stands the conjugate depth", "[conservation]") {
-  Check check("plan_breaking_bore", "A bore that breaks, in plan",
+TEST_CASE("behind a breaking bore in 2DH stands the conjugate depth", "[conservation]") {
+  Check check("breaking_bore_2dh", "A bore that breaks, in 2DH",
               "The same bore in a channel of two rows; what is steeper than 30 degrees begins to break. The "
               "conservative scheme keeps energy, so that all that goes is what breaking takes.");
   constexpr double spacing = 0.25;

@@ -1,4 +1,4 @@
-// Still water in plan stays still: bit by bit at the still-water level, to round-off if it is raised.
+// Still water in 2DH stays still: bit by bit at the still-water level, to round-off if it is raised.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -6,9 +6,9 @@
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 
-namespace seiche::verification::dispersive_plan_rest_test {
+namespace seiche::verification::dispersive_2dh_rest_test {
 
 using namespace dispersive_shallow_water_2d;
 using namespace mechanics;
@@ -70,8 +70,8 @@ double largest_speed(const State& state) {
   return largest.value();
 }
 
-TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
-  Check check("dispersive_plan_rest", "Still water in plan",
+TEST_CASE("a lake at rest in 2DH stays at rest bit by bit", "[rest]") {
+  Check check("dispersive_2dh_rest", "Still water in 2DH",
               "20 x 20 cells, inner nodes moved at random by up to 0.15 of a cell, over any bottom and between any "
               "straight walls. The potential energy counts from the still-water level, where its gradient vanishes: no "
               "force, no pressure, no motion. 200 steps of 0.1.");
@@ -87,8 +87,8 @@ TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
   }
 }
 
-TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
-  Check check("dispersive_plan_raised_rest", "Raised water at rest in plan",
+TEST_CASE("raised water at rest in 2DH stays at rest to round-off", "[rest]") {
+  Check check("dispersive_2dh_raised_rest", "Raised water at rest in 2DH",
               "The same lakes with the surface 0.2 above the level from which elevations count: gravity and pressure "
               "balance by the identity $d\\Pi - gz\\,dV = -\\tfrac12 g z^2\\,dA$, for straight walls and the exact "
               "volume over the bottom. For polynomial bottoms of degree four Gauss's rule on the edges is exact. For "
@@ -117,4 +117,4 @@ TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
   }
 }
 
-}  // namespace seiche::verification::dispersive_plan_rest_test
+}  // namespace seiche::verification::dispersive_2dh_rest_test
