@@ -89,7 +89,7 @@ void claim_bore(Check& check, Flow& flow, const Steps& steps, const std::functio
       "what the start sheds leaves the front slowly: a tenth of a per cent of the rise is left after 60 depths of way, "
       "and the loss goes with the cube of the rise; 1 % covers both and the O(tau^2) of the step";
   check.from(source).that(
-      "depth", "The surface rises to the conjugate depth and not above: there are no waves behind the front.",
+      "depth", "The maximum depth within 10 h of the front is the conjugate depth: no waves follow the front.",
       "highest surface within ten depths of the front over the conjugate depth", {behind.value()},
       Bound{0.005, "0.8 % of the rise, 0.66: half of the viscosity would overshoot by 2.6 % of it", conjugate});
   check.from(source).that("speed", "The speed of the front agrees with the bore within 1 %.",
