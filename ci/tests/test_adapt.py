@@ -70,7 +70,7 @@ class Adapt(Scoring):
         self.assertTrue(-0.055 < gauge[1, 2] < -0.04, gauge)
 
     def test_front_between_points_is_on_the_straight_line(self):
-        self.write("t,x,h\n0,0,1\n0,1,1\n0,2,0.2\n0,3,0\n1,0,1\n1,1,1\n1,2,1\n1,3,0\n"
+        self.write("Time [s],x,h\n0,0,1\n0,1,1\n0,2,0.2\n0,3,0\n1,0,1\n1,1,1\n1,2,1\n1,3,0\n"
                    "2,0,1\n2,1,1\n2,2,1\n2,3,1\n3,0,0\n3,1,0\n")
         _, front = self.rows("front", self.folder / "mine.csv", "--field", "h", "--level", 0.6)
         np.testing.assert_allclose(front, [[0, 1.5], [1, 2.4], [2, 3]])

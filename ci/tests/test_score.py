@@ -211,6 +211,8 @@ class Score(Scoring):
                      "h_coverage", "u_relative_l2", "front_position"]:
             self.assertIn(name, record["measurements"])
         self.assertLess(record["measurements"]["h_relative_linf"], 1e-12)
+        self.assertEqual(record["standing"], {"settings": "", "errors": {
+            name: record["measurements"][f"{name}_relative_l1"] for name in "hu"}})
         self.assertAlmostEqual(record["measurements"]["h_skill"], 1, 12)
         import jsonschema
 

@@ -212,6 +212,7 @@ class SolverFiles(Scoring):
         refused("0 1\n1 1\n", "bare.txt", "line 1", "--columns")
         refused("0 1\n1 1\n", "bare.txt", "2 columns", "names 3", columns=("--columns", "t,eta,u"))
         refused("# Probe 0 (1 0 0)\n# Time\n0 1 2\n0.1 1\n", "p", "line 4", "number of values")
+        refused("# Location  0\n# hB hL\n0 1 2\n", "height.dat", "line 3", "no position of a probe", "# Location 0 : (x y z)")
         refused("# Probe 0 (1 0 0)\n# Probe 1 (2 0 0)\n0 1 2 3\n", "p", "line 3", "3 values for 2 probes")
         refused("# gauge_id= 1 location=( 1.0 0.0 ) num_var= 4\n1 0 1 0 0\n", "gauge00001.txt", "line 2", "5 entries")
         refused("number of gauges:  1\nx_coord y_coord\n1\t 0\t 0\n\ntime\t P1\n\n0\t 1\t 2\n", "WSF.dat", "line 7",
@@ -219,6 +220,8 @@ class SolverFiles(Scoring):
         refused("t eta\n0 inf\n1 1\n", "inf.txt", "line 2", "column eta", "inf")
         self.refused(self.score("wavemaker_start", "--data", self.write("t eta\n0 1\n"), "--format", "excel"),
                      "--format excel", "geoclaw")
+        self.refused(self.score("thacker", "--table", "gauges", "--data", self.write("t left right\n0 1 1\n1 1 1\n")),
+                     "column h is missing", "--gauges NAME=")
 
 class AsPeopleWrite(Scoring):
     """A table in the shapes in which people and data loggers write it: the same verdict and the same numbers."""
@@ -256,6 +259,8 @@ class AsPeopleWrite(Scoring):
                      + self.rows(order=slice(50, None))):
             with self.subTest(text[:20]):
                 self.alike(text)
+        for name in ("elev", "zs [m]", "swlz [m]", "Watlev"):   # Thetis, XBeach, DualSPHysics, SWASH
+            self.alike(f"time [s];{name}\n" + self.rows(";"), "is taken for eta")
         self.alike("Wave flume run 12\nrecorded by a logger\n,wall x=0m\nt(s),level(cm)\n" + self.rows(eta=cm),
                    "level is taken for eta", "cm became m")
 
@@ -290,6 +295,8 @@ class AsPeopleWrite(Scoring):
             stdout, numbers = self.judged("--data", self.write("\n".join(lines)))
             self.assertIn(f"3 of {len(self.t)} rows have no value", stdout)
             self.assertAlmostEqual(numbers["eta_coverage"], 1 - 3 / len(self.t), 12)
+            largest = re.search(r"largest error: eta: largest at t = \S+ s, (\S+) m", stdout)
+            self.assertTrue(largest is None or abs(float(largest[1])) < 1e-9, "the straight line over a gap is nobody's error")
         self.judged("--data", self.write("t,eta\n" + self.rows(order=slice(0, len(self.t) // 2))), status=1)
 
     def test_dry_is_no_value_where_the_reference_is_dry(self):

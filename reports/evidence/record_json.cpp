@@ -5,6 +5,7 @@
 
 #include "reports/evidence/record_files.hpp"
 #include "reports/evidence/seal.hpp"
+#include "reports/evidence/standing.hpp"
 #include "seiche/io/atomic_file.hpp"
 
 namespace seiche::evidence {
@@ -169,6 +170,9 @@ std::string to_json(const Record& record, const std::map<std::string, std::strin
   }
   Json measurements = Json::object();
   for (const auto& [quantity, value] : record.measurements()) measurements[quantity] = number(value);
+  const Standing standing = standing_of(record);
+  Json errors = Json::object();
+  for (const auto& [quantity, error] : standing.errors) errors[quantity] = number(error);
   Json figures = Json::array();
   for (const Figure& f : record.figures()) {
     figures.push_back(
@@ -195,6 +199,7 @@ std::string to_json(const Record& record, const std::map<std::string, std::strin
                      {"claims", claims},
                      {"left_out", left_out},
                      {"measurements", measurements},
+                     {"standing", {{"settings", standing.settings}, {"errors", errors}}},
                      {"figures", figures},
                      {"tables", tables},
                      {"atlas", record.atlas},

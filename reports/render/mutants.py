@@ -52,5 +52,5 @@ def survey(rows):
         rooms.setdefault(row["room"], Room(row["room"])).rows.append(row)
     rooms = [random[name] for name in sorted(random)]
     drawn = [row for room in rooms for row in room.rows]
-    return {"rooms": rooms, "all": Room("All rooms", drawn), "seeded": [seeded[name] for name in sorted(seeded)],
+    return {"rooms": rooms, "all": Room("All parts", drawn), "seeded": [seeded[name] for name in sorted(seeded)],
             "seeds": sorted({row["seed"] for row in drawn}), "commits": sorted({row["commit"] for row in drawn})}

@@ -139,11 +139,13 @@ def _evidence(records):
     """[(title, what it is, claims that hold, claims)] of verification, theory and laboratory; experiments, not their data."""
     kinds = {"Verification": "orders, invariants, exact solutions", "Theory and sources": "exact solutions, published figures",
              "Laboratory": "experiments within their uncertainty"}
-    found = {name: [] for name in kinds}
+    found, beside = {name: [] for name in kinds}, 0
     for record in records:
         name = ("Verification" if record.kind == "verification" else
                 "Laboratory" if record.group == "laboratory" else "Theory and sources")
         found[name] += [claim for claim in record.claims if name != "Laboratory" or claim.kind == "uncertainty"]
+        beside += sum(1 for claim in record.claims if name == "Laboratory" and claim.kind != "uncertainty")
+    kinds["Laboratory"] += f"; {beside} further claims" if beside else ""
     return [(name, kinds[name], sum(1 for claim in claims if claim.verdict == "pass"), len(claims))
             for name, claims in found.items()]
 

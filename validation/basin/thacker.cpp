@@ -306,8 +306,8 @@ std::vector<WantedTable> wanted(const Values& values) {
        .groups = {middle - radius / 2, middle, middle + radius / 2},
        .points = points,
        .exact = {fmt::format("seiche exact thacker --set "
-                             "radius={:.17g},depth={:.17g},displacement={:.17g},gravity={:.17g},length={:.17g} --grid "
-                             "x={:.17g}:{:.17g}:3,t=0:{:.17g}:{}",
+                             "radius={},depth={},displacement={},gravity={},length={} --grid "
+                             "x={}:{}:3,t=0:{}:{}",
                              radius, values.real("depth"), values.real("displacement"), values.real("gravity"),
                              channel_length(values), middle - radius / 2, middle + radius / 2, times.back(),
                              times.size())}}};

@@ -16,15 +16,7 @@ namespace seiche::validation {
 namespace {
 
 std::string to_text(const Value& value) {
-  return std::visit(
-      [](const auto& v) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) {
-          return fmt::format("{:.17g}", v);
-        } else {
-          return fmt::format("{}", v);
-        }
-      },
-      value);
+  return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
 }
 
 [[noreturn]] void reject(const Parameter& parameter, std::string_view value) {

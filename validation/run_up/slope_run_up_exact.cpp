@@ -100,8 +100,8 @@ std::vector<WantedTable> wanted(const Values& values) {
        .quantities = {wanted_number(
            {"runup", "m", "largest elevation of the shore above still water"}, runup, values,
            "The run-up agrees with fully nonlinear potential flow within the tolerance, by default 3.5 %.", source)},
-       .exact = {fmt::format("seiche exact slope_runup --set amplitude={:.17g},cotangent={:.17g},depth={:.17g}",
-                             amplitude, cotangent, depth)}}};
+       .exact = {fmt::format("seiche exact slope_runup --set amplitude={},cotangent={},depth={}", amplitude, cotangent,
+                             depth)}}};
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::vector<WantedTable> wanted(const Values& values) {
        .quantities = {wanted_number(
            {"runup", "m", "largest elevation of the water at the wall"}, runup, values,
            "The run-up agrees with fully nonlinear potential flow within the tolerance, by default 3.5 %.", source)},
-       .exact = {fmt::format("seiche exact wall_runup --set amplitude={:.17g},depth={:.17g}", values.real("amplitude"),
+       .exact = {fmt::format("seiche exact wall_runup --set amplitude={},depth={}", values.real("amplitude"),
                              values.real("depth"))}}};
 }
 

@@ -10,6 +10,7 @@
 #include "validation/case/claims.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/scoring/misreading.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -26,10 +27,9 @@ struct Points {
   [[nodiscard]] Curve curve() const { return {x, y}; }
 };
 
-Points reference_of(const WantedTable& table, const WantedQuantity& quantity, double group) {
-  Points points{.x = table.points(group), .y = {}};
-  for (const double at : points.x) points.y.push_back(quantity.reference({group, at}));
-  return points;
+Points reference_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
+  const std::vector<double> x = table.points(group.value);
+  return {x, reference_at(quantity, group, x)};
 }
 
 /// Of a misfit over the reference, below which there is none.
@@ -50,7 +50,7 @@ std::optional<Finding> neighbour(const WantedTable& table, const WantedQuantity&
   std::optional<Finding> found;
   for (const double other : *table.groups) {
     if (other == group.value) continue;
-    const double left = misfit(submitted, reference_of(table, quantity, other).curve()) / before;
+    const double left = misfit(submitted, reference_of(table, quantity, {.value = other}).curve()) / before;
     if (!(left < (found ? found->left : explained_below))) continue;
     found = Finding{where_of(table, quantity, group),
                     fmt::format("is the reference of {} = {:g}{}: another gauge or instant?", table.group->name, other,
@@ -87,7 +87,7 @@ struct Said {
 
 std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
                           bool shift_fitted) {
-  const Points reference = reference_of(table, quantity, group.value);
+  const Points reference = reference_of(table, quantity, group);
   const Curve submitted{group.abscissa, group.values.at(quantity.column.name)};
   std::vector<Said> all;
   if (const auto cut = short_of(table, quantity, group, reference.curve())) all.push_back({*cut, {}});

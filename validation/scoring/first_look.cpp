@@ -8,6 +8,7 @@
 
 #include "seiche/samples.hpp"
 #include "validation/case/claims.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -85,9 +86,7 @@ WorstCurve worst_curve(const std::vector<WantedTable>& wanted, const Submitted& 
     for (const WantedQuantity& quantity : table.quantities) {
       for (const SubmittedGroup& group : found->second) {
         const std::vector<double> x = table.points(group.value);
-        std::vector<double> r;
-        r.reserve(x.size());
-        for (const double at : x) r.push_back(quantity.reference({group.value, at}));
+        const std::vector<double> r = reference_at(quantity, group, x);
         const Curve curve{group.abscissa, group.values.at(quantity.column.name)};
         const double error = agreement(curve, {x, r}).relative_l2;
         if (error > worst.error) worst = {&table, &quantity, &group, error, error_kind(curve, {x, r})};

@@ -14,6 +14,7 @@
 #include "seiche/samples.hpp"
 #include "validation/case/claims.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -63,7 +64,7 @@ std::vector<Point> points_of(const WantedTable& table, const WantedQuantity& qua
         const SubmittedGroup& submitted = rung.submitted.at(table.name)[g];
         const std::vector<double>& values = submitted.values.at(name);
         point.values.push_back(single ? values.front() : linear_at({submitted.abscissa, values}, at));
-        known = known && !std::isnan(point.values.back());
+        known = known && !std::isnan(point.values.back()) && !in_gap(submitted, at);
       }
       if (known) points.push_back(std::move(point));
     }

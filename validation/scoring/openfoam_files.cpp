@@ -113,7 +113,9 @@ io::Table read_openfoam(const io::Text& text) {
     const std::vector<double> numbers = io::values_of(text, line, io::words_of(whole, " \t()"));
     if (numbers.empty()) text.fail(line, "no numbers");
     const std::size_t values = numbers.size() - 1;
-    if (places.empty() || values == 0 || values % places.size() != 0) {
+    if (places.empty())
+      text.fail(line, "no position of a probe before it: '# Probe 0 (x y z)' or '# Location 0 : (x y z)'");
+    if (values == 0 || values % places.size() != 0) {
       text.fail(line, fmt::format("{} values for {} probes", values, places.size()));
     }
     const std::size_t each = values / places.size();

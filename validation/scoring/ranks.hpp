@@ -7,8 +7,8 @@
 
 namespace seiche::validation {
 
-/// Of every quantity the largest relative error (of a curve in L1, of an experiment that of its readings) and how many
-/// solvers of reports/record/solvers.csv have a larger one at the same parameters; empty where none is stored.
+/// The error of every quantity and how many solvers of reports/record/solvers.csv have a larger one at the same
+/// settings (evidence::Standing); empty where none is stored.
 std::string rank(const evidence::Record& record);
 
 }  // namespace seiche::validation

@@ -18,6 +18,7 @@
 #include "validation/case/submission.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -217,8 +218,8 @@ class QuantityScore {
 
   void measure_curve() {
     const std::vector<double> x = table_.points(group_.value);
-    std::vector<double> y = each(x, [&](const double at) { return quantity_.reference({group_.value, at}); });
-    leave_gaps_out(x, y);
+    const std::vector<double> y = reference_at(quantity_, group_, x);
+    measure_coverage(x);
     const Curve submitted{group_.abscissa, group_.values.at(quantity_.column.name)};
     try {
       agreement_ = agreement(submitted, {x, y});
@@ -257,22 +258,18 @@ class QuantityScore {
     }
   }
 
-  /// The share of what is judged that was submitted; the reference counts as unknown where it was not.
-  void leave_gaps_out(const std::vector<double>& x, std::vector<double>& y) {
+  /// The share of what is judged that was submitted.
+  void measure_coverage(const std::vector<double>& x) {
     constexpr double all = std::numeric_limits<double>::infinity();
     const auto [from, to] = table_.judged ? table_.judged(group_.value) : std::pair(-all, all);
     const double rounding = 1e-6 * (x.back() - x.front());  // of a file with fewer digits than the template
     double known = 0;
     double covered = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (std::isnan(y[i])) continue;
-      const bool gap = std::any_of(group_.gaps.begin(), group_.gaps.end(), [&](const auto& one) {
-        return x[i] > one.first + rounding && x[i] < one.second - rounding;
-      });
-      if (gap) y[i] = std::numeric_limits<double>::quiet_NaN();
-      if (x[i] < from || x[i] > to) continue;
+    for (const double at : x) {
+      if (std::isnan(quantity_.reference({group_.value, at})) || at < from || at > to) continue;
       ++known;
-      if (!gap && x[i] >= group_.abscissa.front() - rounding && x[i] <= group_.abscissa.back() + rounding) ++covered;
+      if (in_gap(group_, at)) continue;
+      if (at >= group_.abscissa.front() - rounding && at <= group_.abscissa.back() + rounding) ++covered;
     }
     coverage_ = covered / known;
   }

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 
 #include "seiche/io/text_table.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -142,7 +144,13 @@ class Reader {
                                                                     : renamed->second;
     const auto [kept, fresh] = converted_.emplace(name, std::vector<double>());
     if (!fresh) return kept->second;
-    kept->second = file_.column(name);
+    try {
+      kept->second = file_.column(name);
+    } catch (const std::invalid_argument& missing) {
+      if (!wanted_.group || find(*wanted_.group)) throw;
+      throw std::invalid_argument(fmt::format("{}; say which hold a {}: --gauges NAME={:g},...", missing.what(),
+                                              wanted_.group->name, wanted_.groups->front()));
+    }
     std::vector<double>& result = kept->second;
     if (in_file.empty() && renamed == understood_.renamed.end() && name != column.name) {
       note(fmt::format("column {} is taken for {}", name, column.name));
@@ -488,6 +496,20 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
         Reader(files.front(), wanted.front(), wanted.size() == 1, understood, used).groups();
   }
   return submitted;
+}
+
+bool in_gap(const SubmittedGroup& group, double x) {
+  return std::ranges::any_of(group.gaps, [&](const auto& gap) {
+    const double rounding = 1e-6 * (group.abscissa.back() - group.abscissa.front());  // of a file with few digits
+    return x > gap.first + rounding && x < gap.second - rounding;
+  });
+}
+
+std::vector<double> reference_at(const WantedQuantity& quantity, const SubmittedGroup& group,
+                                 const std::vector<double>& x) {
+  return each(x, [&](double at) {
+    return in_gap(group, at) ? std::numeric_limits<double>::quiet_NaN() : quantity.reference({group.value, at});
+  });
 }
 
 }  // namespace seiche::validation

@@ -58,6 +58,13 @@ RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::si
 Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<WantedTable>& wanted,
                          Understanding& understood);
 
+/// Whether a point lies where the group has no value between others.
+bool in_gap(const SubmittedGroup& group, double x);
+
+/// The reference of a group at points: NaN where it is unknown, and in the group's gaps.
+std::vector<double> reference_at(const WantedQuantity& quantity, const SubmittedGroup& group,
+                                 const std::vector<double>& x);
+
 /// A table to be filled in, as CSV: comments that say what is asked for, the header, and a row per point.
 std::string template_of(const WantedTable& wanted, const std::string& opening);
 

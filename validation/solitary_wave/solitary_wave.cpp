@@ -58,11 +58,10 @@ std::vector<WantedTable> wanted(const Values& values) {
   const double time = values.real("time");
   const double depth = values.real("depth");
   const double reach = 6 * depth;
-  const std::string command = fmt::format("seiche exact solitary --set amplitude={:.17g},depth={:.17g},gravity={:.17g}",
+  const std::string command = fmt::format("seiche exact solitary --set amplitude={},depth={},gravity={}",
                                           values.real("amplitude"), depth, values.real("gravity"));
   const auto surface = [=](double t) {
-    return fmt::format("{} --grid x={:.17g}:{:.17g}:121,t={:.17g}", command, wave->speed() * t - reach,
-                       wave->speed() * t + reach, t);
+    return fmt::format("{} --grid x={}:{}:121,t={}", command, wave->speed() * t - reach, wave->speed() * t + reach, t);
   };
   const std::function<double()> speed = [wave] { return wave->speed(); };
   return {

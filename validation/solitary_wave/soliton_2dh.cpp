@@ -76,14 +76,14 @@ std::vector<Travel> travels_of(const Values& values) {
   for (const double h : spacings) {
     run.spacing = h;
     run.tau = 0.4 * h;
-    all.push_back({.id = fmt::format("plan-h{:.0f}", 100 * h), .name = fmt::format("plan, h = {:g}", h), .run = run});
+    all.push_back({.id = fmt::format("2dh-h{:.0f}", 100 * h), .name = fmt::format("2DH, h = {:g}", h), .run = run});
   }
   for (std::size_t layers = 1; layers <= 3; ++layers) {
     run = mesh;
     run.time = (layers == 1 ? 2 : 1) * (mesh.time < unfolded ? mesh.time : unfolded);
     run.settled = 0.5 * run.time;  // its own wave is farther from the one it starts with
     all.push_back({.id = fmt::format("mesh-{}-layers", layers),
-                   .name = fmt::format("hexahedra, {} layers", layers),
+                   .name = fmt::format("hexahedra, {} {}", layers, layers > 1 ? "layers" : "layer"),
                    .run = run,
                    .layers = layers});
   }

@@ -78,9 +78,8 @@ Submission submission_of(const std::function<JudgedSteadyFlow(const Values&)>& f
   return {.tables = [flow_of](const Values& values) -> std::vector<WantedTable> {
             const JudgedSteadyFlow flow = flow_of(values);
             const double half = flow.length / (2 * cells);
-            return {wanted_profile(
-                0, flow.length, cells, flow.exact,
-                fmt::format("{} --grid x={:.17g}:{:.17g}:{}", flow.command, half, flow.length - half, cells))};
+            return {wanted_profile(0, flow.length, cells, flow.exact,
+                                   fmt::format("{} --grid x={}:{}:{}", flow.command, half, flow.length - half, cells))};
           },
           .judge = [flow_of](const Values& values, const Submitted& submitted, const SolverFacts& facts,
                              evidence::Record& record) { judge(flow_of(values), submitted, facts, record); }};

@@ -75,8 +75,8 @@ JudgedSteadyFlow judged_flow(const Values& values) {
           .discharge = discharge,
           .length = length,
           .tolerance = values.real("tolerance"),
-          .command = fmt::format("seiche exact macdonald --set discharge={:g},gravity={:.17g}", discharge,
-                                 values.real("gravity"))};
+          .command =
+              fmt::format("seiche exact macdonald --set discharge={:g},gravity={}", discharge, values.real("gravity"))};
 }
 
 Settled settle(const exact::MacDonald& channel, const Values& values, std::size_t count,

@@ -95,7 +95,7 @@ JudgedSteadyFlow judged_flow(const Regime& regime, const Values& values) {
       .discharge = flow.discharge(),
       .length = flow.bump().length,
       .tolerance = values.real("tolerance"),
-      .command = fmt::format("seiche exact steady_bump --set discharge={:.17g},outflow_depth={:.17g},gravity={:.17g}",
+      .command = fmt::format("seiche exact steady_bump --set discharge={},outflow_depth={},gravity={}",
                              flow.discharge(), regime.outflow_depth.value_or(0), gravity)};
   if (!std::isnan(flow.jump())) {
     const exact::SteadyBump more(gravity, 1.01 * flow.discharge(), *regime.outflow_depth);

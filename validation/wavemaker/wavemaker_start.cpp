@@ -74,11 +74,10 @@ std::vector<WantedTable> wanted(const Values& values) {
                                                              "The elevation at the gauge agrees with linear theory.",
                                                              source)}}},
            .points = [times](double) { return times; },
-           .exact = {fmt::format(
-               "seiche exact wavemaker_start --set kind={},depth={:.17g},gravity={:.17g},period={:.17g},stroke={:.17g} "
-               "--grid x={:.17g},t=0:{:.17g}:{}",
-               values.text("paddle"), values.real("depth"), values.real("gravity"), values.real("period"),
-               values.real("stroke"), gauge, times.back(), times.size())}}};
+           .exact = {fmt::format("seiche exact wavemaker_start --set kind={},depth={},gravity={},period={},stroke={} "
+                                 "--grid x={},t=0:{}:{}",
+                                 values.text("paddle"), values.real("depth"), values.real("gravity"),
+                                 values.real("period"), values.real("stroke"), gauge, times.back(), times.size())}}};
 }
 
 }  // namespace

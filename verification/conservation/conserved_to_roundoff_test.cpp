@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
@@ -138,8 +138,8 @@ Roundoff of_energies(double steps, double nodes) {
       "nodes the energy is spread; and of the energies themselves"};
 }
 
-TEST_CASE("water in plan keeps momenta without sides, energy and volumes over any bottom", "[conservation]") {
-  Check check("dispersive_plan_invariants", "Two-dimensional horizontal model: momenta, energy and volumes",
+TEST_CASE("water in 2DH keeps momenta without sides, energy and volumes over any bottom", "[conservation]") {
+  Check check("dispersive_2dh_invariants", "Two-dimensional horizontal model: momenta, energy and volumes",
               "24 x 24 cells of half a depth, off a square at random, sheared and stirred at random, without walls, "
               "100 steps of 0.03: momenta are kept for any multipliers, with the solver's tolerance 1e-6 and 1e-13. "
               "The blob stands on its bottom with nothing around it, or lies in still water: elevations count from its "

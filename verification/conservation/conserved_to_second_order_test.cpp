@@ -10,7 +10,7 @@
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 #include "verification/jittered_mesh.hpp"
@@ -164,8 +164,8 @@ TEST_CASE("what the one-step scheme does not keep errs by the square of the step
   }
 }
 
-TEST_CASE("energy and volumes of the one-step scheme in plan err by the square of the step", "[conservation][full]") {
-  Check check("dispersive_plan_energy_order", "Two-dimensional horizontal model: energy of the one-step scheme",
+TEST_CASE("energy and volumes of the one-step scheme in 2DH err by the square of the step", "[conservation][full]") {
+  Check check("dispersive_2dh_energy_order", "Two-dimensional horizontal model: energy of the one-step scheme",
               "A hump of 0.3 in a box until t = 200 over a level bottom, and a hump of 0.15 beside a bump until t = "
               "30. The energy errs by a bounded amount that shrinks with $\\tau^2$, and does not drift; so do the "
               "volumes of the cells. Over the bump this holds because velocities are carried along with the bottom's "

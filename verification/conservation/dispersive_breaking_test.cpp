@@ -38,7 +38,7 @@ Flow dam_break(double high, double reach, double spacing) {
 
 namespace plan = dispersive_shallow_water_2d;
 
-/// The same in plan, a channel of two rows between walls.
+/// The same in 2DH, a channel of two rows between walls.
 plan::Flow dam_break_in_plan(double high, double reach, double spacing) {
   return plan::Flow(plan::rectangular_lattice({.begin = -reach,
                                                .end = reach,
@@ -89,7 +89,7 @@ void claim_bore(Check& check, Flow& flow, const Steps& steps, const std::functio
       "what the start sheds leaves the front slowly: a tenth of a per cent of the rise is left after 60 depths of way, "
       "and the loss goes with the cube of the rise; 1 % covers both and the O(tau^2) of the step";
   check.from(source).that(
-      "depth", "The surface rises to the conjugate depth and not above: there are no waves behind the front.",
+      "depth", "The maximum depth within 10 h of the front is the conjugate depth: no waves follow the front.",
       "highest surface within ten depths of the front over the conjugate depth", {behind.value()},
       Bound{0.005, "0.8 % of the rise, 0.66: half of the viscosity would overshoot by 2.6 % of it", conjugate});
   check.from(source).that("speed", "The speed of the front agrees with the bore within 1 %.",
@@ -153,8 +153,8 @@ TEST_CASE("behind a breaking bore stands the conjugate depth", "[conservation]")
       [&] { return flow.lost().breaking; });
 }
 
-TEST_CASE("behind a breaking bore in plan stands the conjugate depth", "[conservation]") {
-  Check check("plan_breaking_bore", "A bore that breaks, in plan",
+TEST_CASE("behind a breaking bore in 2DH stands the conjugate depth", "[conservation]") {
+  Check check("breaking_bore_2dh", "A bore that breaks, in 2DH",
               "The same bore in a channel of two rows; what is steeper than 30 degrees begins to break. The "
               "conservative scheme keeps energy, so that all that goes is what breaking takes.");
   constexpr double spacing = 0.25;

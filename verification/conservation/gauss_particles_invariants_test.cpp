@@ -107,7 +107,7 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
 }
 
 TEST_CASE("free particles keep energy and momenta in a space that changes at every step", "[conservation]") {
-  Check check("gauss_particles_invariants", "Free particles in changing spaces: energy and momenta",
+  Check check("gauss_particles_invariants", "Gauss-principle particles in changing spaces: energy and momenta",
               "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The lattice of the "
               "stream functions is another one at every step: shifted at random in both directions, with another "
               "degree (2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to "
@@ -123,7 +123,7 @@ TEST_CASE("free particles keep energy and momenta in a space that changes at eve
 
 TEST_CASE("the conservative scheme of free particles is its own inverse", "[conservation]") {
   Check check(
-      "gauss_particles_reversal", "Free particles: backwards in time",
+      "gauss_particles_reversal", "Gauss-principle particles: backwards in time",
       "A vortical drop moves 400 steps forwards and 400 backwards. The predictor of a step backwards is that of the "
       "step forwards, so that the projection is the same one: places and velocities return to round-off.");
   Model model(disc(1, 12), std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.3}), {.gravity = 0.5, .penalty = 0});

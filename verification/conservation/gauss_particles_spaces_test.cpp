@@ -58,7 +58,7 @@ Point mixed(Point r) {
 
 TEST_CASE("a momentum of free particles is kept if and only if the space holds its field", "[conservation]") {
   Check check(
-      "gauss_particles_spaces", "Free particles: what conservation asks of the space",
+      "gauss_particles_spaces", "Gauss-principle particles: what conservation asks of the space",
       "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. Without "
       "the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, and its "
       "angular momentum changes sign at every step; likewise the momentum without a translation. Energy asks nothing "
@@ -108,7 +108,7 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
 }
 
 TEST_CASE("the projection scheme loses energy at the rate of its accelerations", "[conservation]") {
-  Check check("gauss_particles_dissipation", "Free particles: the loss of Frank's projection scheme",
+  Check check("gauss_particles_dissipation", "Gauss-principle particles: the loss of Frank's projection scheme",
               "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
               "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over "
               "that prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
@@ -139,7 +139,7 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
 }
 
 TEST_CASE("spray of free particles flies freely", "[conservation]") {
-  Check check("gauss_particles_spray", "Free particles: spray",
+  Check check("gauss_particles_spray", "Gauss-principle particles: spray",
               "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could "
               "continue the fields: these move on their parabolas, to round-off, and the drop does not know of them.",
               source);
@@ -189,7 +189,7 @@ TEST_CASE("thin water at a wall of free particles slides along it", "[conservati
 }
 
 TEST_CASE("markers among free particles are never reflected", "[conservation]") {
-  Check check("gauss_particles_markers", "Free particles: markers ride on the field",
+  Check check("gauss_particles_markers", "Gauss-principle particles: markers ride on the field",
               "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "
               "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.",
               source);

@@ -240,7 +240,7 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
   const Input parasite = cured.parasite;
   const std::size_t quarter = parasite.size() / 4;
   const std::string quantity = "mean logarithm of the alternation, difference in standard errors: ";
-  check.that("no-growth", "The alternation in the cured run grows by less than three standard errors.",
+  check.that("no-growth", "The alternation in the cured run grows by less than 3 standard errors.",
              quantity + "last quarter less first", {growth(parasite.first(quarter), parasite.last(quarter))},
              Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
   check.that("no-regrowth", "The alternation does not grow between two reprojections.",

@@ -7,7 +7,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

@@ -20,7 +20,7 @@ namespace seiche::verification {
 
 struct CellColumn {
   double gravity, depth, hx, hy;
-  std::size_t layers;  ///< of hexahedra; 0: straight columns under the markers of the plan model
+  std::size_t layers;  ///< of hexahedra; 0: straight columns under the markers of the 2DH model
   double inertia = 1;  ///< factor of the vertical inertia of surface nodes
 };
 

@@ -78,7 +78,7 @@ class Slosh {
 };
 
 TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]") {
-  Check check("gauss_particles_oscillator", "Free particles: phase and stability of one mode",
+  Check check("gauss_particles_oscillator", "Gauss-principle particles: phase and stability of one mode",
               "Water that can only slosh by the stream function (x^2 - 1) y has one frequency omega_0, which follows "
               "from sums over its particles. With steps of length tau it oscillates with $\\sin(\\omega\\tau/2) = "
               "\\omega_0\\tau/2$; beyond omega_0 tau = 2 it grows, by leapfrog's rate.",

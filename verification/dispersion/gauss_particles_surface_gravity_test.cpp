@@ -104,7 +104,7 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
 }
 
 TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]") {
-  Check check("gauss_particles_surface_gravity", "Free particles: gravity on the surface",
+  Check check("gauss_particles_surface_gravity", "Gauss-principle particles: gravity on the surface",
               "A Stokes wave of height 0.4 (wavelength 2 pi, depth pi) runs for five periods without the penalty. With "
               "gravity on every particle it is lost by then: sums over particles do work on small eddies. With the "
               "potential energy of the line of markers there is nothing that they could take. With the force of the "
@@ -121,7 +121,7 @@ TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]")
 }
 
 TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a wave", "[dispersion]") {
-  Check check("gauss_particles_surface_energy", "Free particles: exact energy with gravity on the surface",
+  Check check("gauss_particles_surface_energy", "Gauss-principle particles: exact energy with gravity on the surface",
               "The same wave with the discrete gradient of the potential energy over the markers' way, and inner cells "
               "0.9 full: after five periods without the penalty the surface, the momentum and the energy are those of "
               "the beginning. The phase lags by (omega tau)^2/12.",

@@ -40,7 +40,7 @@ void claim_limits(Check& check) {
            "With cubes the law tends to Airy's with the square of their size.",
            {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"}}},
          [](double h) { return std::abs(layers_error(3, h, cells_of(1, h), 0.5)); });
-  // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine plan lattice
+  // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine 2DH lattice
   for (const std::size_t layers : {1UL, 2UL, 3UL}) {
     for (const bool tuned : {false, true}) {
       const HexahedralDispersion law(1, 1, 1e-3, 1e-3, layers, tuned ? SurfaceInertia::tuned : SurfaceInertia::nodal);
@@ -51,7 +51,7 @@ void claim_limits(Check& check) {
                   {(64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
                   Bound{1.4e-7,
                         "extrapolation leaves the product of the three k^2, 1e-6, times the coefficient of k^8, at "
-                        "most the 1/16 of 1/(1 + k^2/2); the plan lattice h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
+                        "most the 1/16 of 1/(1 + k^2/2); the 2DH lattice h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
                         1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
     }
   }
@@ -66,7 +66,7 @@ void claim_limits(Check& check) {
 void draw(Check& check) {
   auto& figure = check.figure("models", "Frequency of the models in three dimensions against Airy's law",
                               "Relative error for waves along an axis, h1 = H/2: hexahedra in one to three layers, the "
-                              "plan model, and the Green-Naghdi law that it tends to.");
+                              "2DH model, and the Green-Naghdi law that it tends to.");
   auto& lengths = figure.panel({.x = "wavelength/H", .y = "1 - omega/omega_Airy [%]", .log_x = true, .log_y = true});
   auto& angles = figure.panel({.x = "direction [degrees]", .y = "omega/omega_Airy - 1 [%]", .title = "wavelength 7 H"});
   std::vector<double> wavelengths;
@@ -116,7 +116,7 @@ TEST_CASE("the law of the hexahedral mesh has the known limits", "[dispersion]")
       "Frank's remark that waves longer than seven depths are well represented by cells as wide as the depth and half "
       "as high holds at three per cent. The closed form against its layers one by one, the two-dimensional mesh along "
       "an axis, one layer against "
-      "the plan model, the coefficient of long waves for both surface inertias, and the order in the size.",
+      "the 2DH model, the coefficient of long waves for both surface inertias, and the order in the size.",
       source);
   check.that("seven-depths", "Waves of seven depths are represented by cells as wide as the depth and half as high.",
              "error of the frequency against Airy's law [%]", {layers_error(7, 1, 2)},

@@ -85,10 +85,10 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
       "volumes are the squared frequencies. One is the wave of the closed form, all others vanish.",
       source);
   const double third = 1.0 / 3;
-  for (const auto& [name, g, depth, hx, hy, alpha] : {std::tuple{"plan-square", 1.0, 1.0, 0.5, 0.5, third},
-                                                      {"plan-oblong", 9.81, 0.7, 0.4, 0.3, third},
-                                                      {"plan-alpha-1-2", 1.0, 1.0, 1.0, 0.25, 0.5}}) {
-    claim(check, name, fmt::format("{:g} by {:g} H in plan, alpha = {:.3g}", hx / depth, hy / depth, alpha),
+  for (const auto& [name, g, depth, hx, hy, alpha] : {std::tuple{"2dh-square", 1.0, 1.0, 0.5, 0.5, third},
+                                                      {"2dh-oblong", 9.81, 0.7, 0.4, 0.3, third},
+                                                      {"2dh-alpha-1-2", 1.0, 1.0, 1.0, 0.25, 0.5}}) {
+    claim(check, name, fmt::format("{:g} by {:g} H in 2DH, alpha = {:.3g}", hx / depth, hy / depth, alpha),
           deviation(CellColumn{g, depth, hx, hy, 0, alpha}, PlanDispersion(g, depth, hx, hy, alpha)));
   }
   Worst multipliers;

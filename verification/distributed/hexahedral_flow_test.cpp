@@ -54,7 +54,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
   }
   Check check(fmt::format("distributed_hexahedral_{}_{}", id, ranks()),
               fmt::format("Hexahedral model{} shared out among {} process(es)", where, ranks()),
-              "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
+              "As the 2DH model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
               "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, "
               "which change velocities by less than the largest velocity $U$ in a step.",
               "decomposition of the lattice");

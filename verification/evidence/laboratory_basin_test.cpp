@@ -1,4 +1,4 @@
-// Waves in laboratory basins of the plan model: what a paddle makes, what the layer before the far wall leaves, and
+// Waves in laboratory basins of the 2DH model: what a paddle makes, what the layer before the far wall leaves, and
 // what gauges read on a lattice that moves.
 #include <algorithm>
 #include <cmath>

@@ -90,7 +90,7 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   };
   const Measured bar = sampled(0, 10, 400, wave, 0.001, 0.02);
   const std::string solved = "rounding of nine unknowns over 400 points";
-  is(check, "harmonic", "The second harmonic is found beside the first.",
+  is(check, "harmonic", "The second harmonic, 0.007, is found beside the first.",
      harmonic(0, 2, period, {1, 8.5}, 0).expected(bar), 0.007, 1e-12, solved);
   const auto late = [&](double t) { return wave(t - 0.137); };
   is(check, "lag", "A record that is 0.137 s late is said to be.",
@@ -101,13 +101,13 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   is(check, "arrival", "A ramp passes 0.02 at 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4, 1e-12,
      "a straight line");
   is(check, "arrival-uncertainty",
-     "The uncertainty of an arrival combines clock, level over slope, and distance of points.",
+     "The uncertainty of an arrival combines clock, level over slope, and points 0.1 s apart.",
      arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05, 0.1 / 2), 1e-12,
      "a straight line, points 0.1 s apart");
   const Measured peak = sampled(
       0, 4, 8, [](double t) { return -std::abs(t - 2); }, 0.01, 0.03);
   is(check, "place-uncertainty",
-     "The uncertainty of the position of a sharp crest combines abscissa and distance of points.",
+     "The uncertainty of the position of a sharp crest combines abscissa and points 0.5 apart.",
      when_highest(0, {}).uncertainty(peak), std::hypot(0.03, 0.5 / 2), 1e-12, "points 0.5 apart");
   const auto slow = [](double t) { return std::sin(t - 0.2005); };
   is(check, "lag-range", "A clock is set by no more than its range.",
@@ -216,12 +216,13 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
      exact);
   Largest off;  // nothing is left beside the factor, and what rounding leaves may be negative
   for (int k = 1; k <= 100; ++k) off.add(std::abs(of(1 + 0.01 * k, 1 + 0.01 * k).difference - 0.01 * k));
-  is(check, "factors", "A common factor is found whatever its size.", off.value(), 0, 1e-7,
+  is(check, "factors", "A common factor from 1.01 to 2 is found.", off.value(), 0, 1e-7,
      "the root of the rounding that is left beside the factor");
   const Metric apart = of(1.2, 0.8);  // E^T V^-1 E = 2 0.2^2/(0.05^2/2) = 64 with one degree of freedom
   is(check, "apart", "Readings a fifth too high and a fifth too low differ by 8 standard deviations.",
      apart.difference / apart.noticed(), 8 / 2.2365, 2e-4, "five digits of the quantile of sqrt(0.95)");
-  is(check, "shared", "A common error within the amplitude's uncertainty passes, the same of opposite signs fails.",
+  is(check, "shared",
+     "A common error of 20 % within the amplitude's uncertainty passes, the same of opposite signs fails.",
      (of(1.2, 1.2).passes() ? 1 : 0) + (apart.passes() ? 2 : 0), 1, 0, "what a shared source means");
 }
 

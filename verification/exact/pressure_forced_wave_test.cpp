@@ -151,7 +151,7 @@ void claim_work(Check& check, const PressureForcedWave& wave) {
                                                                             0.0, std::numbers::pi);
   check.that(
       "work",
-      "The work of the pressure is the integral of pressure times inward normal velocity along the surface, over time.",
+      "The work of the pressure equals the quadrature of pressure times inward normal velocity over 20 profiles.",
       "difference from the work by quadrature of 20 profiles [rho g/k^3]",
       {.value = wave.action(last_frame).work - work, .resolution = "256 markers, 20 Gauss points"},
       Bound{200 * std::pow(tolerance, 1.2),
@@ -174,14 +174,14 @@ void claim_balance(Check& check, const PressureForcedWave& wave) {
   const std::string reason =
       "some 400 steps whose errors of fourth order are kept at 2e-11, over the amplitude; the solution of fifth order "
       "that is carried on errs less by a step, the fifth root of that";
-  check.that("energy", "The energy changes by the work of the pressure, up to the jet.",
+  check.that("energy", "The energy at 37 times changes by the work of the pressure, up to the jet.",
              "largest |E(t) - E(0) - W(t)| at 37 times [rho g/k^3]", {energy.value()},
              Bound{2 * limit, reason + "; twice as much of a square"});
-  check.that("impulse", "The horizontal impulse changes by the thrust of the pressure, up to the jet.",
+  check.that("impulse", "The horizontal impulse at 37 times changes by the thrust of the pressure, up to the jet.",
              "largest |I(t) - I(0) - thrust(t)| at 37 times [rho g^(1/2) k^(-5/2)]", {impulse.value()},
              Bound{2 * limit, reason + "; twice as much of a square"});
-  check.that("volume", "Volume is conserved up to the jet.", "largest change at 37 times [1/k^2]", {volume.value()},
-             Bound{limit, reason});
+  check.that("volume", "Volume is conserved at 37 times up to the jet.", "largest change at 37 times [1/k^2]",
+             {volume.value()}, Bound{limit, reason});
 }
 
 double tangent_of(const PressureForcedWave& wave) {
@@ -218,16 +218,19 @@ void claim_convergence(Check& check, const PressureForcedWave& wave) {
   check.table(table);
   const std::string use =
       "a ten-thousandth of half a cell of the finest lattice of particles that is judged by this surface";
-  check.that("self-convergence", "At the last frame, with a jet, the surface does not depend on markers and tolerance.",
+  check.that("self-convergence",
+             "The surface with a jet at the last frame is the same with 256 and with 192 markers within 4e-6.",
              "Hausdorff distance of 256 markers, tolerance 2e-11, and 192, 1e-9 [1/k]", {distances[1]},
              Bound{4e-6, use});
-  check.that("convergence", "The surface converges at least with the tolerance.",
-             "distance from the third resolution at 7.4, second over first resolution", {distances[1] / distances[0]},
-             Bound{0.2,
-                   "a tolerance ten times smaller lets errors of fifth order be ten times smaller; steps are at most "
-                   "cut in five, which shifts them by less than two"});
+  check.that(
+      "convergence",
+      "The surface converges at least as its tolerance, which is 10 times smaller from resolution to resolution.",
+      "distance from the third resolution at 7.4, second over first resolution", {distances[1] / distances[0]},
+      Bound{0.2,
+            "a tolerance ten times smaller lets errors of fifth order be ten times smaller; steps are at most "
+            "cut in five, which shifts them by less than two"});
   check.that("vertical-tangent",
-             "The time at which the front is first vertical does not depend on markers and tolerance.",
+             "The time at which the front is first vertical is the same with 256 and with 192 markers within 4e-6.",
              "time by 192 markers, tolerance 1e-9, less that by 256, 2e-11 [1/sqrt(g k)]", {tangents[1] - tangent},
              Bound{4e-6, use + ", which the crest travels in that time"});
 }

@@ -24,7 +24,7 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   const auto at = [&](double x, double t) { return wave.at(x, t); };
   refine(check, {.axis = "width of the differences", .sizes = falling(0.08, 4), .title = {}, .floor = 1e-12},
          {{"residual-order",
-           "The residual vanishes with the fourth power of the difference.",
+           "The residual of the equations falls at fourth order in the width of the differences.",
            {4, 0.3, "fourth-order central differences of a smooth solution"}}},
          [&](double span) {
            Largest largest;
@@ -62,8 +62,8 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   const auto celerity = [&](double x) { return std::sqrt(g * wave.at(x, 0).depth); };
   constexpr double d = 1e-4;
   for (double x = 3; x < 9; x += 0.001) steepest.add((celerity(x + d) - celerity(x - d)) / (2 * d));
-  check.that("breaking", "The wave breaks where the celerity falls most steeply.", "breaking time [s]",
-             {wave.breaking_time()},
+  check.that("breaking", "The breaking time is the theoretical one of the steepest fall of the celerity.",
+             "breaking time [s]", {wave.breaking_time()},
              Bound{1e-6, "grid of 1e-3 misses the extremum by (1e-3)^2/8 of its curvature", -1 / (3 * steepest.value()),
                    true});
   CHECK_NOTHROW(wave.at(6, 0.999 * wave.breaking_time()));

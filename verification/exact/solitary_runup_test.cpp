@@ -67,7 +67,7 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
                    wave.highest().elevation);
     }
   }
-  check.that("adaptive", "Adaptive quadrature of the same integral gives the same elevation.",
+  check.that("adaptive", "The elevation by adaptive quadrature of the same integral is the same within 2e-12.",
              "largest difference over the run-up", {adaptive.value()},
              Bound{2e-12, "tolerance 1e-13 on each of up to 20 panels"});
 
@@ -75,7 +75,7 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
   const SolitaryRunup wave(1, 1, 0.0185, 19.85);
   refine(check, {.axis = "time difference", .sizes = falling(0.8, 5), .title = {}, .floor = 1e-12},
          {{"kinematics",
-           "The nonlinear shoreline moves along the beach: the residual is the error of the time differences.",
+           "The nonlinear shoreline moves along the beach: the residual falls at fourth order in time.",
            {4, 0.3, "fourth-order differences of a smooth function"}}},
          [&](double span) {
            Worst largest;
@@ -128,7 +128,7 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
     const double middle = first + 0.05 / 19.85;
     worst.add(wave.shoreline(t - shift).elevation - middle);
   }
-  check.that("bracket", "Up to breaking in run-down every profile ends at the shoreline.",
+  check.that("bracket", "Every profile up to breaking in run-down ends at the shoreline within half a spacing.",
              "largest distance from the middle between the first wet point and the dry one before [d]", {worst.value()},
              Bound{0.05 / 19.85 + 5e-6, "half the spacing of the profiles, and half a unit of their last digit"});
   CHECK(std::isfinite(wave.breaking_time()));

@@ -45,7 +45,7 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
   };
   refine(check, {.axis = "time difference", .sizes = falling(0.08, 4), .title = {}, .floor = 1e-11},
          {{"residual-order",
-           "Both equations hold at every displacement: the residual is the error of the time differences alone.",
+           "The residual of both equations falls at fourth order in the time difference at every displacement.",
            {4, 0.2, "fourth-order differences; those in x are exact for the solution's polynomials in x"}}},
          largest_residual);
   check.that("area", "The area of the water is constant.", "area change [m^2]", {area.value()},
@@ -70,7 +70,7 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
   const auto at = [&](double x, double t) { return flow.at(x, t); };
   refine(check, {.axis = "width of the differences", .sizes = falling(0.04, 4), .title = {}, .floor = 1e-11},
          {{"residual-order",
-           "The residual vanishes with the fourth power of the difference.",
+           "The residual of the equations falls at fourth order in the width of the differences.",
            {4, 0.3, "fourth-order central differences of a smooth solution"}}},
          [&](double span) {
            Largest largest;

@@ -79,9 +79,7 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
       displaced.add(water(maker, far, t) - water(maker, far, 0) - (mean * maker.paddle_position(t) - passed));
     }
   }
-  check.that("displaced",
-             "The water between the paddle and a section beyond the near field is what the paddle displaced less what "
-             "has passed.",
+  check.that("displaced", "The water up to x/h = 10 is what the paddle displaced less what has passed, within 1e-8.",
              "largest defect of the volume over stroke and depth", {displaced.value()},
              Bound{1e-8,
                    "within 1e-9 d of the paddle the surface is left out; ten depths away the near field has fallen to "
@@ -99,7 +97,8 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
                      Bound{0.0005, "half a unit of the last printed digit", 0.305},
                      {.value = 0.0305188, .width = 5e-8, .reason = "misprint: 0.0305 m is meant, a tenth of it"});
   check.from(sph_source)
-      .known_failure("period-inconsistent", "The period printed for the regular wave agrees with its length and depth.",
+      .known_failure("period-inconsistent",
+                     "The period printed for the regular wave agrees with its length and depth to half its last digit.",
                      "period for L = 27.3 m, d = 4 m [s]", {regular.period()},
                      Bound{0.05, "half a unit of the last printed digit", 4.7},
                      {.value = 4.90696,
@@ -120,7 +119,7 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
       const auto maker = Wavemaker(paddle, {1, 1}, exact::Wavelength{2 * std::numbers::pi / kd});
       deviation.add(kd, std::abs(maker.height_per_stroke() / (paddle == Paddle::piston ? kd : 0.5 * kd) - 1));
     }
-    check.that("shallow-" + id, "In shallow water the wave is the water that the " + id + " displaces.",
+    check.that("shallow-" + id, "Wave height over stroke tends to shallow-water theory for the " + id + ".",
                "order in kd of H/S over its shallow limit, less 1", deviation.order(1e-13), Order{order, 0.1, reason});
     for (const double omega : {0.05, 0.5, 1.0, 2.0, 6.0, 30.0}) {
       self_test_holds(check, id + "-" + std::to_string(std::lround(100 * omega)),

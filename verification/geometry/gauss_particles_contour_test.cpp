@@ -25,7 +25,7 @@ double area(const std::vector<Point>& line) {
 }
 
 TEST_CASE("the outline of particles encloses their water", "[geometry]") {
-  Check check("gauss_particles_contour", "Free particles: their outline",
+  Check check("gauss_particles_contour", "Gauss-principle particles: their outline",
               "A disc of radius 1 with a hole of radius 0.4: two lines, the outer one against the clock and the inner "
               "one with it, whose areas tend to the exact ones with the square of the spacing, for a kernel that is "
               "symmetrical about a curved edge.",
@@ -57,7 +57,7 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
 }
 
 TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc", "[geometry]") {
-  Check check("gauss_particles_disc", "Free particles: a disc",
+  Check check("gauss_particles_disc", "Gauss-principle particles: a disc",
               "Rings of particles on a disc of radius 2 and density 3: mass and second moments are those of the disc.");
   const Particles particles = disc(2, 20, 16, 3);
   double mass = 0, along = 0, up = 0, mixed = 0;

@@ -93,10 +93,10 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
   });
   const Bound differences{1e-11,
                           "values up to 12 rounded to 2e-15, divided by h = 1e-3; the formula is exact for quartics"};
-  check.that("integral", "The integral's rate along x is the bottom.", "largest difference", {rate.value()},
-             differences);
-  check.that("integral-across", "The integral's rate along y equals its stated derivative.", "largest difference",
-             {across.value()}, differences);
+  check.that("integral", "The rate of the integral along x is the bottom within 1e-11.", "largest difference",
+             {rate.value()}, differences);
+  check.that("integral-across", "The rate of the integral along y equals its stated derivative within 1e-11.",
+             "largest difference", {across.value()}, differences);
 }
 
 TEST_CASE("over a spline bottom still water stays still and energy is conserved", "[conservation]") {
@@ -147,7 +147,7 @@ TEST_CASE("a spline bottom refuses bad grids and places", "[robustness]") {
 }
 
 TEST_CASE("the integral of a bottom grows over a way by what the way says, however short", "[geometry]") {
-  Check check("plan_bottom_increment", "Increments of the bottom's integral",
+  Check check("bottom_increment_2dh", "Increments of the bottom's integral",
               "Between two places the bottom's integral along x grows by the integral of its gradient along the way "
               "between them. Over long ways, across many cells of the grid, that is the difference of the two values; "
               "over short ones it is known far better than that difference.",

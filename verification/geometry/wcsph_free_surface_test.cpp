@@ -102,8 +102,9 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
              {level.value()},
              Bound{0.1, "particles stand for cells dx high: a tenth of that is what is read off them"});
   const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
-  check.that("walls", "Beside walls too: the weight behind them does not count.", "largest error over dx",
-             {elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })}, Bound{0.1, "as in the middle"});
+  check.that("walls", "The elevation beside walls is found within 0.1 dx: no weight behind them counts.",
+             "largest error over dx", {elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })},
+             Bound{0.1, "as in the middle"});
 
   const auto wave = [](double x) { return 0.02 * std::cos(2 * pi * x); };
   const auto errors = refine(

@@ -45,7 +45,7 @@ Particles four() {
 }
 
 TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however few", "[manufactured]") {
-  Check check("gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
+  Check check("gauss_particles_linear_fields", "Gauss-principle particles with linear fields: Dirichlet's ellipse",
               "With the five linear solenoidal fields and isotropic second moments the particles move on the exact "
               "paths but for the error in time: of second order with the conservative scheme, for 300 particles and "
               "for 4, of first order with Frank's projection scheme.",

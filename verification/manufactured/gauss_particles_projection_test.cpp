@@ -91,7 +91,7 @@ double difference(const Particles& at, const Velocities& a, const Velocities& b)
 }
 
 TEST_CASE("the projection finds a smooth field to the order of its splines", "[manufactured]") {
-  Check check("gauss_particles_projection", "Free particles: the projection of a smooth field",
+  Check check("gauss_particles_projection", "Gauss-principle particles: the projection of a smooth field",
               "Water between a flat bottom and the surface 1 + 0.1 cos x. Velocities of a known stream function are "
               "projected on splines of degree p: the error, in the norm of the masses, is O(h^p) for particles in rows "
               "and for particles and masses displaced at random by up to half their spacing and half their size.",
@@ -125,7 +125,7 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
 }
 
 TEST_CASE("a pressure gradient is projected to zero as the particles' sums become integrals", "[manufactured]") {
-  Check check("gauss_particles_gradients", "Free particles: what the projection leaves of a gradient",
+  Check check("gauss_particles_gradients", "Gauss-principle particles: what the projection leaves of a gradient",
               "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but "
               "for the error of sums over particles. What the projection leaves of it falls with the square of the "
               "particles' spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the "
@@ -156,7 +156,7 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
 
 TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactured]") {
   Check check(
-      "gauss_particles_penalty", "Free particles: the penalty on gradients of vorticity",
+      "gauss_particles_penalty", "Gauss-principle particles: the penalty on gradients of vorticity",
       "Cubic splines hold the stream functions of these flows on a block of 2 by 1, whose cells are full: the penalty "
       "is the integral of the squared gradient of their vorticity, times h^(7/2), and zero for an irrotational flow.");
   struct Flow {

@@ -74,7 +74,7 @@ Result run(double h) {
 
 TEST_CASE("an unsteady vortical flow with a free surface is met to second order", "[manufactured]") {
   Check check(
-      "gauss_particles_vortical", "Free particles: a manufactured vortical flow",
+      "gauss_particles_vortical", "Gauss-principle particles: a manufactured vortical flow",
       "Water in a circle turns with a strength and a shape that change in time, driven by the body force that makes it "
       "a solution with zero pressure on the circle. Cubic splines, steps in proportion to the cells: the error of the "
       "velocity falls with the square of both. The force's work is the change of energy, to round-off.",

@@ -92,7 +92,7 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
   }
   refine(check, {"step", {0.2, 0.1, 0.05, 0.025}},
          {{"bent-order",
-           "Over a bent slope the difference vanishes with the square of the step.",
+           "The difference over a bent slope falls at second order in the step.",
            {2, 0.3, "both schemes are symmetric, of second order"}}},
          [](double tau) { return difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau); });
 }

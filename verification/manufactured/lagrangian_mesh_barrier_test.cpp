@@ -46,7 +46,9 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
     return largest.value();
   };
   refine(check, {.axis = "width of the differences", .sizes = {0.008, 0.004, 0.002, 0.001, 0.0005}, .floor = 1e-9},
-         {{"force", "The forces agree with the energy.", {4, 0.3, "fourth-order differences of a smooth energy"}}},
+         {{"force",
+           "The forces agree with the gradient of the energy: the difference falls at fourth order.",
+           {4, 0.3, "fourth-order differences of a smooth energy"}}},
          difference);
 }
 

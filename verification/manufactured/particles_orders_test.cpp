@@ -105,8 +105,8 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
         }
         if (count == 320) {
           check.from("conservation of momentum")
-              .that("momentum", "Momentum equals the impulses of walls and source.", "momentum defect [m^3/s]",
-                    {.value = flow.momentum_defect(), .resolution = "N = 320"},
+              .that("momentum", "Momentum equals the impulses of walls and source to round-off.",
+                    "momentum defect [m^3/s]", {.value = flow.momentum_defect(), .resolution = "N = 320"},
                     Roundoff{6, flow.ledger().left_impulse.value(),
                              "the books of the walls and of the source, their sum, and what is left of three numbers "
                              "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "

@@ -1,4 +1,4 @@
-// Steps of the plan model: a solitary wave of amplitude 0.3 and a hump of 0.3 behind it in water of depth 1.
+// Steps of the 2DH model: a solitary wave of amplitude 0.3 and a hump of 0.3 behind it in water of depth 1.
 //
 //   items_per_second   cells x steps / second
 //   solves             solutions of the linear system per step

@@ -43,7 +43,7 @@ double highest_marker(const Flow& flow) {
 }
 
 TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
-  Check check("gauss_particles_rest", "Free particles at rest",
+  Check check("gauss_particles_rest", "Gauss-principle particles at rest",
               "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat "
               "bottom gravity's part in the space is zero to round-off, on a lattice that stays and on one that is "
               "shifted at random. Over an uneven bottom the sums over particles are no exact integrals: the water is "

@@ -112,7 +112,7 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
 }
 
 TEST_CASE("free particles that leave their lattice are a divergence with time and place", "[robustness]") {
-  Check check("gauss_particles_breakdown", "Free particles that leave their lattice",
+  Check check("gauss_particles_breakdown", "Gauss-principle particles that leave their lattice",
               "A drop flies through a lattice that does not follow it: the run stops before the step in which a "
               "particle comes within two cells of its end, and the state is that before the step.");
   const LatticeAt fixed = [](mechanics::Interval, const Bounds&) {

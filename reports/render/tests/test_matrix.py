@@ -121,7 +121,7 @@ class Matrix(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             known = compared("d", 9.0, 1.0, 0.1, verdict="fail", declared="fail", declared_reason="known")
             out = reported(folder, record("wave_sph", parameters={HOSTILE: number(1, HOSTILE)}, claims=[known]),
-                           record("riemann", group="dam_break", solver="boxes", measurements={"h_relative_l1": 0.025},
+                           record("riemann", group="dam_break", solver="boxes", standing={"settings": "", "errors": {"h": 0.025}},
                                   claims=[compared("a", 1.01, 1.0, 0.1)]),
                            options=["--scorable", f"bore/riemann,bore/{HOSTILE}"])
             page = (out / "index.html").read_text(encoding="utf-8")
@@ -172,7 +172,8 @@ class Costs(unittest.TestCase):
     def test_the_page_of_a_contest_shows_them(self):
         with tempfile.TemporaryDirectory() as folder:
             scored = record("wave", solver="boxes", wall_time=16.0, tables=self.ladder([0.4, 0.2, 0.1], [1.0, 4.0, 16.0]),
-                            measurements={"cell_size": 0.025, "threads": 3.0, "ladder_order_h": 1.25, "h_relative_l2": 0.1})
+                            measurements={"cell_size": 0.025, "threads": 3.0, "ladder_order_h": 1.25},
+                            standing={"settings": "", "errors": {"h": 0.1}})
             out = reported(folder, record("wave"), scored)
             for name in ("cases/wave.html", "league.html"):
                 page = (out / name).read_text(encoding="utf-8")

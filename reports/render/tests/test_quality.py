@@ -85,7 +85,7 @@ class Quality(Whole):
         self.assertEqual(self.cells(page, 'id="rates"')[1:],
                          [["Exact", "1", "1", "0", "0", "0", "100 %", "21 % to 100 %"],
                           ["Linear", "11", "7", "1", "2", "1", "70 %", "40 % to 89 %"],
-                          ["All rooms", "12", "8", "1", "2", "1", "73 %", "43 % to 90 %"]])
+                          ["All parts", "12", "8", "1", "2", "1", "73 %", "43 % to 90 %"]])
         self.assertEqual(self.cells(page, 'id="survivors"')[1:],
                          [["Linear"], ["linear.cpp:8", "sign: 8", "survived by 8"],
                           ["linear.cpp:9", "sign: 9", "survived by 9"],

@@ -109,7 +109,7 @@ class CasePage(unittest.TestCase):
             ["The case numbers", "", "✓1pass", "✓2pass", "", "✗1fail", "1 min 15 s"],
             ["The case numbers theirs", "", "✓1pass", "✓2pass", "", "", "30.0 s"]])
         self.assertEqual([[row[0], *row[4:]] for row in self.rows("Solver", "Cell", page="league")], [
-            ["seiche", "1 min 15 s", "1", "✗1fail ✓3pass"], ["theirs", "30.0 s", "", "✓3pass"]])
+            ["seiche", "1 min 15 s", "1", "✗1fail ✓3pass"], ["theirs", "30.0 s", "not stated", "✓3pass"]])
 
 
 if __name__ == "__main__":

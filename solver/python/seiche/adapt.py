@@ -247,7 +247,7 @@ def read_raw(path):
 
 def read_text(path):
     """Rows with a time in each, in the order in which the times come."""
-    table = table_of(path)
+    table = {"t" if name.lower() == "time" else name: values for name, values in table_of(path).items()}
     if "t" not in table or "x" not in table:
         raise Unusable(f"{path}: needs columns t and x: there are {', '.join(table)}")
     # Gerris' locations have the floor's y: a row of points, not a column.

@@ -14,8 +14,8 @@ std::string command_of(const JudgedStates& states) {
   const double half = states.length() / (2 * static_cast<double>(states.cells));
   return fmt::format(
       "seiche exact riemann --set "
-      "left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},right_velocity={:.17g},gravity={:.17g},jump={:.17g}"
-      " --grid x={:.17g}:{:.17g}:{},t={:.17g}",
+      "left_depth={},left_velocity={},right_depth={},right_velocity={},gravity={},jump={}"
+      " --grid x={}:{}:{},t={}",
       solution.left().depth, solution.left().velocity, solution.right().depth, solution.right().velocity,
       solution.gravity(), solution.jump(), states.start + half, states.end - half, states.cells, states.since);
 }

@@ -1,4 +1,4 @@
-// The remap of the plan model on smooth fields: its order.
+// The remap of the 2DH model on smooth fields: its order.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
-namespace seiche::verification::plan_remap_test {
+namespace seiche::verification::remap_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -56,8 +56,8 @@ Errors errors(std::size_t n) {
   return {std::sqrt(sums.elevation / nodes), std::sqrt(sums.velocity / nodes)};
 }
 
-TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
-  Check check("plan_remap_order", "Remap of the two-dimensional horizontal model: order",
+TEST_CASE("a remap of the 2DH model is of third order", "[manufactured]") {
+  Check check("remap_order_2dh", "Remap of the two-dimensional horizontal model: order",
               "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are exchanged for "
               "others: nodes move by up to 0.3 of a cell. Root mean squares of the errors at the new nodes.",
               "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266");
@@ -73,4 +73,4 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
          });
 }
 
-}  // namespace seiche::verification::plan_remap_test
+}  // namespace seiche::verification::remap_2dh_test

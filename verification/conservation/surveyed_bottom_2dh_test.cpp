@@ -1,4 +1,4 @@
-// The conservative step of the plan model over surveyed bottoms: far from where the bottom's integral begins, and
+// The conservative step of the 2DH model over surveyed bottoms: far from where the bottom's integral begins, and
 // around an island with its shoreline.
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
 
-namespace seiche::verification::plan_surveyed_bottom_test {
+namespace seiche::verification::surveyed_bottom_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -67,7 +67,7 @@ Flow basin() {
 }
 
 TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {
-  Check check("dispersive_plan_far_bottom", "Conservative steps far along a surveyed bottom",
+  Check check("dispersive_2dh_far_bottom", "Conservative steps far along a surveyed bottom",
               "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the "
               "integral of the bottom, which volumes are sums of, has counted to 300 there, while far from the hump "
               "markers move by less than a millionth. The discrete gradient divides by such ways; what it divides must "
@@ -122,4 +122,4 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
                       "places of 20 m and sides of 0.2 m next to the shore: each step rounds their differences anew"});
 }
 
-}  // namespace seiche::verification::plan_surveyed_bottom_test
+}  // namespace seiche::verification::surveyed_bottom_2dh_test

@@ -1,4 +1,4 @@
-// The plan model shared out among processes against the same model on one, and what it writes.
+// The 2DH model shared out among processes against the same model on one, and what it writes.
 #include <unistd.h>
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 
-namespace seiche::verification::plan_flow_test {
+namespace seiche::verification::flow_2dh_test {
 
 using namespace distributed_flows;
 using distributed::rank;
@@ -90,12 +90,12 @@ void compare_with_one(const std::string& id, const std::string& title, const std
   }
 }
 
-TEST_CASE("a plan flow shared out among processes is that of one process, to the tolerance of its solver") {
-  compare_with_one("plan_flow", "Plan model", {box(), shoal(), wedge()});
+TEST_CASE("a 2DH flow shared out among processes is that of one process, to the tolerance of its solver") {
+  compare_with_one("flow_2dh", "2DH model", {box(), shoal(), wedge()});
 }
 
-TEST_CASE("a plan flow whose borders move is that of one process when it is shared out") {
-  compare_with_one("moving_borders", "Plan model with a moving window, and with shorelines,",
+TEST_CASE("a 2DH flow whose borders move is that of one process when it is shared out") {
+  compare_with_one("moving_borders", "2DH model with a moving window, and with shorelines,",
                    {window(), canal(), island()});
 }
 
@@ -270,4 +270,4 @@ TEST_CASE("what all processes write is read back as it was") {
              Bound{0, "the file keeps all digits"});
 }
 
-}  // namespace seiche::verification::plan_flow_test
+}  // namespace seiche::verification::flow_2dh_test

@@ -1,4 +1,4 @@
-// What the plan model refuses: with name, value and range.
+// What the 2DH model refuses: with name, value and range.
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -8,7 +8,7 @@
 #include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace seiche::verification::dispersive_plan_input_test {
+namespace seiche::verification::dispersive_2dh_input_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -34,8 +34,8 @@ class ShortBottom final : public PlanBottom {
   }
 };
 
-TEST_CASE("bad lattices and settings of the plan model are refused with name, value and range", "[robustness]") {
-  Check check("dispersive_plan_input", "Bad input of the two-dimensional horizontal model",
+TEST_CASE("bad lattices and settings of the 2DH model are refused with name, value and range", "[robustness]") {
+  Check check("dispersive_2dh_input", "Bad input of the two-dimensional horizontal model",
               "A lattice of 4 x 3 cells with one thing wrong at a time: its rectangle, its nodes, its sides, its "
               "bottom, its settings, its steps.");
   Refusals refusals(check);
@@ -109,8 +109,8 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   });
 }
 
-TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]") {
-  Check check("dispersive_plan_stability", "Two-dimensional horizontal model: steps beyond stability",
+TEST_CASE("steps of the 2DH model beyond stability are counted", "[robustness]") {
+  Check check("dispersive_2dh_stability", "Two-dimensional horizontal model: steps beyond stability",
               "The longest stable step is at least 2/omega of the fastest mode, $\\omega < \\sqrt{g/(\\alpha H)}$, "
               "whatever the cells. Longer steps are a warning, not an error: small waves may not notice.");
   Flow flow(rectangular_lattice({.begin = 0, .end = 1, .south = 0, .north = 1, .columns = 20, .rows = 20}));
@@ -122,4 +122,4 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
               Bound{0, "one of two", 1});
 }
 
-}  // namespace seiche::verification::dispersive_plan_input_test
+}  // namespace seiche::verification::dispersive_2dh_input_test

@@ -1,4 +1,4 @@
-// Waves of the plan model that do not depend on y are those of the one-dimensional model, whatever the number of rows.
+// Waves of the 2DH model that do not depend on y are those of the one-dimensional model, whatever the number of rows.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/polynomial_bottom.hpp"
 
-namespace seiche::verification::dispersive_plan_reduction_test {
+namespace seiche::verification::dispersive_2dh_reduction_test {
 
 using mechanics::Stepping;
 namespace plan = dispersive_shallow_water_2d;
@@ -79,9 +79,9 @@ struct Channel {
   }
 };
 
-TEST_CASE("waves of the plan model along one axis are those of the one-dimensional model", "[conservation]") {
+TEST_CASE("waves of the 2DH model along one axis are those of the one-dimensional model", "[conservation]") {
   Check check(
-      "dispersive_plan_reduction", "Two-dimensional horizontal model: waves along one axis",
+      "dispersive_2dh_reduction", "Two-dimensional horizontal model: waves along one axis",
       "A channel of 30 depths with walls all around, 60 columns, 100 steps of 0.2: a jet of 0.4 in still water "
       "over a level bottom, without and with improved dispersion, and water of equal depth 1 over a slope of "
       "1:50, and over one that is bent, that runs down with a jet of 0.2 in it. One to four rows of the plan "
@@ -137,4 +137,4 @@ TEST_CASE("waves of the plan model along one axis are those of the one-dimension
   }
 }
 
-}  // namespace seiche::verification::dispersive_plan_reduction_test
+}  // namespace seiche::verification::dispersive_2dh_reduction_test

@@ -1,4 +1,4 @@
-// Parts of the plan model that are known in closed form: volumes over a bottom, motion carried to another tangent
+// Parts of the 2DH model that are known in closed form: volumes over a bottom, motion carried to another tangent
 // plane, masses on a shore, the column that a moving window appends.
 #include <algorithm>
 #include <array>
@@ -13,10 +13,10 @@
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 #include "verification/polynomial_bottom.hpp"
 
-namespace seiche::verification::plan_parts_test {
+namespace seiche::verification::parts_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -85,8 +85,8 @@ std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<dou
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-TEST_CASE("cells of the plan model hold the water between surface and bottom", "[manufactured]") {
-  Check check("plan_volumes", "Two-dimensional horizontal model: volumes over a bottom of degree four",
+TEST_CASE("cells of the 2DH model hold the water between surface and bottom", "[manufactured]") {
+  Check check("volumes_2dh", "Two-dimensional horizontal model: volumes over a bottom of degree four",
               "Volumes are integrals around the cells, by Gauss's rule of three points on each side, exact for bottoms "
               "of degree four. They are compared with integrals over the cells, by products of rules of seven points. "
               "8 x 8 cells off a rectangle at random.",
@@ -113,8 +113,7 @@ TEST_CASE("cells of the plan model hold the water between surface and bottom", "
 }
 
 TEST_CASE("a step over an uneven bottom carries velocities without a change of energy", "[manufactured]") {
-  Check check("plan_carried_velocities",
-              "Two-dimensional horizontal model: velocities carried to another tangent plane",
+  Check check("carried_velocities_2dh", "Two-dimensional horizontal model: velocities carried to another tangent plane",
               "The bottom's normal under a marker changes in a step by 0.1 to 0.4, much more than in a run. Free "
               "markers are turned by the smallest rotation that takes one normal to the other: the parts along both, "
               "and along the axis of the rotation, are kept. Markers at a slanted wall keep their energy.");
@@ -170,7 +169,7 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
 }
 
 TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
-  Check check("plan_shore_masses", "Two-dimensional horizontal model: masses on a shore",
+  Check check("shore_masses_2dh", "Two-dimensional horizontal model: masses on a shore",
               "A marker on the shoreline has the mass that linear elements give it, a sixth of each of its cells; all "
               "others have a quarter. A canal between walls, 6 x 2 cells, shores at both ends.",
               "linear elements; shoreline.hpp");
@@ -196,7 +195,7 @@ TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
 }
 
 TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
-  Check check("plan_shore_moment", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
+  Check check("shore_moment_2dh", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
               "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. "
               "A canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a "
               "whole has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the "
@@ -268,7 +267,7 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
 }
 
 TEST_CASE("a moving window appends still water of its own depth", "[manufactured]") {
-  Check check("plan_window_cells", "Two-dimensional horizontal model: the column that a window appends",
+  Check check("window_cells_2dh", "Two-dimensional horizontal model: the column that a window appends",
               "A lattice whose columns widen to the east, over a level bottom 2 deep and over an inclined one, is "
               "shifted by one column. The new cells hold still water as wide as the last column was, at rest; "
               "constraints are met, and masses are those of the cells. Over a level bottom a new cell is the copy of "
@@ -311,4 +310,4 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
   }
 }
 
-}  // namespace seiche::verification::plan_parts_test
+}  // namespace seiche::verification::parts_2dh_test

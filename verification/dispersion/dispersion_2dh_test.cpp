@@ -12,7 +12,7 @@
 #include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace seiche::verification::plan_dispersion_test {
+namespace seiche::verification::dispersion_2dh_test {
 
 using exact::PlanDispersion;
 
@@ -59,7 +59,7 @@ void claim_orders(Check& check) {
 }
 
 void draw(Check& check) {
-  auto& sizes = check.figure("wavelength", "Error of the frequency on plan lattices",
+  auto& sizes = check.figure("wavelength", "Error of the frequency on 2DH lattices",
                              "Relative error against the Green-Naghdi law for square cells: along an axis the terms of "
                              "second order cancel for long waves, at 45 degrees they do not.");
   auto& panel = sizes.panel({.x = "wavelength/H", .y = "-(omega/omega_GN - 1)", .log_x = true, .log_y = true});
@@ -73,7 +73,7 @@ void draw(Check& check) {
                  direction == 0 ? Role::computed : Role::peer);
     }
   }
-  auto& rose = check.figure("anisotropy", "Anisotropy of the plan lattice",
+  auto& rose = check.figure("anisotropy", "Anisotropy of the 2DH lattice",
                             "Size of the relative error of the frequency against the direction of the wave, h = H/2: "
                             "in polar form, distance from the centre in per cent, and against the angle.");
   auto& polar = rose.panel({.x = "error along x [%]", .y = "error along y [%]", .equal_aspect = true});
@@ -95,8 +95,8 @@ void draw(Check& check) {
   }
 }
 
-TEST_CASE("the law of the plan model has the known limits", "[dispersion]") {
-  Check check("exact_plan_dispersion", "Dispersion law of dispersive shallow water in plan",
+TEST_CASE("the law of the 2DH model has the known limits", "[dispersion]") {
+  Check check("exact_2dh_dispersion", "Dispersion law of dispersive shallow water in 2DH",
               "Formula (13) along the axes, the leading error with its anisotropy, and the order in the spacing.");
   self_test_holds(check, "square", square(0.5));
   self_test_holds(check, "oblong", PlanDispersion(9.81, 0.7, 0.4, 0.15));
@@ -109,4 +109,4 @@ TEST_CASE("the law of the plan model has the known limits", "[dispersion]") {
   CHECK_THROWS_AS(square(0.5).frequency(0.1, 2.001 * pi), std::invalid_argument);
 }
 
-}  // namespace seiche::verification::plan_dispersion_test
+}  // namespace seiche::verification::dispersion_2dh_test

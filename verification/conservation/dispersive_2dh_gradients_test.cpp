@@ -1,4 +1,4 @@
-// Volumes and potential energy of the plan model: gradients against differences, and identities of the bilinear patch.
+// Volumes and potential energy of the 2DH model: gradients against differences, and identities of the bilinear patch.
 #include <cmath>
 #include <random>
 #include <string>
@@ -7,9 +7,9 @@
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 
-namespace seiche::verification::dispersive_plan_gradients_test {
+namespace seiche::verification::dispersive_2dh_gradients_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -117,9 +117,9 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
   return sum;
 }
 
-TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[conservation]") {
+TEST_CASE("gradients of the 2DH model's volumes and energy are those of differences", "[conservation]") {
   Check check(
-      "dispersive_plan_gradients", "Two-dimensional horizontal model: gradients",
+      "dispersive_2dh_gradients", "Two-dimensional horizontal model: gradients",
       "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all volumes, over "
       "a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, against central "
       "differences with steps of 1e-4. Volumes over a level bottom and the energy are polynomials of degree one and "
@@ -180,4 +180,4 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
   claim("The first moment of a bilinear patch equals the integral by quadrature.", moment_error.value());
 }
 
-}  // namespace seiche::verification::dispersive_plan_gradients_test
+}  // namespace seiche::verification::dispersive_2dh_gradients_test

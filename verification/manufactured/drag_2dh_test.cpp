@@ -1,4 +1,4 @@
-// Drag on the columns of the plan model: it takes the energy that it should, and leaves volumes alone; layers that
+// Drag on the columns of the 2DH model: it takes the energy that it should, and leaves volumes alone; layers that
 // absorb.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
-namespace seiche::verification::plan_drag_test {
+namespace seiche::verification::drag_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -62,7 +62,7 @@ double power(const Flow& flow) {
 
 TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufactured]") {
   Check check(
-      "plan_drag", "Friction at the bottom in plan",
+      "drag_2dh", "Friction at the bottom in 2DH",
       "Water sloshes in a basin 6 by 4, depth 0.8, Manning's n = 0.3, until t = 4. What is lost of the energy is "
       "compared with the work of the law, summed over the run by the trapezoidal rule. Volumes of cells stay.",
       "Manning's law");
@@ -93,7 +93,7 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
 }
 
 TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate", "[manufactured]") {
-  Check check("plan_absorption", "Absorption in plan",
+  Check check("absorption_2dh", "Absorption in 2DH",
               "A standing wave of $10^{-6}$ depths in a basin 6 by 4 whose water slows down everywhere at the rate r = "
               "0.3: $z'' + r z' + \\Omega^2 z = 0$, $\\Omega$ of the lattice in closed form. Elevation in a corner at "
               "t = 7 against the solution.",
@@ -109,7 +109,7 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
   const auto errors =
       refine(check, {"tau", {0.2, 0.1, 0.05, 0.025}},
              {{"decay",
-               "The wave swings and decays as the damped oscillator, to O(tau).",
+               "The difference of the wave from the damped oscillator falls at first order in the step.",
                {1, 0.2, "absorption acts before the forces of a step and not with them"}}},
              [&](double tau) {
                Flow flow(rectangular_lattice({.begin = 0,
@@ -136,7 +136,7 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
 }
 
 TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do not", "[manufactured]") {
-  Check check("plan_pattern", "The pattern + - + - in plan",
+  Check check("pattern_2dh", "The pattern + - + - in 2DH",
               "Velocities of 12 x 10 equal cells before and after a short time in which the pattern + - + - is slowed "
               "down: that pattern, velocities of second degree in x and y, and random ones.",
               "seiche/models/dispersive_shallow_water_2d/drag.hpp");
@@ -221,7 +221,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
 }
 
 TEST_CASE("steep water that runs together exchanges momentum and other water does not", "[manufactured]") {
-  Check check("plan_breaking", "Breaking in plan",
+  Check check("breaking_2dh", "Breaking in 2DH",
               "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
               "sixth column, what is steeper than 2 begins to break. Velocities before and after a short time. Then "
               "the step falls to 0.6, where it is a bore of Froude number 1.55, and to 0.2, of 1.19.");
@@ -318,4 +318,4 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
              "largest change of a velocity", {others.value()}, Roundoff{1, 1, "nothing is computed"});
 }
 
-}  // namespace seiche::verification::plan_drag_test
+}  // namespace seiche::verification::drag_2dh_test

@@ -1,4 +1,4 @@
-/// Motions of the plan model on which gradients, conservation, accuracy and symmetries are tried.
+/// Motions of the 2DH model on which gradients, conservation, accuracy and symmetries are tried.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The plan model against a manufactured motion of a basin: orders in space and time together, and in time alone.
+// The 2DH model against a manufactured motion of a basin: orders in space and time together, and in time alone.
 #include <array>
 #include <functional>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
-namespace seiche::verification::dispersive_plan_test {
+namespace seiche::verification::dispersive_2dh_test {
 
 using mechanics::Stepping;
 
@@ -29,8 +29,8 @@ void check_orders(Check& check, Stepping stepping, Refinement refinement, const 
          });
 }
 
-TEST_CASE("the plan model is of second order against a manufactured motion", "[manufactured]") {
-  Check check("manufactured_dispersive_plan", "Manufactured motion of a basin: orders in space and time",
+TEST_CASE("the 2DH model is of second order against a manufactured motion", "[manufactured]") {
+  Check check("manufactured_dispersive_2dh", "Manufactured motion of a basin: orders in space and time",
               "A basin of sides $\\pi$ whose columns of water follow a prescribed motion under the body force that "
               "sustains it. $n \\times n$ cells with equally spaced labels, steps of a quarter of a cell, $t = 0$ to "
               "$2$: errors in the $L_2$ norm over the labels.",
@@ -44,8 +44,8 @@ TEST_CASE("the plan model is of second order against a manufactured motion", "[m
   }
 }
 
-TEST_CASE("the plan model is of second order in time alone", "[manufactured]") {
-  Check check("manufactured_dispersive_plan_time", "Manufactured motion of a basin: order in time",
+TEST_CASE("the 2DH model is of second order in time alone", "[manufactured]") {
+  Check check("manufactured_dispersive_2dh_time", "Manufactured motion of a basin: order in time",
               "The same motion on 16 x 16 cells with 16 to 128 steps, against 2048 steps on the same cells: errors of "
               "time alone. The one-step scheme's volumes err by $O(\\tau^2)$ too.",
               source);
@@ -62,4 +62,4 @@ TEST_CASE("the plan model is of second order in time alone", "[manufactured]") {
   }
 }
 
-}  // namespace seiche::verification::dispersive_plan_test
+}  // namespace seiche::verification::dispersive_2dh_test

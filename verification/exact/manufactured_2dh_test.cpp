@@ -10,7 +10,7 @@
 #include "verification/exact/spectral_derivative.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace plan_manufactured_test {
+namespace manufactured_2dh_test {
 
 using namespace seiche;
 using validation::PlanManufactured;
@@ -110,8 +110,8 @@ void claim_labels(Check& check, const PlanManufactured& flow) {
              Roundoff{20, length / 0.6, "places rounded ten times there and back, divided by J above 0.6"});
 }
 
-TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equations", "[exact]") {
-  Check check("exact_plan_manufactured", "Manufactured solution of the Green-Naghdi equations in plan",
+TEST_CASE("the manufactured motion in 2DH satisfies the forced Green-Naghdi equations", "[exact]") {
+  Check check("exact_2dh_manufactured", "Manufactured solution of the Green-Naghdi equations in 2DH",
               "The body force in label coordinates against the equations in Eulerian form, $D^2 H = H ((\\nabla\\cdot "
               "u)^2 + \\mathrm{tr}(\\nabla u)^2 - \\nabla\\cdot Du)$, with spectral derivatives; mass, velocities and "
               "both equations of motion by finite differences of the values returned alone.",
@@ -143,4 +143,4 @@ TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equ
   CHECK_THROWS_AS(flow.label(1, 4, 0), std::invalid_argument);
 }
 
-}  // namespace plan_manufactured_test
+}  // namespace manufactured_2dh_test

@@ -1,4 +1,4 @@
-// Sides of the plan model that waves pass: a window that follows a wave, a driven side that lets one in, a slanted wall
+// Sides of the 2DH model that waves pass: a window that follows a wave, a driven side that lets one in, a slanted wall
 // that sends one back.
 #include <cmath>
 #include <string>
@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
-namespace seiche::verification::dispersive_plan_sides_test {
+namespace seiche::verification::dispersive_2dh_sides_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -60,8 +60,8 @@ double inflow_error(double spacing) {
   return error.value();
 }
 
-TEST_CASE("a moving window of the plan model holds the same wave as a long tank", "[conservation]") {
-  Check check("dispersive_plan_window", "A moving window around a solitary wave",
+TEST_CASE("a moving window of the 2DH model holds the same wave as a long tank", "[conservation]") {
+  Check check("dispersive_2dh_window", "A moving window around a solitary wave",
               "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that "
               "holds its whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. "
               "What the cut sends out is left behind, for nothing is faster than the wave.",
@@ -102,9 +102,9 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
             Bound{1.5, "28 and up to one column of 0.5 more or less", 28});
 }
 
-TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservation]") {
+TEST_CASE("a driven side of the 2DH model lets a solitary wave in", "[conservation]") {
   Check check(
-      "dispersive_plan_inflow", "A solitary wave through a driven side",
+      "dispersive_2dh_inflow", "A solitary wave through a driven side",
       "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest was 18 depths before "
       "it. When the crest is 15 depths within, the surface within 6 depths of it is that of the exact wave, to second "
       "order; steps of a tenth of a cell.",
@@ -116,4 +116,4 @@ TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservat
          inflow_error);
 }
 
-}  // namespace seiche::verification::dispersive_plan_sides_test
+}  // namespace seiche::verification::dispersive_2dh_sides_test

@@ -1,4 +1,4 @@
-// Standing waves of the plan model against its closed dispersion law: the linearised matrices, and runs.
+// Standing waves of the 2DH model against its closed dispersion law: the linearised matrices, and runs.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@
 #include "validation/instruments/plan/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
-namespace seiche::verification::dispersive_plan_dispersion_test {
+namespace seiche::verification::dispersive_2dh_dispersion_test {
 
 using validation::PlanMode;
 using validation::PlanTank;
@@ -48,8 +48,8 @@ double stiffness(const PlanTank& tank) {
   return 1 + tank.gamma / tank.inertia * (condition(tank) - 1);
 }
 
-TEST_CASE("the plan model's linearised matrices have the eigenvalues of the closed form", "[dispersion]") {
-  Check check("dispersion_dispersive_plan_symbol", "Dispersion of the two-dimensional horizontal model: eigenvalues",
+TEST_CASE("the 2DH model's linearised matrices have the eigenvalues of the closed form", "[dispersion]") {
+  Check check("dispersion_dispersive_2dh_symbol", "Dispersion of the two-dimensional horizontal model: eigenvalues",
               "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: the acceleration "
               "that the linearised forces and constraints give a mode is $-\\omega^2$ times the mode itself, with "
               "$\\omega$ of the closed form. No run, no time step, no amplitude.");
@@ -78,12 +78,12 @@ TEST_CASE("the plan model's linearised matrices have the eigenvalues of the clos
   }
 }
 
-TEST_CASE("standing waves in plan have the frequencies of the closed form", "[dispersion]") {
-  Check check("dispersion_dispersive_plan", "Dispersion of the two-dimensional horizontal model: runs",
+TEST_CASE("standing waves in 2DH have the frequencies of the closed form", "[dispersion]") {
+  Check check("dispersion_dispersive_2dh", "Dispersion of the two-dimensional horizontal model: runs",
               "Standing waves of some 1e-9 of the depth in boxes of square and of oblong cells, from one half-wave to "
               "nearly the shortest. The one-step scheme is linear for them: $\\omega$ follows from three successive "
               "amplitudes, by least squares over the run, free of its time step.");
-  auto& figure = check.figure("frequencies", "Frequencies of three boxes of cells in plan",
+  auto& figure = check.figure("frequencies", "Frequencies of three boxes of cells in 2DH",
                               "Lines: closed form along the x axis. Points: runs, at any angle, divided by the closed "
                               "form of their wavenumber and multiplied by that along the axis.");
   auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});
@@ -123,4 +123,4 @@ TEST_CASE("standing waves in plan have the frequencies of the closed form", "[di
   }
 }
 
-}  // namespace seiche::verification::dispersive_plan_dispersion_test
+}  // namespace seiche::verification::dispersive_2dh_dispersion_test

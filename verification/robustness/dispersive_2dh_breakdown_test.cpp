@@ -1,4 +1,4 @@
-// How runs of the plan model break down: with reason, time, step and place, and the state of before.
+// How runs of the 2DH model break down: with reason, time, step and place, and the state of before.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -8,7 +8,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace seiche::verification::dispersive_plan_breakdown_test {
+namespace seiche::verification::dispersive_2dh_breakdown_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -53,7 +53,7 @@ std::string name_of(Stepping stepping) {
 }
 
 TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, step and place", "[robustness]") {
-  Check check("dispersive_plan_breakdown", "Breakdown of the two-dimensional horizontal model",
+  Check check("dispersive_2dh_breakdown", "Breakdown of the two-dimensional horizontal model",
               "An eddy shears the lattice until a cell folds; a block of water collapses until its edge touches the "
               "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
               "that is no number. Each run stops there, whatever the scheme, and says why, when and where.");
@@ -86,4 +86,4 @@ TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, st
   }
 }
 
-}  // namespace seiche::verification::dispersive_plan_breakdown_test
+}  // namespace seiche::verification::dispersive_2dh_breakdown_test

@@ -1,4 +1,4 @@
-// The moving shoreline of the plan model: rest, conservation, and the slow oscillation of water in a parabolic canal.
+// The moving shoreline of the 2DH model: rest, conservation, and the slow oscillation of water in a parabolic canal.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -12,7 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/polynomial_bottom.hpp"
 
-namespace seiche::verification::plan_shoreline_test {
+namespace seiche::verification::shoreline_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 using plan_lattice::ShoreSide;
@@ -72,7 +72,7 @@ double fastest(const Flow& flow) {
 }
 
 TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
-  Check check("plan_shoreline_rest", "Still water with moving shorelines, seen from above",
+  Check check("shoreline_rest_2dh", "Still water with moving shorelines, in 2DH",
               "Markers at depth zero stand at the still-water level, and the bottom's part of the potential energy is "
               "taken with the surface's line between them: no force. 200 steps of 0.1. On a circular shore markers are "
               "at the level only to round-off.",
@@ -90,7 +90,7 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
 }
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
-  Check check("plan_shoreline_conservation", "Conservation with moving shorelines, seen from above",
+  Check check("shoreline_conservation_2dh", "Conservation with moving shorelines, in 2DH",
               "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
               "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up "
               "a side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
@@ -121,7 +121,7 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
 }
 
 TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conservation]") {
-  Check check("plan_shoreline_swing", "Water that swings in a parabolic canal, seen from above",
+  Check check("shoreline_swing_2dh", "Water that swings in a parabolic canal, in 2DH",
               "Thacker (1981): in shallow water the surface stays a plane and the water moves as a whole, with "
               "frequency sqrt(2)/10 here. Dispersion adds what is of the order of (depth/half width)^2.",
               "Thacker, J. Fluid Mech. 107 (1981) 499");
@@ -161,4 +161,4 @@ TEST_CASE("shorelines that cannot be are refused", "[robustness]") {
   CHECK_THROWS_AS(Flow(window, {}, {}, {}, {}, {.reach = [](double) { return 0.0; }}), std::invalid_argument);
 }
 
-}  // namespace seiche::verification::plan_shoreline_test
+}  // namespace seiche::verification::shoreline_2dh_test

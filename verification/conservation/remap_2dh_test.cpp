@@ -1,4 +1,4 @@
-// What a remap of the plan model keeps, and a flow around an island whose lattice is rezoned.
+// What a remap of the 2DH model keeps, and a flow around an island whose lattice is rezoned.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@
 #include "validation/instruments/plan/island_flow.hpp"
 #include "verification/check.hpp"
 
-namespace seiche::verification::plan_remap_test {
+namespace seiche::verification::remap_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 
@@ -66,9 +66,9 @@ const Roundoff rounded{.operations = 100 * cells * cells,
                        .scale = size,
                        .reason = "about a hundred operations a cell on places of the box's size"};
 
-TEST_CASE("a remap of the plan model keeps a stream", "[conservation]") {
+TEST_CASE("a remap of the 2DH model keeps a stream", "[conservation]") {
   Check check(
-      "plan_remap", "Remap of the two-dimensional horizontal model: what it keeps",
+      "remap_2dh", "Remap of the two-dimensional horizontal model: what it keeps",
       "16 x 16 cells over a level bottom 1 m deep, one velocity; nodes move by up to a third of a cell, those of "
       "the sides along them.",
       source);
@@ -92,7 +92,7 @@ TEST_CASE("a remap of the plan model keeps a stream", "[conservation]") {
              {.value = off.value(), .resolution = "16 x 16 cells"}, rounded);
 }
 
-TEST_CASE("a remap of the plan model onto cells that have no area in a corner is infeasible", "[conservation]") {
+TEST_CASE("a remap of the 2DH model onto cells that have no area in a corner is infeasible", "[conservation]") {
   const Model model(box());
   const mechanics::State state = model.state();
   std::vector<double> x = model.lattice().x;
@@ -100,8 +100,8 @@ TEST_CASE("a remap of the plan model onto cells that have no area in a corner is
   CHECK_THROWS_WITH(remap(model, state.q, state.u, x, model.lattice().y), Catch::Contains("would fold"));
 }
 
-TEST_CASE("a remap of the plan model keeps water and momentum and lets no column fall dry", "[conservation]") {
-  Check check("plan_remap_thin", "Remap of the two-dimensional horizontal model: rough and thin water",
+TEST_CASE("a remap of the 2DH model keeps water and momentum and lets no column fall dry", "[conservation]") {
+  Check check("remap_thin_2dh", "Remap of the two-dimensional horizontal model: rough and thin water",
               "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities of 1 m/s at "
               "random; nodes move by up to a third of a cell.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
@@ -138,7 +138,7 @@ TEST_CASE("a remap of the plan model keeps water and momentum and lets no column
 }
 
 TEST_CASE("a lattice that follows the shore draws films back and keeps its widths", "[conservation]") {
-  Check check("plan_rezone_film", "Places of the nodes next to a shoreline",
+  Check check("rezone_film_2dh", "Places of the nodes next to a shoreline",
               "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the island, or "
               "its second row towards the shoreline.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
@@ -278,7 +278,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
 }
 
 TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conservation]") {
-  Check check("plan_rezone_breaking", "The highest wave around the conical island",
+  Check check("rezone_breaking_2dh", "The highest wave around the conical island",
               "Case C, columns 0.7 m apart, until the water behind the island has run up and down.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 0.7});
@@ -305,7 +305,7 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
 }
 
 TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
-  Check check("plan_rezone_fronts", "Breaking fronts on a lattice that is rezoned",
+  Check check("rezone_fronts_2dh", "Breaking fronts on a lattice that is rezoned",
               "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the middle of the "
               "island; the lattice is rezoned before every step.",
               "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
@@ -327,7 +327,7 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
 
 TEST_CASE("a rezoned flow around an island keeps its water and books the energy that rezoning takes",
           "[conservation]") {
-  Check check("plan_rezone", "A flow around an island on a rezoned lattice: what it keeps",
+  Check check("rezone_2dh", "A flow around an island on a rezoned lattice: what it keeps",
               "Case A of the conical island without friction, columns 1 m apart, conservative steps, until the crest "
               "would be at the middle of the island; and still water.",
               source);
@@ -389,4 +389,4 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
              Roundoff{100, 20, "volumes of cells from places of 20 m"});
 }
 
-}  // namespace seiche::verification::plan_remap_test
+}  // namespace seiche::verification::remap_2dh_test

@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace seiche::verification::plan_water_surface_test {
+namespace seiche::verification::water_surface_2dh_test {
 
 using dispersive_shallow_water_2d::WaterSurface;
 using plan_lattice::Shape;
@@ -53,7 +53,7 @@ Sheet turned(Shape shape, double h1, double h2, double angle) {
 }
 
 TEST_CASE("the water's surface of a wave over equal rectangles has its closed form", "[dispersion]") {
-  Check check("plan_water_surface_factor", "The water's surface in plan: factor of waves over a level bottom",
+  Check check("water_surface_factor_2dh", "The water's surface in 2DH: factor of waves over a level bottom",
               "Rectangles of 0.3 x 0.2 depths between walls along a turned square: every wave cos(k x) cos(l y) of the "
               "lattice is one of the water's surface, (1 + 3 s/4)/(1 + s/4) times as high, s = gamma Q with the Q of "
               "dispersion_energy.hpp.",
@@ -92,7 +92,7 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
 }
 
 TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion]") {
-  Check check("plan_water_surface_channel", "The water's surface in plan: as in a channel",
+  Check check("water_surface_channel_2dh", "The water's surface in 2DH: as in a channel",
               "Columns of unequal widths and depths, three rows of unequal widths, elevations at random along the "
               "channel: each row's nodes against those of a channel with the water of a unit of width.",
               derived);
@@ -134,7 +134,7 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
 }
 
 TEST_CASE("the surface holds the markers' water, whichever way the lattice lies", "[dispersion]") {
-  Check check("plan_water_surface_water", "The water's surface in plan: water and turns",
+  Check check("water_surface_water_2dh", "The water's surface in 2DH: water and turns",
               "Cells off a square at random with elevations and depths at random: the water between markers and "
               "surface, and the surface of the same lattice turned by 40 degrees.",
               derived);
@@ -176,4 +176,4 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
             Roundoff{400, 1, "some twenty iterations of twenty operations"});
 }
 
-}  // namespace seiche::verification::plan_water_surface_test
+}  // namespace seiche::verification::water_surface_2dh_test
