@@ -246,7 +246,7 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
   for (const Travel& travel : r.refinement) {
     const CrestTrack& track = travel.outcome.track;
     std::vector<double> lags = track.place;
-    for (std::size_t k = 0; k < lags.size(); ++k) lags[k] -= start + r.wave.speed() * track.time[k];
+    for (std::size_t k = 0; k < lags.size(); ++k) lags[k] = lags[k] - start - r.wave.speed() * track.time[k];
     lag.line(fmt::format("{} rows", travel.mesh.rows), track.time, lags, Role::computed);
     height.line(fmt::format("{} rows", travel.mesh.rows), track.time,
                 each(track.elevation, [&](double y) { return y / travel.amplitude; }), Role::computed);
