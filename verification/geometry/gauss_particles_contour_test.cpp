@@ -44,8 +44,9 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
              if (std::hypot(particles.x[k], particles.y[k]) < 0.4) particles.mass[k] = 0;
            }
            const auto lines = surface_contours(particles.x, particles.y, particles.mass, 1, width);
-           particles.add(-3, 5, 0);
-           marked = marked && lines == surface_contours(particles.x, particles.y, particles.mass, 1, width);
+           particles.add(-3e5, 5e5, 0);
+           const auto again = surface_contours(particles.x, particles.y, particles.mass, 1, width);
+           marked = marked && again.size() == lines.size() && area(again[0]) == area(lines[0]);
            two = two && lines.size() == 2 && area(lines[0]) > 0 && area(lines[1]) < 0;
            return std::abs(area(lines[0]) - std::numbers::pi);
          });
