@@ -115,7 +115,7 @@ struct Unrest {
     velocity.add(other.velocity);
     elevation.add(other.elevation);
     displacement.add(other.displacement);
-    steps = std::max(steps, other.steps);
+    if (other.steps > steps) steps = other.steps;
   }
 };
 
