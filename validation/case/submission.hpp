@@ -152,7 +152,6 @@ struct StatedUncertainty {
 struct SolverFacts {
   std::optional<double> cell;     ///< size of its cells or spacing of its particles [m]
   std::optional<double> seconds;  ///< processor time of the run
-  std::optional<long> threads;
   std::map<std::string, StatedUncertainty> uncertainty;  ///< by the wanted name of a column
 };
 
