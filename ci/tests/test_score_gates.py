@@ -34,6 +34,7 @@ class Ladders(Sines):
         self.assertAlmostEqual(record["measurements"]["ladder_size_for_1_percent_eta"], 0.025, 6)
         self.assertEqual(record["measurements"]["cell_size"], 0.05)
         self.assertEqual(record["wall_time"], 64)
+        self.assertNotIn("threads", record["measurements"])
         self.assertIn("ladder", [figure["id"] for figure in record["figures"]])
         report = seiche("report", self.out)
         self.assertEqual(report.returncode, 0, report.stderr)

@@ -150,9 +150,8 @@ struct StatedUncertainty {
 
 /// What the submitter says of the solver.
 struct SolverFacts {
-  std::optional<double> cell;     ///< size of its cells or spacing of its particles [m]
-  std::optional<double> seconds;  ///< processor time of the run
-  std::optional<long> threads;
+  std::optional<double> cell;                            ///< size of its cells or spacing of its particles [m]
+  std::optional<double> seconds;                         ///< processor time of the run
   std::map<std::string, StatedUncertainty> uncertainty;  ///< by the wanted name of a column
 };
 

@@ -224,7 +224,6 @@ validation::SolverFacts facts_of(const ScoreOptions& options,
   if (options.cell > 0) facts.cell = options.cell;
   if (!options.sizes.empty()) facts.cell = options.sizes[finest_of(options.sizes)];
   if (!options.seconds.empty()) facts.seconds = options.seconds.at(finest_of(options.sizes));
-  if (options.threads > 0) facts.threads = options.threads;
   return facts;
 }
 

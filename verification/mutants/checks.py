@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -133,6 +134,8 @@ def findings(check, program, folder, tree, seconds, extra={}, spent=lambda secon
     status, whole, used = ended(check.command(program, folder, tree), environment | extra, folder, seconds)
     spent(used)
     said = whole[-2000:]
+    if status == -signal.SIGTERM:
+        raise InterruptedError(f"{check} was stopped from outside")
     if status < 0:
         raise NoAnswer(f"crashes, signal {-status}:\n{said}")
     if check.is_python:

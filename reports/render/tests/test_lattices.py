@@ -2,6 +2,7 @@
 
     /usr/bin/python3 reports/render/tests/test_lattices.py
 """
+import math
 import pathlib
 import tempfile
 import unittest
@@ -152,6 +153,13 @@ class Scene(unittest.TestCase):
         for corner in range(4):
             self.assertLessEqual(view.project(*view.corner(nearest))[1], view.project(*view.corner(corner))[1])
         self.assertLess(view.project(*view.corner(left))[0], view.project(*view.corner(right))[0])
+
+    def test_the_extent_holds_every_point_that_is_known(self):
+        view = scene(framed(panel(hill())))
+        for x, y in ((400.0, 7.0), (-400.0, 7.0), (3.0, 900.0), (3.0, -900.0)):
+            left, right, bottom, top = view.extent([tuple(numpy.array([[value, math.nan]]) for value in (x, y, 0.1))])
+            across, up = view.project(x, y, 0.1)[:2]
+            self.assertTrue(left <= across <= right and bottom <= up <= top, (x, y))
 
     def test_the_exaggeration_stands_on_the_panel(self):
         from render import panels
