@@ -9,7 +9,7 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/dispersive_plan_problems.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
@@ -159,7 +159,7 @@ TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") 
 }
 
 TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
-  Check check("dispersive_plan_raised_rest", "Raised water at rest in plan",
+  Check check("dispersive_2dh_raised_rest", "Raised water at rest in 2DH",
               "The same lakes with the surface 0.2 above the level from which elevations count: gravity and pressure "
               "balance by the identity $d\\Pi - gz\\,dV = -\\tfrac12 g z^2\\,dA$, for straight walls and the exact "
               "volume over the bottom. For polynomial bottoms of degree four Gauss's rule on the edges is exact; "
