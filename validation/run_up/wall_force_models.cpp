@@ -203,8 +203,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
             .reason = "equations without a vertical structure of the acceleration are off by as much however fine; "
                       "ten times less tells that it is resolved"});
   all.check(
-      "particles-run-up",
-      "The error of the free particles' run-up is below a fifth of dispersive shallow water's error.",
+      "particles-run-up", "The error of the free particles' run-up is below 0.2 of dispersive shallow water's error.",
       "rms error of the level at the wall over the error of the dispersive model",
       [](const Results& r) {
         return error_of_level(r.felt.at("particles"), r) / error_of_level(r.felt.at("dispersive"), r);

@@ -1,5 +1,5 @@
 /*
-Do models hold a sea of several waves together? A group of waves runs through a tank and comes to a focus at its wall,
+Do models hold a sea of several waves together? A group of waves crosses a tank and comes to a focus at its wall,
 by six models, beside the fully nonlinear potential flow.
 
 **Set-up.** Depth, gravity and density are 1; the tank is six depths long. Six modes of equal amplitude, from six depths
@@ -13,7 +13,7 @@ over the height of the focus by linear theory. Each model is followed for half a
 
 **What to look at.** How far linear theory itself is off tells what is nonlinear: a model further off than that has lost
 more than it has gained. The dispersive model has the wrong speed for waves as long as two depths, as its dispersion law
-says beforehand. Free particles and mesh have every wave arrive in time.
+says beforehand. Gauss particles and mesh have every wave arrive in time.
 
 **When it is no test.** Of breaking: the group is not steep enough. Of runs of many waves: the way is some three
 periods.

@@ -62,7 +62,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
                {.value = differences.back(), .resolution = resolution},
                Bound{static_cast<double>(problem.steps) * finest.condition * tolerances.back() * speed(reference),
                      fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", finest.condition, speed(reference))});
-    check.that("vanishes-" + problem.id, "The difference vanishes with the tolerance, in proportion.",
+    check.that("vanishes-" + problem.id, "The difference falls with the first power of the tolerance.",
                "order of the largest difference in the tolerance", observed_order(tolerances, differences),
                Order{1, 0.25,
                      "the residual at which the iteration stops lies anywhere within the factor of one iteration below "

@@ -94,7 +94,7 @@ class Models(unittest.TestCase):
         written = source[source.index('{"model"'):].split("});")[0]
         self.assertEqual(tuple(re.findall(r'"([^"\[]*?)(?: \[[^"]*)?"', written)), side_by_side.COLUMNS)
         self.assertIn(f'exhibit, "{side_by_side.TABLE}"', source)
-        self.assertIn(f'.figure("{side_by_side.FIGURE}"', source)
+        self.assertIn(f'exhibit, "{side_by_side.FIGURE}"', source)
 
 
 if __name__ == "__main__":
