@@ -160,7 +160,7 @@ void claims(const Values& values, const Claims<Results>& all) {
     at_focus.from("potential flow by Cauchy's integral, spectral")
         .check(
             model.id + "-beside-linear",
-            fmt::format("The surface error is below a quarter of that of linear theory: {}.", model.name),
+            fmt::format("The surface error is below a quarter of linear theory's error: {}.", model.name),
             "rms error of the surface over that of linear theory",
             [id = model.id](const Results& r) { return r.contest.of(id).finest().error / r.linear; },
             Bound{.limit = 0.25,
