@@ -177,7 +177,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       .from("Frank (1994), formula (13); linear waves")
       .check(
           "dispersive-law",
-          "The surface error of the dispersive model agrees within a tenth with that of linear waves of its "
+          "The surface error of the dispersive model agrees within a tenth with the error of linear waves of its "
           "dispersion law.",
           "rms error of the surface over the amplitude", error_of_finest,
           Bound{.limit = 0.1 * apart,
