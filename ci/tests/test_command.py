@@ -321,7 +321,8 @@ class Command(Scratch):
 
         plain = least("list")
         for words in (["list", "--scores"], ["score", "riemann", "--template"], ["--help"]):
-            self.assertLess(least(*words), 2 * plain, words)
+            # An overturning wave, which cases describe, takes 0.3 s; reading what is recorded of them a hundredth.
+            self.assertLess(least(*words), plain + 0.1, words)
 
     def test_a_python_without_h5py_is_named(self):
         self.assertEqual(seiche("run", "riemann", "--out", self.out).returncode, 0)

@@ -13,7 +13,6 @@
 
 #include "seiche/io/text_table.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/each.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -496,20 +495,6 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
         Reader(files.front(), wanted.front(), wanted.size() == 1, understood, used).groups();
   }
   return submitted;
-}
-
-bool in_gap(const SubmittedGroup& group, double x) {
-  return std::ranges::any_of(group.gaps, [&](const auto& gap) {
-    const double rounding = 1e-6 * (group.abscissa.back() - group.abscissa.front());  // of a file with few digits
-    return x > gap.first + rounding && x < gap.second - rounding;
-  });
-}
-
-std::vector<double> reference_at(const WantedQuantity& quantity, const SubmittedGroup& group,
-                                 const std::vector<double>& x) {
-  return each(x, [&](double at) {
-    return in_gap(group, at) ? std::numeric_limits<double>::quiet_NaN() : quantity.reference({group.value, at});
-  });
 }
 
 }  // namespace seiche::validation

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/submitted.hpp"
 
 namespace seiche::validation {
@@ -89,6 +91,20 @@ RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::si
   order.replaced = rows.size() - stays.size();
   order.rows = stays;
   return order;
+}
+
+bool in_gap(const SubmittedGroup& group, double x) {
+  return std::ranges::any_of(group.gaps, [&](const auto& gap) {
+    const double rounding = 1e-6 * (group.abscissa.back() - group.abscissa.front());  // of a file with few digits
+    return x > gap.first + rounding && x < gap.second - rounding;
+  });
+}
+
+std::vector<double> reference_at(const WantedQuantity& quantity, const SubmittedGroup& group,
+                                 const std::vector<double>& x) {
+  return each(x, [&](double at) {
+    return in_gap(group, at) ? std::numeric_limits<double>::quiet_NaN() : quantity.reference({group.value, at});
+  });
 }
 
 std::string template_of(const WantedTable& wanted, const std::string& opening) {

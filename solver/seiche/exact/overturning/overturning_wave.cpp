@@ -333,9 +333,8 @@ ExactSolution focused_group_entry() {
   return surface_entry<FocusedGroup>(
       "focused_group", "A group of waves comes to a focus at the wall of a tank: fully nonlinear potential flow",
       "Baldock, Swan & Taylor, A laboratory study of nonlinear surface waves on water, Phil. Trans. R. Soc. Lond. A "
-      "354 "
-      "(1996) 649; Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A "
-      "350 (1976) 1",
+      "354 (1996) 649; Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. "
+      "Lond. A 350 (1976) 1",
       "dz/dt = conj f, dphi/dt = |f|^2/2 - g y, z_s f = phi_s + i psi_s with psi_s from Cauchy's integral; linear "
       "theory of the modes at t = 0: eta = sum a cos nkx cos w_n(t - focus), w_n^2 = g n k tanh nkh, between walls at "
       "x = 0 and half a wavelength",
