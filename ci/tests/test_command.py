@@ -321,7 +321,7 @@ class Command(Scratch):
 
         plain = least("list")
         for words in (["list", "--scores"], ["score", "riemann", "--template"], ["--help"]):
-            # An overturning wave, which cases describe, takes 0.3 s; reading what is recorded of them a hundredth.
+            # An overturning wave, which a case describes, takes 2.5 s; reading what is recorded of them a hundredth.
             self.assertLess(least(*words), plain + 0.1, words)
 
     def test_a_python_without_h5py_is_named(self):
