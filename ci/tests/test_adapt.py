@@ -202,6 +202,54 @@ class Adapt(Scoring):
         np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
         self.refuses(self.adapt("gauge", self.folder / "mesh.nc", "--field", "eta", "--at", "x=0.9"), "not known there")
 
+    @unittest.skipUnless(has("xarray") and has("netCDF4") and has("scipy"), "a package of netCDF is not installed")
+    def test_netcdf_over_a_plan(self):
+        """As ANUGA, XBeach and Delft3D FM lay it out: points, curved axes, faces beside nodes, stations; units of the file."""
+        import netCDF4
+        (x, y), t = np.meshgrid(np.linspace(0, 10, 21), np.arange(3.0)), np.array([0.0, 0.5])
+        eta = np.array([2 * x + 3 * y + one for one in t])
+        with netCDF4.Dataset(self.folder / "a.sww", "w", format="NETCDF3_64BIT") as file:
+            for name, size in (("points", x.size), ("times", t.size)):
+                file.createDimension(name, size)
+            for name, of, values in (("x", ("points",), x), ("y", ("points",), y), ("elevation", ("points",), 0 * x),
+                                     ("time", ("times",), t), ("stage", ("times", "points"), eta)):
+                file.createVariable(name, "f8", of)[:] = values.reshape([file.dimensions[one].size for one in of])
+        self.netcdf("b.nc", zs=(("globaltime", "ny", "nx"), eta), globalx=(("ny", "nx"), x), globaly=(("ny", "nx"), y),
+                    globaltime=("globaltime", t))
+        faces = {"node_x": ("nodes", x[0]), "node_y": ("nodes", y[0]), "face_x": ("faces", x.ravel()),
+                 "face_y": ("faces", y.ravel())}
+        self.netcdf("c.nc", s1=(("time", "faces"), eta.reshape(2, -1)), **faces,
+                    time=("time", t / 60, {"units": "minutes since 2001-01-01 00:00:00"}))
+        self.netcdf("d.nc", level=(("time", "stations"), 100 * eta[:, 0, [5, 6]], {"units": "cm"}), time=("time", t),
+                    station_x_coordinate=("stations", x[0, [5, 6]]), station_y_coordinate=("stations", y[0, [5, 6]]))
+        for name, field, place in (("a.sww", "stage", (2.3, 0.5)), ("b.nc", "zs", (2.3, 0.5)), ("c.nc", "s1", (2.3, 0.5)),
+                                   ("d.nc", "level", (2.5, 0))):
+            with self.subTest(name):
+                words = ("gauge", self.folder / name, "--field", field, "--at")
+                names, gauge = self.rows(*words, f"x={place[0]},y={place[1]}")
+                self.assertEqual(names, ["x [m]", "y [m]", "t [s]", "eta [m]"])
+                wanted = 2 * place[0] + 3 * place[1]
+                np.testing.assert_allclose(gauge, [[*place, 0, wanted], [*place, 0.5, wanted + 0.5]], atol=1e-12)
+                self.refuses(self.adapt(*words, "x=2.3,y=77"), "not known there")
+        self.refuses(self.adapt("gauge", self.folder / "b.nc", "--field", "zs", "--at", "x=2.3"), "x=NUMBER,y=NUMBER")
+        # Times that xarray wrote as dates.
+        self.netcdf("e.nc", eta=(("time", "x"), eta[:, 0]), x=("x", x[0]),
+                    time=("time", np.datetime64("2001-01-01", "ns") + (t * 1e9).astype("timedelta64[ns]")))
+        _, gauge = self.rows("gauge", self.folder / "e.nc", "--field", "eta", "--at", "x=2.5")
+        np.testing.assert_allclose(gauge, [[2.5, 0, 5], [2.5, 0.5, 5.5]])
+
+    def netcdf(self, name, **variables):
+        import xarray
+        xarray.Dataset(variables).to_netcdf(self.folder / name)
+
+    def test_a_dry_gauge_has_no_value(self):
+        self.write("t,x,eta\n0,0,1\n0,1,nan\n0,2,3\n1,0,1\n1,1,2\n1,2,3\n")
+        words = ("gauge", self.folder / "mine.csv", "--field", "eta", "--at")
+        _, gauge = self.rows(*words, "x=1")
+        np.testing.assert_equal(gauge, [[1, 0, np.nan], [1, 1, 2]])
+        self.refuses(self.adapt(*words, "x=1,y=2,z=3"), "x=NUMBER")
+        self.refuses(self.adapt(*words, "x=7"), "not known there")
+
     @unittest.skipUnless(has("scipy"), "python3-scipy is not installed")
     def test_matlab_gauge(self):
         import scipy.io

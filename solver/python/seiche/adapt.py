@@ -4,16 +4,16 @@
     python3 -m seiche.adapt surface run_*.vtu --field alpha.water > surface.csv
     python3 -m seiche.adapt gauge   run.nc --field eta --at x=2.5 > gauge.csv
 
-Read are: VTK, VTU, VTP and PVD (python3-vtk9; or meshio, without times), netCDF (xarray), MATLAB's .mat (scipy), the
-particles of PySPH (.hdf5), OpenFOAM's sampled sets (.xy) and surfaces (.raw), and the folders of their times,
-Gerris' OutputLocation, and CSV with columns t and x. A time is the file's own, or its folder's name; `--step 0.01`
-counts the files instead.
+Read are: VTK, VTU, VTP and PVD (python3-vtk9; or meshio, without times), netCDF (xarray: CF, UGRID, ANUGA's .sww; its
+units become m and s), MATLAB's .mat (scipy), the particles of PySPH (.hdf5), OpenFOAM's sampled sets (.xy) and surfaces
+(.raw), and the folders of their times, Gerris' OutputLocation, and CSV with columns t and x. A time is the file's own,
+or its folder's name; `--step 0.01` counts the files instead.
 
 front    the farthest x at which the field falls below --level, or of the particles with four others within twice --near
 surface  the highest crossing of --level in every column of points; a field of one value per column is taken as it is,
          and without --field the points themselves are on the surface
-gauge    the surface at one x, by straight lines
-Nothing is smoothed, shifted or scaled but by what is asked for: --column scales a front by the width of a column.
+gauge    the surface at one x by straight lines, or at one x and y by triangles between points; NaN where it is dry
+Nothing is smoothed, shifted or scaled else but by what is asked for: --column scales a front by the width of a column.
 """
 import argparse
 import collections
@@ -141,41 +141,60 @@ def read_mesh(path):
     yield Snapshot(None, centres[:, 0], centres[:, 1], {n: v for n, v in fields.items() if np.ndim(v) == 1})
 
 
-def coordinate_of(data, axis):
-    """The name of a coordinate in a CF or UGRID file: by its attributes, or by what it is usually called."""
-    standard = {"x": "projection_x_coordinate longitude", "y": "projection_y_coordinate latitude"}[axis].split()
-    for name, values in data.variables.items():
-        if values.attrs.get("axis") == axis.upper() or values.attrs.get("standard_name") in standard:
-            return name
-    names = [name for mesh in data.variables.values()
-             for name in str(mesh.attrs.get("face_coordinates", mesh.attrs.get("node_coordinates", ""))).split()]
-    names = names[0 if axis == "x" else 1:][:1] + [axis, axis.upper(), {"x": "lon", "y": "lat"}[axis]]
-    return next((name for name in names if name in data.variables), None)
+UNITS = {**dict.fromkeys(("m", "meter", "metre", "meters", "metres", "s", "sec", "second", "seconds"), 1),
+         **dict.fromkeys(("cm", "centimeter", "centimetre", "centimeters", "centimetres"), 0.01), "km": 1000, "ft": 0.3048,
+         **dict.fromkeys(("mm", "millimeter", "millimetre", "ms", "millisecond", "milliseconds"), 0.001), "feet": 0.3048,
+         **dict.fromkeys(("us", "microsecond", "microseconds"), 1e-6), **dict.fromkeys(("ns", "nanoseconds"), 1e-9),
+         **dict.fromkeys(("min", "minute", "minutes"), 60), **dict.fromkeys(("h", "hr", "hour", "hours"), 3600),
+         **dict.fromkeys(("d", "day", "days"), 86400)}
+
+
+def in_si(values):
+    """Numbers of a CF variable in metres or seconds; others, and those without a unit, as they are."""
+    unit = str(values.attrs.get("units", "")).partition(" since ")[0].strip()
+    return values.values * UNITS[unit] if UNITS.get(unit, 1) != 1 else values.values
+
+
+def is_coordinate(name, values, axis):
+    """By its attributes as CF says them, or by what it is called: x, globalx, station_x_coordinate, mesh2d_face_x."""
+    standard = {"x": ("projection_x_coordinate", "longitude"), "y": ("projection_y_coordinate", "latitude")}[axis]
+    named = re.fullmatch(rf"(global|.*_)?({axis}|{'lon' if axis == 'x' else 'lat'})(_coordinate)?", str(name), re.IGNORECASE)
+    return (values.attrs.get("axis") == axis.upper() or values.attrs.get("standard_name") in standard
+            or named is not None) and values.dtype.kind in "fiu" and values.ndim in (1, 2)
 
 
 def read_netcdf(path):
+    """Snapshots for every set of points that has fields: nodes, faces, stations, or the crossings of two axes."""
     xarray = package("xarray", "python3-xarray python3-netcdf4")
     with xarray.open_dataset(path, decode_times=False) as data:
-        x_name, y_name = coordinate_of(data, "x"), coordinate_of(data, "y")
-        t_name = next((name for name in ("t", "time", "Time") if name in data.dims), None)
-        if x_name is None:
-            raise Unusable(f"{path}: no coordinate x: there are {', '.join(map(str, data.coords))}")
         if max((values.size for values in data.variables.values()), default=0) > MOST_NUMBERS:
             raise Unusable(f"{path}: a variable of more than {MOST_NUMBERS} numbers")
-        x = data[x_name]
-        places, y = [x.dims], None
-        if y_name is not None and data[y_name].dims == x.dims:
-            y = data[y_name].values.ravel()
-        elif y_name is not None and x.ndim == data[y_name].ndim == 1:
-            places.append((*data[y_name].dims, *x.dims))
-        times = data[t_name].values if t_name and t_name in data.coords else np.array([np.nan])
-        for k, time in enumerate(times):
-            now = data.isel({t_name: k}) if t_name else data
-            fields = {str(name): values for name, values in now.data_vars.items() if values.dims in places}
-            plan = len(places) == 2 and any(values.dims == places[1] for values in fields.values())
-            at_x, at_y = (np.meshgrid(x.values, data[y_name].values) if plan else (x.values, y))
-            fields = {name: values.values.ravel() for name, values in fields.items() if values.dims == places[-1 if plan else 0]}
-            yield Snapshot(None if np.isnan(time) else float(time), at_x.ravel(), None if at_y is None else at_y.ravel(), fields)
+        t_name = next((name for name in ("t", "time", "Time", "globaltime") if name in data.variables), None)
+        t_dims = data[t_name].dims if t_name else ()
+        times = np.atleast_1d(in_si(data[t_name])) if t_name else np.array([np.nan])
+        xs, ys = ([name for name, values in data.variables.items() if is_coordinate(name, values, axis)] for axis in "xy")
+        sets = {}
+        for name in xs:
+            # A coordinate y of the same points; where there is none, one along an axis of its own.
+            along = next((y for y in ys if data[y].dims == data[name].dims and y != name), None)
+            across = next((y for y in ys if data[name].ndim == data[y].ndim == 1 and data[y].dims != data[name].dims), None)
+            sets.setdefault(data[name].dims, (name, along))
+            if along is None and across is not None:
+                sets.setdefault((*data[across].dims, *data[name].dims), (name, across))
+        for places, (x_name, y_name) in sets.items():
+            names = [name for name, values in data.variables.items() if name not in xs and name not in ys
+                     and name != t_name and values.dtype.kind in "fiu" and set(values.dims) - set(t_dims) == set(places)]
+            x, y = in_si(data[x_name]), None if y_name is None else in_si(data[y_name])
+            if len(places) == 2 and x.ndim == 1:
+                x, y = np.meshgrid(x, y)
+            for k, time in enumerate(times if names else ()):
+                fields = {}
+                for name in names:
+                    values = data[name].transpose(..., *places)
+                    fields[str(name)] = in_si(values.isel({d: k for d in t_dims if d in values.dims})).ravel()
+                yield Snapshot(None if np.isnan(time) else float(time), x.ravel(), None if y is None else y.ravel(), fields)
+        if not any(set(places) <= set(values.dims) for places in sets for values in data.data_vars.values()):
+            raise Unusable(f"{path}: no field at points with a coordinate x: there are {', '.join(map(str, data.variables))}")
 
 
 def read_matlab(path):
@@ -258,7 +277,7 @@ def read_text(path):
 
 
 VTK = (".vtu", ".vtp", ".vtk", ".vts", ".vti", ".pvd")
-READERS = {**dict.fromkeys(VTK, read_vtk), ".nc": read_netcdf,
+READERS = {**dict.fromkeys(VTK, read_vtk), **dict.fromkeys((".nc", ".nc4", ".sww"), read_netcdf),
            ".mat": read_matlab, ".hdf5": read_particles, ".npz": read_particles, ".xy": read_set, ".raw": read_raw,
            ".csv": read_text, ".txt": read_text, ".dat": read_text}
 
@@ -278,7 +297,7 @@ def files_of(paths):
             raise Unusable(f"{path}: is not there")
 
 
-def read(paths, step=None):
+def read(paths, step=None, field=None):
     snapshots = []
     for path in files_of(paths):
         if path.suffix not in READERS:
@@ -292,6 +311,8 @@ def read(paths, step=None):
             raise Unusable(f"{path}: cannot be read: {said or type(broken).__name__}") from None
     if not snapshots:
         raise Unusable(f"{', '.join(map(str, paths))}: nothing to read")
+    # Of several sets of points in a file, those that have the field.
+    snapshots = [one for one in snapshots if field in one.fields] or snapshots
     if step is not None:
         for k, one in enumerate(snapshots):
             one.time = k * step
@@ -327,7 +348,7 @@ def front(snapshot, field, level, near):
                 return float(snapshot.x[k])
         return None
     x, y, values = snapshot.where_known(field)
-    found = [last_crossing(x[row], values[row], level) for row in rows_of(y)]
+    found = [last_crossing(x[row], values[row], 0.5 if level is None else level) for row in rows_of(y)]
     return max((x for x in found if x is not None), default=None)
 
 
@@ -351,16 +372,37 @@ def surface(snapshot, field, level):
     if len(columns) == values.size:
         order = np.argsort(x)
         return x[order], values[order]
-    at = [(float(x[c][0]), last_crossing(y[c], values[c], level)) for c in columns]
+    if level is None and not (values.min() > -0.5 and values.max() < 1.5):
+        raise Unusable(f"field {field} is no share of water from 0 to 1: needs --level, or over a plan gauge --at x=NUMBER,y=NUMBER")
+    at = [(float(x[c][0]), last_crossing(y[c], values[c], 0.5 if level is None else level)) for c in columns]
     at = [(x, y) for x, y in at if y is not None]
     return np.array([x for x, _ in at]), np.array([y for _, y in at])
 
 
 def place_of(text):
-    name, _, value = text.partition("=")
-    if name != "x" or number_in(value) is None:
-        raise Unusable(f"--at {text}: must be x=NUMBER")
-    return float(value)
+    """x, and y or None, of --at."""
+    place = dict(word.partition("=")[::2] for word in text.split(","))
+    x, y = number_in(place.get("x", "")), number_in(place.get("y", "0"))
+    if x is None or y is None or len(place) > 2 or set(place) - {"x", "y"}:
+        raise Unusable(f"--at {text}: must be x=NUMBER or x=NUMBER,y=NUMBER")
+    return x, y if "y" in place else None
+
+
+def in_plan(snapshot, field, x, y):
+    """The field at a place of the plan: of the point there, or between points by triangles; NaN where there is none."""
+    if field is None:
+        raise Unusable("a gauge at x and y needs --field")
+    values = snapshot.field(field)
+    apart_from = np.hypot(snapshot.x - x, snapshot.y - y)
+    nearest = int(np.argmin(apart_from))
+    if apart_from[nearest] <= 1e-9 * (np.ptp(snapshot.x) + np.ptp(snapshot.y)):
+        return float(values[nearest])
+    near = np.argsort(apart_from)[:256]
+    interpolate = package("scipy.interpolate", "python3-scipy").LinearNDInterpolator
+    try:
+        return float(interpolate(np.column_stack([snapshot.x, snapshot.y])[near], values[near])(x, y))
+    except Exception:  # points on one line have no triangles
+        return np.nan
 
 
 def rows_for(options, snapshots):
@@ -377,14 +419,19 @@ def rows_for(options, snapshots):
                                                 for x, y in zip(*surface(one, options.field, options.level))]
     if options.at is None:
         raise Unusable("gauge needs --at x=NUMBER")
-    x = place_of(options.at)
+    x, y = place_of(options.at)
     rows = []
     for one in snapshots:
-        at, eta = surface(one, options.field, options.level)
-        if at.size == 0 or not at[0] <= x <= at[-1]:
-            raise Unusable(f"--at x={x:g}: the surface at t = {one.time:g} is not known there")
-        rows.append((x, one.time, float(np.interp(x, at, eta))))
-    return ["x [m]", "t [s]", "eta [m]"], rows
+        if y is None:
+            at, values = surface(one, options.field, options.level)
+            eta = float(np.interp(x, at, values, np.nan, np.nan)) if at.size else np.nan
+        else:
+            eta = in_plan(one, options.field, x, y)
+        rows.append((x, one.time, eta) if y is None else (x, y, one.time, eta))
+    if all(np.isnan(row[-1]) for row in rows):
+        plan = y is None and any(np.ptp(one.y) > 0 for one in snapshots)
+        raise Unusable(f"--at {options.at}: the surface is not known there" + ": over a plan it is at x=NUMBER,y=NUMBER" * plan)
+    return ["x [m]", *(["y [m]"] if y is not None else []), "t [s]", "eta [m]"], rows
 
 
 def main(words=None):
@@ -393,9 +440,9 @@ def main(words=None):
     parser.add_argument("what", choices=["front", "surface", "gauge"])
     parser.add_argument("paths", nargs="+", metavar="PATH", help="files, or folders of them")
     parser.add_argument("--field", help="share of water, or an elevation")
-    parser.add_argument("--level", type=float, default=0.5, help="of the field at the surface (default: 0.5)")
+    parser.add_argument("--level", type=float, help="of the field at the surface (default: 0.5)")
     parser.add_argument("--near", type=float, help="spacing of particles [m]")
-    parser.add_argument("--at", help="x=NUMBER, of a gauge [m]")
+    parser.add_argument("--at", help="x=NUMBER, or x=NUMBER,y=NUMBER over a plan, of a gauge [m]")
     parser.add_argument("--step", type=float, help="time between the files [s], where they do not say theirs")
     parser.add_argument("--column", type=float, metavar="WIDTH", help="of a collapsing column: front over it [m]")
     parser.add_argument("--gravity", type=float, default=9.81, help="[m/s^2] (default: 9.81)")
@@ -409,9 +456,9 @@ def main(words=None):
 
 
 def table_for(options):
-    header, rows = rows_for(options, read(options.paths, options.step))
+    header, rows = rows_for(options, read(options.paths, options.step, options.field))
     if not rows:
-        raise Unusable(f"{options.paths[0]}: no {options.what} was found: is --level {options.level:g} met?")
+        raise Unusable(f"{options.paths[0]}: no {options.what} was found: is --level met?")
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(header)

@@ -473,7 +473,7 @@ std::string Table::place(std::size_t row) const {
 }
 
 Table read_table(const std::filesystem::path& file, const std::vector<std::string>& wanted) {
-  return is_hdf5(file) ? read_hdf5(file, wanted) : read_csv(file);
+  return is_hdf5(file) ? read_hdf5(file, wanted) : read_text_table(text_of(file));
 }
 
 }  // namespace seiche::io
