@@ -134,7 +134,7 @@ Experiment experiment(const Values& values) {
       .source = source,
       .parts = {gauges, runup},
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
-      .model = "dispersive shallow water in plan",
+      .model = "dispersive shallow water, 2DH",
       .coarsenings = {1, 1.5, 2},
       .miss =
           wave.letter < 3

@@ -11,7 +11,7 @@ Manning's $n$ = 0.012 s/m$^{1/3}$, a handbook's value and not fitted. A force be
 which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. Fronts that
 are steeper than 30 degrees break, as in one dimension, until they are no bore any more: neighbours exchange momentum.
 The lattice is rezoned: its nodes slide back along their rows to the lines of their columns, where the water runs down
-the film that it leaves is drawn after it, and the shoreline is no steeper in plan than 2 against its columns. Walls are
+the film that it leaves is drawn after it, and the shoreline is no steeper than 2 against its columns. Walls are
 reflecting; they stand where their echo comes too late to matter.
 
 **What is compared.** The maximum run-up $R/A$ by the angle from the front of the island with the measurements, and with

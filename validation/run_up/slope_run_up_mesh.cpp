@@ -344,7 +344,7 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
       "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell inverts "
       "first on the finest mesh that does, before the maximum run-up.",
       {"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]", "extrapolated [depth]",
-       "sliding toe [depth]", "exact [depth]", "thesis [depth]", "Hall-Watts [depth]", "fold [sqrt(depth/g)]"},
+       "sliding toe [depth]", "exact [depth]", "thesis [depth]", "Hall-Watts [depth]", "tangled at [sqrt(depth/g)]"},
       {"frank-slopes-2d"});
   for (const Climbed& one : all) {
     std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{1 / one.cot_slope, one.amplitude});

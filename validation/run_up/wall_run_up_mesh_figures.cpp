@@ -216,7 +216,7 @@ void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence
     std::vector<Cell>& row = table.rows.emplace_back(1, amplitude);
     for (const Curve& curve : curves) {
       const Climbed* point = curve.at(amplitude);
-      row.push_back(point ? rounded(point->runup) : curve.rezoned && amplitude < lowest_rezoned ? "" : "folds");
+      row.push_back(point ? rounded(point->runup) : curve.rezoned && amplitude < lowest_rezoned ? "" : "tangles");
     }
     row.insert(row.end(), {rounded(exact.column("R")[k]), rounded(exact::WallRunup::su_mirie(amplitude))});
   }

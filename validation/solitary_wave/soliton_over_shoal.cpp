@@ -1,11 +1,11 @@
 /*
 A solitary wave runs over a round shoal that takes away two fifths of the depth, and is gathered behind it: by the
-hexahedral Lagrangian mesh, whose lowest nodes slide on the bottom, and by the dispersive shallow water in plan, over
+hexahedral Lagrangian mesh, whose lowest nodes slide on the bottom, and by dispersive shallow water in 2DH, over
 the same bottom. Depth and gravity are 1.
 
 **Set-up.** A channel of walls, 35 depths long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has
 its top on one wall, which mirrors it. The wave starts 12 depths before the top, a wave of the Euler equations on the
-hexahedra, a wave of the Green-Naghdi equations in plan. Cells are as long and as wide as a layer of the mesh is high;
+hexahedra, a wave of the Green-Naghdi equations in 2DH. Cells are as long and as wide as a layer of the mesh is high;
 both models have the same cells and steps.
 
 **What is compared.** The largest elevation at three places on the walls: over the top, two depths behind it, and

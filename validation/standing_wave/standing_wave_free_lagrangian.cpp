@@ -14,7 +14,7 @@ wave of a tenth of the depth, how long a model lasts, up to `periods`.
 frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times the
 noise of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
 its cell, and after about a period a triangle of the outline inverts. The quadrilaterals, here without the force that
-keeps them from folding, last for nearly five. Particles of variable mass last. Where their nodes follow the water and
+keeps them from tangling, last for nearly five. Particles of variable mass last. Where their nodes follow the water and
 are drawn back, the energy of the motion goes into short waves after a few periods, on finer meshes too. Nodes that keep
 their $x$, here on twice as many rows, hand over more water at every step, and lose about a hundredth of the energy in
 ten periods.

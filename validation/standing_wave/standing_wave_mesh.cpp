@@ -8,7 +8,7 @@ puts the change at the wavelength $5.938\,H$. The two-dimensional Lagrangian mes
 have the effect with water's own coefficient, up to errors of the mesh.
 
 **Set-up.** Half a wavelength between two walls, depth and gravity 1, cells of nearly equal width and height. The wave
-starts at rest, at its highest, with its second harmonic. A weak hourglass potential keeps the mesh from folding (see
+starts at rest, at its highest, with its second harmonic. A weak hourglass potential keeps the mesh from tangling (see
 `standing_wave_mesh_life`). The elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
 $\Omega$. The elevation at a wall would not do: it holds free second harmonics, which at ten depths beat with the bound
 one and shift the fit by as much as $C$.

@@ -1,4 +1,4 @@
-// Still water in lattices stays still: bit by bit at the still-water level, in plan to round-off if it is raised.
+// Still water in lattices stays still: bit by bit at the still-water level, in 2DH to round-off if it is raised.
 #include <algorithm>
 #include <functional>
 #include <random>
@@ -108,7 +108,7 @@ TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") 
   Check check(
       "lattices_at_rest", "Still water on random lattices",
       "Lattices whose nodes are moved at random, in the vertical plane (12 x 5 cells by up to 10 %, nodes at "
-      "walls and at the surface along them, two meshes each, 10000 steps of 0.02), in plan (20 x 20 cells by "
+      "walls and at the surface along them, two meshes each, 10000 steps of 0.02), in 2DH (20 x 20 cells by "
       "up to 15 %, 200 steps of 0.1) and of hexahedra (12 x 8 x 3 cells by up to 10 %, 1000 steps of 0.1), over "
       "any bottom and between any walls. Potential energies count from the still-water level, where their "
       "gradients vanish: no force, no pressure, no motion.");
@@ -138,7 +138,7 @@ TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") 
   }
   for (const plan::Lake& lake : plan::lakes()) {
     PlanProblem problem(jittered(lake.lattice, 0.075, 3), {}, lake.settings);
-    rests("In plan, " + lake.text, problem, 0.1, 200);
+    rests("In 2DH, " + lake.text, problem, 0.1, 200);
   }
   using namespace lagrangian_mesh_3d;
   const plan_lattice::DrivenSide still{[](Place, double) { return Point{}; }};
@@ -158,7 +158,7 @@ TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") 
   }
 }
 
-TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
+TEST_CASE("raised water at rest in 2DH stays at rest to round-off", "[rest]") {
   Check check("dispersive_2dh_raised_rest", "Raised water at rest in 2DH",
               "The same lakes with the surface 0.2 above the level from which elevations count: gravity and pressure "
               "balance by the identity $d\\Pi - gz\\,dV = -\\tfrac12 g z^2\\,dA$, for straight walls and the exact "

@@ -1,4 +1,4 @@
-/// Manufactured solution of the Green-Naghdi equations in plan, in Lagrangian form: a prescribed motion of the columns
+/// Manufactured solution of the Green-Naghdi equations in 2DH, in Lagrangian form: a prescribed motion of the columns
 /// of water in a square basin with a level bottom, with the body force that sustains it.
 ///
 ///     x = X + A sin kX cos kY cos(w t + 1/2),   k = pi/L,   labels 0 <= X, Y <= L

@@ -20,7 +20,7 @@
 
 namespace seiche::validation::laboratory {
 
-inline const std::string basin_model = "dispersive shallow water in plan, improved dispersion";
+inline const std::string basin_model = "dispersive shallow water, 2DH, improved dispersion";
 
 struct Basin {
   double begin = 0, end = 1;                         ///< place of the paddle at rest, of the far wall
