@@ -6,6 +6,7 @@
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/text_table.hpp"
 #include "validation/scoring/submitted.hpp"
+#include "validation/scoring/units.hpp"
 #include "verification/check.hpp"
 #include "verification/message_of.hpp"
 #include "verification/scratch_folder.hpp"
@@ -106,6 +107,59 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(units, {"s", "m", ""}));
   claims.none_wrong("hdf5-wanted", "What is not asked for is not read.",
                     wrong_words(io::read_table(file, {"h"}).names, {"h"}));
+}
+
+TEST_CASE("units are what the BIPM's brochure and CF say they are", "[evidence]") {
+  using validation::conversion;
+  struct Factor {
+    const char* from;
+    const char* to;
+    double value;
+  };
+  for (const auto& [from, to, value] : std::vector<Factor>{{"cm", "m", 0.01},
+                                                           {"millimetres", "m", 0.001},
+                                                           {"dm", "m", 0.1},
+                                                           {"kilometers", "m", 1000},
+                                                           {"feet", "m", 0.3048},
+                                                           {"in", "m", 0.0254},
+                                                           {"msec", "s", 0.001},
+                                                           {"mins", "s", 60},
+                                                           {"hr", "s", 3600},
+                                                           {"days", "s", 86400},
+                                                           {"kn", "m/s", 1852. / 3600},
+                                                           {"%", "1", 0.01},
+                                                           {"mbar", "Pa", 100},
+                                                           {"kPa", "Pa", 1000},
+                                                           {"bar", "kPa", 100},
+                                                           {"deg", "rad", 0.017453292519943295},
+                                                           {"N m-2", "Pa", 1},
+                                                           {"J/m^2", "N/m", 1},
+                                                           {"Hz", "1/min", 60},
+                                                           {"km/h", "m s**-1", 1 / 3.6},
+                                                           {"cm2", "m*m", 1e-4},
+                                                           {"kg m^-3", "kg/m3", 1},
+                                                           {"ft3/s", "m3 s-1", 0.028316846592}}) {
+    INFO(from << " to " << to);
+    CHECK(std::abs(conversion(from, to).value_or(0) / value - 1) < 1e-15);
+  }
+  for (const auto& [from, to] : std::vector<std::pair<const char*, const char*>>{{"m", "s"},
+                                                                                 {"m2/s", "m/s"},
+                                                                                 {"Pa", "N"},
+                                                                                 {"J", "N"},
+                                                                                 {"kg", "N"},
+                                                                                 {"rad", "1"},
+                                                                                 {"furlong", "m"},
+                                                                                 {"m", "furlong"}}) {
+    INFO(from << " to " << to);
+    CHECK_FALSE(conversion(from, to));
+  }
+  const auto instant = validation::epoch_of("hours since 1970-02-03T04:05:06.5");
+  REQUIRE(instant);
+  CHECK(instant->unit == "hours");
+  CHECK(instant->origin == 33 * 86400 + 4 * 3600 + 5 * 60 + 6.5);
+  CHECK(validation::epoch_of("s since 2020-03-01").value().origin == 18322 * 86400.0);
+  CHECK_FALSE(validation::epoch_of("seconds"));
+  CHECK_FALSE(validation::epoch_of("seconds since then"));
 }
 
 TEST_CASE("gauges beside each other are told by the numbers in their names", "[evidence]") {
