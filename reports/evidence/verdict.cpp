@@ -176,7 +176,8 @@ Judgement judge(const ObservedOrder& observed, const Order& criterion) {
   const double distance = std::abs(observed.order - criterion.theory);
   if (distance <= criterion.tolerance && distance + observed.half_width < 1) {
     j.verdict = Verdict::pass;
-    if (distance > observed.half_width) j.note = joined(j.note, "the interval excludes theory by less than the tolerance");
+    if (distance > observed.half_width)
+      j.note = joined(j.note, "the interval excludes theory by less than the tolerance");
   } else if (distance - observed.half_width > criterion.tolerance) {
     j.verdict = Verdict::fail;
   }

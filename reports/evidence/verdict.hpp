@@ -35,8 +35,8 @@ Criterion settled(const Criterion& criterion, const Told& told);
 /// Order.
 Judgement judge(const Measurement& measurement, const Criterion& criterion);
 
-/// Judges an observed order: fail with its interval disjoint from the allowed one, inconclusive where that interval holds
-/// theory +- 1 or there are fewer than four usable points, an error where an error norm is not a finite number.
+/// Judges an observed order: fail with its interval disjoint from the allowed one, inconclusive where that interval
+/// holds theory +- 1 or there are fewer than four usable points, an error where an error norm is not a finite number.
 Judgement judge(const ObservedOrder& observed, const Order& criterion);
 
 /// The judgement of a claim whose measurement failed.
