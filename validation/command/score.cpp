@@ -163,7 +163,9 @@ std::string error_text(const evidence::JudgedClaim& claim) {
 void print(const evidence::Record& record, const std::vector<validation::Finding>& findings,
            const validation::FirstLook& look) {
   for (const auto& [question, answer] : look) fmt::print("{}: {}\n", question, answer);
-  for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<28} {:.6g}\n", quantity, value);
+  for (const auto& [quantity, value] : record.measurements()) {
+    if (!std::isnan(value)) fmt::print("  {:<28} {:.6g}\n", quantity, value);  // a plateau has no shift
+  }
   for (const evidence::JudgedClaim& claim : record.claims()) {
     const evidence::Judgement& j = claim.judgement;
     fmt::print("  {:<12} {} ({}; {}{}{})\n", evidence::name(j.verdict), claim.claim.text, error_text(claim),
