@@ -116,7 +116,7 @@ Case semicircular_shoal() {
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", 0.075, "m", {0.05, 0.15}, "of the columns, where the model computes")};
+                  real("spacing", 0.06, "m", {0.05, 0.15}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
   return c;
 }
