@@ -248,7 +248,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
     std::vector<double> after = u;
     by.measure(lattice, volumes, q);
     by.slow(masses, inverse, 1, h, after);
-    by.settle();
+    by.breaking().settle();
     return std::pair{u, after};
   };
   const auto changed = [n](const std::pair<std::vector<double>, std::vector<double>>& velocities) {
@@ -300,8 +300,8 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
              {energy(last) < energy(wild) ? 1.0 : 0.0}, Qualitative{"after less than before", "an implicit exchange"});
   const double goes_on = changed(change(drag, 5, 0.6, together, 0.1));
   Drag other({.breaking_slope = 2}, lattice, 1.0 / 3);
-  other.continue_from(drag);
-  other.shift_east();
+  other.breaking().continue_from(drag.breaking());
+  other.breaking().shift_east();
   const double shifted = changed(change(other, 4, 0.6, meet_at(4), 0.1));
   check.that("goes-on",
              "What broke breaks on, though it is not steep any more; so it does in a flow that goes on with it, a "

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include <fmt/format.h>
+#include "seiche/require_that.hpp"
 
 namespace seiche::plan_lattice {
 
@@ -15,10 +15,9 @@ constexpr double straight = 1e-9;  // sine of the angle between a wall's edges: 
 }  // namespace
 
 void require_movable(const Window& window, const Sides& sides) {
-  if (!window.reach || std::holds_alternative<WallSide>(sides.west) || std::holds_alternative<HeldSide>(sides.west)) {
-    return;
-  }
-  throw std::invalid_argument("a moving window over a west side that is free or driven; allowed: WallSide, HeldSide");
+  require_that(
+      !window.reach || std::holds_alternative<WallSide>(sides.west) || std::holds_alternative<HeldSide>(sides.west),
+      "a moving window over a west side that is free or driven; allowed: WallSide, HeldSide");
 }
 
 void require_straight_walls(const Window& window, const Sides& sides, Shape shape, std::span<const double> x,
@@ -34,12 +33,11 @@ void require_straight_walls(const Window& window, const Sides& sides, Shape shap
     const Point first = edge(0);
     for (std::size_t i = 1; i < shape.columns; ++i) {
       const Point next = edge(i);
-      const double turn =
-          (first.x * next.y - first.y * next.x) / (std::hypot(first.x, first.y) * std::hypot(next.x, next.y));
-      if (std::abs(turn) <= straight) continue;
+      const double turn = cross(first, next) / (std::hypot(first.x, first.y) * std::hypot(next.x, next.y));
       const std::size_t k = shape.node(i, row);
-      throw std::invalid_argument(fmt::format(
-          "a moving window beside a {} wall that bends at ({:g}, {:g}); allowed: straight walls", name, x[k], y[k]));
+      require_that(std::abs(turn) <= straight,
+                   "a moving window beside a {} wall that bends at ({:g}, {:g}); allowed: straight walls", name, x[k],
+                   y[k]);
     }
   }
 }

@@ -76,7 +76,32 @@ struct Shape {
     const std::size_t corner = node(cell % columns, cell / columns);
     return {corner, corner + 1, corner + columns + 2, corner + columns + 1};
   }
+
+  static constexpr std::size_t outside = static_cast<std::size_t>(-1);
+  [[nodiscard]] std::size_t edges() const { return columns * (rows + 1) + rows * (columns + 1); }
+  /// visit(p, q, left, right) for every edge p -> q, with the cells on its left and right hand or `outside`: those
+  /// along rows, row by row, then those across them, row by row.
+  template <class Visit>
+  void each_edge(const Visit& visit) const {
+    for (std::size_t j = 0; j <= rows; ++j) {
+      for (std::size_t i = 0; i < columns; ++i) {
+        visit(node(i, j), node(i + 1, j), j < rows ? j * columns + i : outside,
+              j > 0 ? (j - 1) * columns + i : outside);
+      }
+    }
+    for (std::size_t j = 0; j < rows; ++j) {
+      for (std::size_t i = 0; i <= columns; ++i) {
+        visit(node(i, j), node(i, j + 1), i > 0 ? j * columns + i - 1 : outside,
+              i < columns ? j * columns + i : outside);
+      }
+    }
+  }
 };
+
+/// Node k of n + 1 at equal distances; the last one is at `to` in every bit.
+inline double equally_spaced(double from, double to, std::size_t k, std::size_t n) {
+  return k == n ? to : from + (to - from) * (static_cast<double>(k) / static_cast<double>(n));
+}
 
 /// In plan, of a cell with corners at (x, y): from its diagonals.
 inline double cell_area(const Shape& shape, std::span<const double> x, std::span<const double> y, std::size_t cell) {

@@ -47,7 +47,7 @@ Point RowCurve::meet(std::size_t node, Point from, Point to) const {
   return from + dot(line, beside - from) / dot(line, line) * line;
 }
 
-double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places) {
+double farthest(const Shape& shape, std::span<const double> q, const RezonedPlaces& places) {
   const auto wanted = [&](std::size_t i, std::size_t j) { return places[shape.node(i, j)]; };
   Largest worst;
   for (std::size_t j = 0; j <= shape.rows; ++j) {
@@ -57,7 +57,7 @@ double farthest(const Shape& shape, std::span<const double> x, std::span<const d
       double edge = distance(there, i > 0 ? wanted(i - 1, j) : wanted(i + 1, j));
       if (i > 0 && i < shape.columns) edge = std::min(edge, distance(there, wanted(i + 1, j)));
       edge = std::min(edge, distance(there, j > 0 ? wanted(i, j - 1) : wanted(i, j + 1)));
-      worst.add(distance({x[k], y[k]}, there) / edge);
+      worst.add(distance({q[k], q[shape.nodes() + k]}, there) / edge);
     }
   }
   return worst.value();

@@ -24,8 +24,6 @@ namespace seiche::plan_lattice {
 
 class SweptRemap {
  public:
-  static constexpr std::size_t outside = static_cast<std::size_t>(-1);
-
   /// @param x, y    the old nodes, new_x, new_y the new ones; must outlive the object
   /// @param shares  of the mass of a cell that each node has
   /// Throws mechanics::Infeasible for a new node that is on none of the old cells, std::invalid_argument.
@@ -42,24 +40,6 @@ class SweptRemap {
   [[nodiscard]] Point new_point(std::size_t node) const { return {new_x_[node], new_y_[node]}; }
   [[nodiscard]] double share(std::size_t node) const { return shares_[node]; }
 
-  /// visit(p, q, into, from) for every edge: what p -> q sweeps to its right comes into one cell from another, or
-  /// `outside`.
-  template <class Visit>
-  void each_edge(const Visit& visit) const {
-    const auto [columns, rows] = shape_;
-    for (std::size_t j = 0; j <= rows; ++j) {
-      for (std::size_t i = 0; i < columns; ++i) {
-        visit(shape_.node(i, j), shape_.node(i + 1, j), j < rows ? j * columns + i : outside,
-              j > 0 ? (j - 1) * columns + i : outside);
-      }
-    }
-    for (std::size_t j = 0; j < rows; ++j) {
-      for (std::size_t i = 0; i <= columns; ++i) {
-        visit(shape_.node(i, j), shape_.node(i, j + 1), i > 0 ? j * columns + i - 1 : outside,
-              i < columns ? j * columns + i : outside);
-      }
-    }
-  }
   /// Old and new ends of an edge, around the quadrilateral that it sweeps to its right.
   [[nodiscard]] std::array<Point, 4> swept(std::size_t p, std::size_t q) const {
     return {old_point(p), new_point(p), new_point(q), old_point(q)};
@@ -143,7 +123,7 @@ struct RezonedPlaces {
   }
 };
 
-/// Farthest of a node at (x, y) from its new place, over the shortest edge at the new place.
-double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places);
+/// Farthest of a node at q = (x, y, ...) from its new place, over the shortest edge at the new place.
+double farthest(const Shape& shape, std::span<const double> q, const RezonedPlaces& places);
 
 }  // namespace seiche::plan_lattice

@@ -14,11 +14,7 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 BreakingFronts::BreakingFronts(double slope, double inertia, plan_lattice::Shape shape)
-    : slope_(slope),
-      inertia_(inertia),
-      shape_(shape),
-      broke_(slope > 0 ? (shape.rows + 1) * shape.columns + shape.rows * (shape.columns + 1) : 0, 0),
-      breaks_(broke_) {}
+    : slope_(slope), inertia_(inertia), shape_(shape), broke_(slope > 0 ? shape.edges() : 0, 0), breaks_(broke_) {}
 
 void BreakingFronts::measure(std::span<const double> volumes, mechanics::Input q) {
   pairs_.clear();
@@ -125,10 +121,6 @@ void BreakingFronts::exchange(std::span<const double> masses, const InverseMasse
   if (fronts_.empty()) return;
   before_.assign(u.begin(), u.end());
   for (const Front& front : fronts_) mix(front, h * std::sqrt(gravity) * front.damping, masses, inverse, before_, u);
-}
-
-void BreakingFronts::continue_from(const BreakingFronts& before) {
-  broke_ = before.broke_;
 }
 
 void BreakingFronts::shift_east() {

@@ -87,7 +87,7 @@ class BreakingFronts {
   /// The step is done: what it found has broken. A step that fails leaves what broke before it.
   void settle() const { broke_ = breaks_; }
   /// What broke in another flow on a lattice of this shape breaks on.
-  void continue_from(const BreakingFronts& before);
+  void continue_from(const BreakingFronts& before) { broke_ = before.broke_; }
   /// As Model::shift_east: what the last column has anew does not break.
   void shift_east();
 
@@ -124,7 +124,7 @@ class BreakingFronts {
   mutable bool found_ = false;
   mutable std::vector<Front> fronts_;
   mutable std::size_t going_on_ = 0;
-  /// Pairs along rows, row by row; then those across, row by row: by the last step, and as found in this one.
+  /// Pairs in the order of Shape::each_edge: by the last step, and as found in this one.
   mutable std::vector<char> broke_, breaks_;
   // Of a front.
   mutable linear::TwoEndedTridiagonal matrix_;
@@ -163,12 +163,7 @@ class Drag {
   void absorb(double h, mechanics::Output u) const;
 
   [[nodiscard]] const BreakingFronts& breaking() const { return breaking_; }
-  /// At the end of a step.
-  void settle() const { breaking_.settle(); }
-  /// Breaking fronts of another flow on a lattice of this shape go on.
-  void continue_from(const Drag& before) { breaking_.continue_from(before.breaking_); }
-  /// As Model::shift_east.
-  void shift_east() { breaking_.shift_east(); }
+  [[nodiscard]] BreakingFronts& breaking() { return breaking_; }
 
  private:
   void slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h, mechanics::Output u) const;

@@ -51,9 +51,7 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
 }
 
 BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
-    : shape_(shape),
-      bottom_(std::move(bottom)),
-      edges_(shape.columns * (shape.rows + 1) + shape.rows * (shape.columns + 1)) {}
+    : shape_(shape), bottom_(std::move(bottom)), edges_(shape.edges()) {}
 
 BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
   const double width = at.x[q] - at.x[p];
@@ -107,16 +105,10 @@ BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t 
 }
 
 void BottomVolume::subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients) {
-  const auto between = [&](std::size_t p, std::size_t q) {
-    return q0.x == q1.x ? edge(q0, p, q) : edge_between(q0, q1, p, q);
-  };
-  for (std::size_t j = 0; j <= shape_.rows; ++j) {
-    for (std::size_t i = 0; i <= shape_.columns; ++i) {
-      const std::size_t k = shape_.node(i, j);
-      if (i < shape_.columns) edges_[along_i(i, j)] = between(k, k + 1);
-      if (j < shape_.rows) edges_[along_j(i, j)] = between(k, shape_.node(i, j + 1));
-    }
-  }
+  std::size_t number = 0;
+  shape_.each_edge([&](std::size_t p, std::size_t q, std::size_t, std::size_t) {
+    edges_[number++] = q0.x == q1.x ? edge(q0, p, q) : edge_between(q0, q1, p, q);
+  });
   for (std::size_t j = 0; j < shape_.rows; ++j) {
     const linear::RowBlocks::Row row = gradients.row(j);
     for (std::size_t i = 0; i < shape_.columns; ++i) {

@@ -104,7 +104,7 @@ class BottomVolume {
 
   plan_lattice::Shape shape_;
   std::shared_ptr<const PlanBottom> bottom_;
-  std::vector<Edge> edges_;
+  std::vector<Edge> edges_;  ///< in the order of Shape::each_edge
 };
 
 /// Improved dispersion of the plan model: an energy of the surface's slope beside the potential energy,

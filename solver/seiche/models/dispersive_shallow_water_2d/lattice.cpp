@@ -43,14 +43,12 @@ void Lattice::require_valid() const {
   }
   for (std::size_t k = 0; k < shape.nodes(); ++k) {
     const double under = bed[k];
-    if (on_shore[k] != 0) {
-      if (std::abs(z[k] - under) <= 1e-12 * deepest) continue;
-      throw std::invalid_argument(
-          fmt::format("z = {:.17g} at ({:g}, {:g}); allowed: the bottom's elevation {:.17g} to "
-                      "1e-12 of the largest depth, it is on a shoreline",
-                      z[k], x[k], y[k], under));
-    }
-    require_that(z[k] > under, "z = {:g} at ({:g}, {:g}); allowed: above the bottom, {:g}", z[k], x[k], y[k], under);
+    require_that(on_shore[k] == 0 || std::abs(z[k] - under) <= 1e-12 * deepest,
+                 "z = {:.17g} at ({:g}, {:g}); allowed: the bottom's elevation {:.17g} to 1e-12 of the largest depth, "
+                 "it is on a shoreline",
+                 z[k], x[k], y[k], under);
+    require_that(on_shore[k] != 0 || z[k] > under, "z = {:g} at ({:g}, {:g}); allowed: above the bottom, {:g}", z[k],
+                 x[k], y[k], under);
   }
   for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
     const auto corners = shape.corners(cell);
@@ -77,13 +75,10 @@ Lattice rectangular_lattice(const Rectangle& rectangle) {
                   .sides = rectangle.sides,
                   .depth = rectangle.depth,
                   .bottom = rectangle.bottom};
-  const auto between = [](double from, double to, std::size_t k, std::size_t n) {
-    return k == n ? to : from + (to - from) * (static_cast<double>(k) / static_cast<double>(n));
-  };
   for (std::size_t j = 0; j <= rectangle.rows; ++j) {
     for (std::size_t i = 0; i <= rectangle.columns; ++i) {
-      lattice.x.push_back(between(rectangle.begin, rectangle.end, i, rectangle.columns));
-      lattice.y.push_back(between(rectangle.south, rectangle.north, j, rectangle.rows));
+      lattice.x.push_back(plan_lattice::equally_spaced(rectangle.begin, rectangle.end, i, rectangle.columns));
+      lattice.y.push_back(plan_lattice::equally_spaced(rectangle.south, rectangle.north, j, rectangle.rows));
       lattice.z.push_back(rectangle.elevation ? rectangle.elevation(lattice.x.back(), lattice.y.back()) : 0.0);
     }
   }

@@ -204,7 +204,7 @@ void Model::settle(Interval when, Output q, Output u) const {
   if (masses_.has_driven_sides()) {
     masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, false, u);
   }
-  drag_.settle();
+  drag_.breaking().settle();
 }
 
 std::array<double, 3> Model::momentum_of(std::size_t k, Input u) const {
@@ -245,7 +245,7 @@ double Model::potential_energy(Input q, std::span<const char> counted) const {
 
 void Model::shift_east(mechanics::State& state) {
   shift_columns(state, lattice_.x, lattice_.y, east_width_);
-  drag_.shift_east();
+  drag_.breaking().shift_east();
   const std::size_t columns = shape_.columns;
   for (std::size_t east = columns; east < n_; east += columns + 1) state.q[2 * n_ + east] = 0;
   for (std::size_t cell = columns - 1; cell < volume_.size(); cell += columns) {

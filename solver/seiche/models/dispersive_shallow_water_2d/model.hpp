@@ -122,7 +122,7 @@ class Model : public lattice::Water<Column, Model> {
   [[nodiscard]] bool absorbs() const { return drag_.absorbs(); }
   [[nodiscard]] const BreakingFronts& breaking() const { return drag_.breaking(); }
   /// Fronts that broke in another flow's model, of a lattice of this shape, break on.
-  void continue_breaking(const Model& before) { drag_.continue_from(before.drag_); }
+  void continue_breaking(const Model& before) { drag_.breaking().continue_from(before.breaking()); }
   /// Of a mean square at the beginning [m].
   [[nodiscard]] double cell_size() const { return std::sqrt(mean_area_); }
 

@@ -107,7 +107,7 @@ class Remap {
     }
   }
 
-  /// Through an edge, from one cell into another; SweptRemap::outside: a side.
+  /// Through an edge, from one cell into another; Shape::outside: a side.
   struct Passage {
     std::size_t into, from;
     double level = 0;  ///< int z dA
@@ -122,7 +122,7 @@ class Remap {
   [[nodiscard]] Passage passage(std::size_t p, std::size_t q, std::size_t into, std::size_t from) const {
     Passage through{.into = into, .from = from};
     const double under = bottom_under(swept_.swept(p, q));
-    if (into == swept_.outside || from == swept_.outside) {
+    if (into == Shape::outside || from == Shape::outside) {
       through.level = under;
       return through;
     }
@@ -145,20 +145,20 @@ class Remap {
   void carry() {
     std::vector<Passage> passages;
     std::vector<double> leaves(shape_.cells(), 0.0);
-    swept_.each_edge([&](std::size_t p, std::size_t q, std::size_t into, std::size_t from) {
+    shape_.each_edge([&](std::size_t p, std::size_t q, std::size_t into, std::size_t from) {
       passages.push_back(passage(p, q, into, from));
       const std::size_t loser = passages.back().loser();
-      if (loser != swept_.outside) leaves[loser] += std::abs(passages.back().water);
+      if (loser != Shape::outside) leaves[loser] += std::abs(passages.back().water);
     });
     std::vector<double> level(shape_.cells(), 0.0);
     momentum_.resize(shape_.cells());
     for (const Passage& one : passages) {
       const std::size_t loser = one.loser();
       const double part =
-          loser == swept_.outside ? 1 : std::min(1.0, most_lost * model_.first_volumes()[loser] / leaves[loser]);
+          loser == Shape::outside ? 1 : std::min(1.0, most_lost * model_.first_volumes()[loser] / leaves[loser]);
       now_.displaced += (1 - part) * std::abs(one.water);
       const auto add = [&](std::size_t cell, double sign) {
-        if (cell == swept_.outside) return;
+        if (cell == Shape::outside) return;
         level[cell] += sign * (one.level - (1 - part) * one.water);
         momentum_[cell] += sign * part * one.momentum;
       };

@@ -152,11 +152,6 @@ void ShoreFollowing::keep_widths(Places& places) const {
   }
 }
 
-double ShoreFollowing::drift(Input q, const Places& places) const {
-  const std::size_t n = shape_.nodes();
-  return plan_lattice::farthest(shape_, q.first(n), q.subspan(n, n), places);
-}
-
 RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
                          RezoneSettings rezone)
     : following_(lattice, rezone),
@@ -201,19 +196,12 @@ void RezonedFlow::advance(double tau) {
 double RezonedFlow::rate_of_strain() const {
   const Input q = flow_->state().q;
   const Input u = flow_->state().u;
-  const Shape shape = flow_->shape();
-  const std::size_t n = shape.nodes();
+  const std::size_t n = flow_->shape().nodes();
   double fastest = 0;
-  const auto look = [&](std::size_t from, std::size_t to) {
+  flow_->shape().each_edge([&](std::size_t from, std::size_t to, std::size_t, std::size_t) {
     const double change = std::hypot(u[to] - u[from], u[n + to] - u[n + from]);
     fastest = std::max(fastest, change / distance({q[from], q[n + from]}, {q[to], q[n + to]}));
-  };
-  for (std::size_t j = 0; j <= shape.rows; ++j) {
-    for (std::size_t i = 0; i <= shape.columns; ++i) {
-      if (i < shape.columns) look(shape.node(i, j), shape.node(i + 1, j));
-      if (j < shape.rows) look(shape.node(i, j), shape.node(i, j + 1));
-    }
-  }
+  });
   return fastest;
 }
 

@@ -104,7 +104,7 @@ class ShoreFollowing {
   /// @param volumes  of the cells
   [[nodiscard]] Places places(Input q, Input volumes) const;
   /// Farthest of a node from its place, over the shortest edge at the node's place.
-  [[nodiscard]] double drift(Input q, const Places& places) const;
+  [[nodiscard]] double drift(Input q, const Places& places) const { return plan_lattice::farthest(shape_, q, places); }
 
  private:
   [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }

@@ -70,9 +70,8 @@ void fill_columns(Mesh& mesh, const std::vector<double>& x, const std::function<
     const double high = surface(i);
     for (std::size_t j = 0; j <= mesh.rows; ++j) {
       const std::size_t k = mesh.node(i, j);
-      const double part = static_cast<double>(j) / static_cast<double>(mesh.rows);
       mesh.x[k] = x[i];
-      mesh.y[k] = j == 0 ? low : j == mesh.rows ? high : low + (high - low) * part;
+      mesh.y[k] = plan_lattice::equally_spaced(low, high, j, mesh.rows);
     }
   }
 }

@@ -92,13 +92,11 @@ void Mesh::require_valid() const {
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     const auto triangles = corner_triangles(*this, x, y, cell);
     const auto worst = std::min_element(triangles.begin(), triangles.end());
-    if (!(*worst > 0)) {
-      const std::size_t at = corners(cell)[static_cast<std::size_t>(worst - triangles.begin())];
-      throw std::invalid_argument(
-          fmt::format("cell {} (column {}, row {}) is not convex at its corner ({:g}, {:g}): triangle {:g}; allowed: "
-                      "positive",
-                      cell, cell % columns, cell / columns, x[at], y[at], 0.5 * *worst));
-    }
+    const std::size_t at = corners(cell)[static_cast<std::size_t>(worst - triangles.begin())];
+    require_that(*worst > 0,
+                 "cell {} (column {}, row {}) is not convex at its corner ({:g}, {:g}): triangle {:g}; allowed: "
+                 "positive",
+                 cell, cell % columns, cell / columns, x[at], y[at], 0.5 * *worst);
   }
   require_side("left", sides.left, *this, size, 0, columns + 1, rows + 1);
   require_side("right", sides.right, *this, size, columns, columns + 1, rows + 1);

@@ -193,15 +193,11 @@ void Model::advance_along(Input from, Input u, double h, Output to, bool by_tang
     const Slide& slide = nodes_.slides()[i];
     const double s = from[2 * n_ + i];
     const Point way = by_tangents ? slide.curve->tangent(s) : slide.direction;
-    move_along(slide, s + h * speed_along(way, u[slide.node], u[n_ + slide.node]), i, to);
+    to[2 * n_ + i] = s + h * speed_along(way, u[slide.node], u[n_ + slide.node]);
+    const Point position = slide.curve->position(to[2 * n_ + i]);
+    to[slide.node] = position.x;
+    to[n_ + slide.node] = position.y;
   }
-}
-
-void Model::move_along(const Slide& slide, double s, std::size_t index, Output q) const {
-  const Point position = slide.curve->position(s);
-  q[slide.node] = position.x;
-  q[n_ + slide.node] = position.y;
-  q[2 * n_ + index] = s;
 }
 
 void Model::enter(Input q, Output u) const {

@@ -135,7 +135,6 @@ class Model : public lattice::Water<Quadrilateral, Model> {
   void turn_slides(Input q0, Input q1);
   void gather_forces(Input at, double weight);
   void advance_along(Input from, Input u, double h, Output to, bool by_tangents) const;
-  void move_along(const Slide& slide, double s, std::size_t index, Output q) const;
 
   Mesh mesh_;
   Settings settings_;

@@ -27,9 +27,8 @@ constexpr double settled = 1e-13;  // of the column's height
 
 void require_straight_wall(std::string_view name, const Side& side) {
   const auto* wall = std::get_if<Wall>(&side);
-  if (wall != nullptr && std::dynamic_pointer_cast<const Line>(wall->curve)) return;
-  throw std::invalid_argument(
-      fmt::format("the {} side of a rezoned mesh is not a straight wall; allowed: a straight wall", name));
+  require_that(wall != nullptr && std::dynamic_pointer_cast<const Line>(wall->curve),
+               "the {} side of a rezoned mesh is not a straight wall; allowed: a straight wall", name);
 }
 
 /// Signed area between two surface edges with ends a, b before and c, d after.
@@ -66,16 +65,13 @@ UprightColumns::UprightColumns(const Mesh& first) : shape_(first) {
 /// rounded rest the whole surface gives.
 void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
   const std::size_t last = shape_.columns;
-  const std::size_t n = shape_.nodes();
-  const auto old = [&](std::size_t i) {
-    return Point{q[shape_.node(i, shape_.rows)], q[n + shape_.node(i, shape_.rows)]};
-  };
+  const auto surface = [&](std::size_t i) { return old(q, i, shape_.rows); };
   std::vector<double> gained(last);     // by edges
   std::vector<double> width(last + 1);  // twice the change of the area with the rise of a node along its column
   for (int pass = 0; pass < local_passes + whole_passes; ++pass) {
     CompensatedSum all;
     for (std::size_t i = 0; i < last; ++i) {
-      gained[i] = area_between(old(i), old(i + 1), top[i], top[i + 1]);
+      gained[i] = area_between(surface(i), surface(i + 1), top[i], top[i + 1]);
       all.add(gained[i]);
     }
     CompensatedSum widths;
@@ -93,19 +89,15 @@ void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
 }
 
 Point UprightColumns::foot(mechanics::Input q, const plan_lattice::RowCurve& surface, std::size_t i, Point& top) const {
-  const std::size_t n = shape_.nodes();
-  const auto old = [&](std::size_t j) {
-    const std::size_t k = shape_.node(i, j);
-    return Point{q[k], q[n + k]};
-  };
-  double s = bottom_->arc_length_at(old(0));
+  const auto node = [&](std::size_t j) { return old(q, i, j); };
+  double s = bottom_->arc_length_at(node(0));
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Point low = bottom_->position(s);
     top = surface.meet(i, low, low + direction_[i]);
     // What the column sweeps to its right on its way from the old nodes to the line.
     double swept = 0;
-    for (std::size_t j = 0; j < shape_.rows; ++j) swept -= 0.5 * cross(old(j), old(j + 1));
-    swept -= 0.5 * (cross(old(shape_.rows), top) + cross(top, low) + cross(low, old(0)));
+    for (std::size_t j = 0; j < shape_.rows; ++j) swept -= 0.5 * cross(node(j), node(j + 1));
+    swept -= 0.5 * (cross(node(shape_.rows), top) + cross(top, low) + cross(low, node(0)));
     const double height = top.y - low.y;
     const double step = -swept / height;
     s += step;
@@ -131,16 +123,10 @@ UprightColumns::Places UprightColumns::places(mechanics::Input q) const {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j <= shape_.rows; ++j) {
       const std::size_t k = shape_.node(i, j);
-      places.x[k] = std::lerp(low[i].x, top[i].x, part_[k]);
-      places.y[k] = std::lerp(low[i].y, top[i].y, part_[k]);
+      places.put(k, {std::lerp(low[i].x, top[i].x, part_[k]), std::lerp(low[i].y, top[i].y, part_[k])});
     }
   }
   return places;
-}
-
-double UprightColumns::drift(mechanics::Input q, const Places& places) const {
-  const std::size_t n = shape_.nodes();
-  return plan_lattice::farthest(shape_, q.first(n), q.subspan(n, n), places);
 }
 
 Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y) {
@@ -170,13 +156,13 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
       return Point{u[k], u[n + k]};
     }));
   }
-  sweep.each_edge([&](std::size_t p, std::size_t r, std::size_t into, std::size_t from) {
+  was.each_edge([&](std::size_t p, std::size_t r, std::size_t into, std::size_t from) {
     Point through;
     sweep.each_swept(p, r, [&](const SweptPoint& point, const plan_lattice::LatticePlace& place) {
       through += point.area * velocity_at(place);
     });
-    if (into != sweep.outside) momentum[into] += through;
-    if (from != sweep.outside) momentum[from] = momentum[from] - through;
+    if (into != was.outside) momentum[into] += through;
+    if (from != was.outside) momentum[from] = momentum[from] - through;
   });
   const auto lacking = sweep.lacking(area, momentum, [&](std::size_t k) { return now.velocity[k]; });
   for (std::size_t k = 0; k < n; ++k) now.velocity[k] += lacking[k];

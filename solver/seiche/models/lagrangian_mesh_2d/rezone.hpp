@@ -34,9 +34,15 @@ class UprightColumns {
   /// For a flow whose nodes are at q.
   [[nodiscard]] Places places(mechanics::Input q) const;
   /// Farthest of a node from its place, over the shortest edge there.
-  [[nodiscard]] double drift(mechanics::Input q, const Places& places) const;
+  [[nodiscard]] double drift(mechanics::Input q, const Places& places) const {
+    return plan_lattice::farthest(shape_, q, places);
+  }
 
  private:
+  [[nodiscard]] Point old(mechanics::Input q, std::size_t i, std::size_t j) const {
+    const std::size_t k = shape_.node(i, j);
+    return {q[k], q[shape_.nodes() + k]};
+  }
   /// Of a column that keeps its water, and the column's upper end.
   Point foot(mechanics::Input q, const plan_lattice::RowCurve& surface, std::size_t i, Point& top) const;
   void level(mechanics::Input q, std::vector<Point>& top) const;

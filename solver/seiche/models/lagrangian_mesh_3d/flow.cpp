@@ -80,11 +80,6 @@ std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double
 
 namespace {
 
-double part(double begin, double end, std::size_t index, std::size_t count) {
-  const double fraction = static_cast<double>(index) / static_cast<double>(count);
-  return index == count ? end : begin + (end - begin) * fraction;
-}
-
 void require_ascending(const char* first, double begin, const char* last, double end) {
   require_finite(first, begin);
   require_finite(last, end);
@@ -94,6 +89,7 @@ void require_ascending(const char* first, double begin, const char* last, double
 }  // namespace
 
 Mesh layer_mesh(const Layer& layer) {
+  using plan_lattice::equally_spaced;
   require_ascending("begin", layer.begin, "end", layer.end);
   if (!layer.south_wall) require_ascending("south", layer.south, "north", layer.north);
   require_positive("depth", layer.depth);
@@ -110,9 +106,9 @@ Mesh layer_mesh(const Layer& layer) {
   for (std::size_t l = 0; l <= layer.layers; ++l) {
     for (std::size_t j = 0; j <= layer.rows; ++j) {
       for (std::size_t i = 0; i <= layer.columns; ++i) {
-        const double x = part(layer.begin, layer.end, i, layer.columns);
+        const double x = equally_spaced(layer.begin, layer.end, i, layer.columns);
         const double south = layer.south_wall ? layer.south_wall(x) : layer.south;
-        const double y = part(south, layer.north, j, layer.rows);
+        const double y = equally_spaced(south, layer.north, j, layer.rows);
         const double surface = layer.elevation ? layer.elevation(x, y) : 0.0;
         const double bottom = layer.bottom ? layer.bottom->slope(x, y).elevation : -layer.depth;
         require_that(surface > bottom && south < layer.north,
@@ -121,7 +117,7 @@ Mesh layer_mesh(const Layer& layer) {
                      surface, south, x, y, bottom, layer.north);
         mesh.x.push_back(x);
         mesh.y.push_back(y);
-        mesh.z.push_back(part(bottom, surface, l, layer.layers));
+        mesh.z.push_back(equally_spaced(bottom, surface, l, layer.layers));
       }
     }
   }

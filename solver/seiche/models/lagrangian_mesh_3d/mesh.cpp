@@ -121,10 +121,9 @@ void Mesh::require_valid() const {
     const CellCorners r = corners_of(*this, x, y, z, cell);
     const auto volumes = corner_volumes(r);
     for (std::size_t a = 0; a < 8; ++a) {
-      if (volumes[a] > 0) continue;
-      throw std::invalid_argument(
-          fmt::format("corner {} of cell {} at ({:g}, {:g}, {:g}) spans a volume of {:g}; allowed: positive", a, cell,
-                      r[a].x, r[a].y, r[a].z, volumes[a]));
+      require_that(volumes[a] > 0,
+                   "corner {} of cell {} at ({:g}, {:g}, {:g}) spans a volume of {:g}; allowed: positive", a, cell,
+                   r[a].x, r[a].y, r[a].z, volumes[a]);
     }
   }
 }
@@ -133,9 +132,8 @@ void Mesh::require_bottom() const {
   for (std::size_t k = 0; k < plan.nodes() && !free_bottom; ++k) {
     const double level = bottom ? bottom->slope(x[k], y[k]).elevation : z[0];
     const double allowed = bottom ? on_bottom * std::abs(level) : 0;
-    if (std::abs(z[k] - level) <= allowed) continue;
-    throw std::invalid_argument(fmt::format("z = {:.17g} of bottom node {}; allowed: {}, {:.17g}", z[k], k,
-                                            bottom ? "that of the bottom" : "that of all others", level));
+    require_that(std::abs(z[k] - level) <= allowed, "z = {:.17g} of bottom node {}; allowed: {}, {:.17g}", z[k], k,
+                 bottom ? "that of the bottom" : "that of all others", level);
   }
   if (!bottom) return;
   require_that(!free_bottom, "a free bottom and an uneven one; allowed: one of them");

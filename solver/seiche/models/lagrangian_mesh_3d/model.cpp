@@ -76,8 +76,7 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
       nodes_(mesh_, volumes_of(mesh_), settings.density),
       bottom_(mesh_.bottom, nodes_.on_bottom()),
       surface_(mesh_.plan.columns, mesh_.plan.rows, n_),
-      forcing_(std::move(forcing)),
-      driven_place_(nodes_.driven().size()) {
+      forcing_(std::move(forcing)) {
   require_not_negative("gravity", settings.gravity);
   volume_ = volumes_of(mesh_);
   first_pushed_row_ = forcing_.body_force ? 0 : (mesh_.plan.rows + 1) * mesh_.layers;
@@ -92,13 +91,9 @@ mechanics::State Model::state(const Velocity& velocity, double time) const {
   Bottom bottom = bottom_;
   bottom.turn(mesh_.x, mesh_.y, mesh_.x, mesh_.y);
   for (std::size_t k = 0; k < n_; ++k) {
-    Vector u = nodes_.allowed(k, given[k]);
-    if (k < bottom.nodes()) {
-      const auto left = lattice::times(bottom.left(k), {given[k].x, given[k].y, given[k].z});
-      u = {left[0], left[1], left[2]};
-    }
-    put_vector(u, k, state.u);
+    put_vector(k < bottom.nodes() ? given[k] : nodes_.allowed(k, given[k]), k, state.u);
   }
+  bottom.project(state.u);
   settle({time, 0}, state.q, state.u);
   return state;
 }
@@ -129,9 +124,7 @@ void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
 }
 
 void Model::measure(Input q) {
-  std::ranges::transform(nodes_.driven(), driven_place_.begin(), [&](const auto& driven) {
-    return Place{q[driven.node], q[n_ + driven.node], q[2 * n_ + driven.node]};
-  });
+  driven_place_ = driven_places(q);
   std::atomic<bool> folded = false;
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);
@@ -154,11 +147,7 @@ void Model::hold() {
 
 void Model::kick(double h, Output u) const {
   Water::kick(h, u);
-  // The bottom takes what would go through it.
-  for (std::size_t k = 0; k < bottom_.nodes(); ++k) {
-    const auto left = lattice::times(bottom_.left(k), {u[k], u[n_ + k], u[2 * n_ + k]});
-    for (std::size_t axis = 0; axis < 3; ++axis) u[axis * n_ + k] = left[axis];
-  }
+  bottom_.project(u);  // it takes what would go through it
 }
 
 void Model::drive(double time, std::span<const Place> places, Output u) const {
@@ -171,12 +160,12 @@ void Model::drive(double time, std::span<const Place> places, Output u) const {
   }
 }
 
-void Model::settle(Interval when, Output q, Output u) const {
+std::vector<Place> Model::driven_places(Input q) const {
   std::vector<Place> places;
-  for (const auto& driven : nodes_.driven()) {
+  for (const Driven& driven : nodes_.driven()) {
     places.push_back({q[driven.node], q[n_ + driven.node], q[2 * n_ + driven.node]});
   }
-  drive(when.end(), places, u);
+  return places;
 }
 
 void Model::shift_east(mechanics::State& state) {
@@ -196,10 +185,7 @@ void Model::shift_east(mechanics::State& state) {
       state.q[west] = mean.x;
       state.q[n_ + west] = mean.y;
       state.q[2 * n_ + mesh_.node(columns, j, l)] = bottom * static_cast<double>(mesh_.layers - l) / layers;
-      const Vector left = nodes_.allowed(west, {state.u[west], state.u[n_ + west], state.u[2 * n_ + west]});
-      state.u[west] = left.x;
-      state.u[n_ + west] = left.y;
-      state.u[2 * n_ + west] = left.z;
+      put_vector(nodes_.allowed(west, vector_at(state.u, west)), west, state.u);
     }
   }
   // The new cells, and those whose west faces were straightened.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "seiche/lattice/water.hpp"
+
 namespace seiche::lagrangian_mesh_3d {
 
 Bottom::Bottom(std::shared_ptr<const PlanBottom> bottom, std::vector<HorizontalFreedom> freedom)
@@ -29,6 +31,14 @@ void Bottom::turn(std::span<const double> x0, std::span<const double> y0, std::s
     const double square = x * x + y * y + 1;
     left_[k] = {xx - x * x / square, yy - y * y / square, 1 - 1 / square,
                 xy - x * y / square, -x / square,         -y / square};
+  }
+}
+
+void Bottom::project(std::span<double> u) const {
+  for (std::size_t k = 0; k < nodes(); ++k) {
+    const Vector v = vector_at(u, k);
+    const auto kept = lattice::times(left_[k], {v.x, v.y, v.z});
+    put_vector({kept[0], kept[1], kept[2]}, k, u);
   }
 }
 

@@ -50,6 +50,8 @@ class Bottom {
             std::span<const double> y1);
   /// P - m m^T (xx, yy, zz, xy, xz, yz): what the bottom and the sides leave of a velocity or a force.
   [[nodiscard]] const std::array<double, 6>& left(std::size_t node) const { return left_[node]; }
+  /// Takes the rest out of velocities u = (u, v, w) of all nodes.
+  void project(std::span<double> u) const;
 
  private:
   std::shared_ptr<const PlanBottom> bottom_;
