@@ -297,7 +297,7 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   check.that("whole", "The grid is sound until the wave has passed the island.",
              "the lattice is sound at the end, and each rezoning could be made",
              {.value = whole && flow.refused() == 0 ? 1.0 : 0.0, .resolution = resolution},
-             Qualitative{"no cell folds, no column falls dry", "6 s after the crest would pass the middle"});
+             Qualitative{"no cell is inverted, no column falls dry", "6 s after the crest would pass the middle"});
   check.from(source).that("water", "The volume of the water is conserved to round-off.",
                           "largest change over the first volume", {.value = spilt.value(), .resolution = resolution},
                           Roundoff{static_cast<double>(flow.flow().shape().cells()), 1,

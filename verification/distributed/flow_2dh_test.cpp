@@ -143,7 +143,7 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
   }
 }
 
-TEST_CASE("a lattice that folds at one process stops all of them") {
+TEST_CASE("a lattice that tangles at one process stops all of them") {
   const Problem problem = box();
   distributed::PlanFlow flow(
       problem.lattice.shape, 1,
@@ -159,7 +159,7 @@ TEST_CASE("a lattice that folds at one process stops all of them") {
   const double all_stopped = distributed::Decomposition::least(stopped);
   if (rank() > 0) return;
   Check check(fmt::format("distributed_breakdown_{}", ranks()), fmt::format("A breakdown on {} process(es)", ranks()),
-              "A jet in the south-west corner of the box folds the lattice there.", source);
+              "A jet in the south-west corner of the box tangles the lattice there.", source);
   check.that("all-stop", "What one process finds infeasible is a Divergence on all, with time and step.",
              "1 if all processes stopped",
              {.value = all_stopped, .resolution = fmt::format("{} steps before it", flow.steps())},

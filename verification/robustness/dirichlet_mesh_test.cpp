@@ -172,7 +172,7 @@ TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robust
               return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
             },
             {.gravity = 0, .stabilisation = 0.1});
-  holds_of_breakdown(check, "jet", run_until_breakdown(flow, 20, 0.02), "turns over", -20, 20);
+  holds_of_breakdown(check, "jet", run_until_breakdown(flow, 20, 0.02), "is inverted", -20, 20);
 }
 
 }  // namespace seiche::verification::dirichlet_mesh_test

@@ -53,10 +53,11 @@ std::string name_of(Stepping stepping) {
 }
 
 TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, step and place", "[robustness]") {
-  Check check("dispersive_2dh_breakdown", "Breakdown of the two-dimensional horizontal model",
-              "An eddy shears the lattice until a cell folds; a block of water collapses until its edge touches the "
-              "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
-              "that is no number. Each run stops there, whatever the scheme, and says why, when and where.");
+  Check check(
+      "dispersive_2dh_breakdown", "Breakdown of the two-dimensional horizontal model",
+      "An eddy shears the lattice until a cell is inverted; a block of water collapses until its edge touches the "
+      "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
+      "that is no number. Each run stops there, whatever the scheme, and says why, when and where.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Scheme scheme{.stepping = stepping};
     Flow eddy(

@@ -13,10 +13,10 @@ namespace seiche::verification::lagrangian_mesh_breakdown_test {
 
 using namespace lagrangian_mesh_2d;
 
-TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place", "[robustness]") {
+TEST_CASE("a wave that tangles the mesh at a wall stops with time, step and place", "[robustness]") {
   Check check("lagrangian_mesh_fold", "A high wave inverts the mesh at a wall",
               "A solitary wave of height 0.6 is reflected by a vertical wall. Surface nodes beside the wall overtake "
-              "the wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
+              "the wall's: a corner of a cell is inverted. The run stops there, whatever the scheme.");
   const exact::SolitaryWave wave(0.6);
   const auto stops = [&](const std::string& id, Stepping stepping) {
     Flow flow(layer_mesh({.begin = -12,
@@ -29,7 +29,7 @@ TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place"
                 return Point{v.u, v.v};
               },
               {.stepping = stepping});
-    holds_of_breakdown(check, id, run_until_breakdown(flow, 30, 0.05), "folds", 10, 12);
+    holds_of_breakdown(check, id, run_until_breakdown(flow, 30, 0.05), "mesh tangled", 10, 12);
   };
   stops("one-step", Stepping::one_step);
   stops("conservative", Stepping::conservative);

@@ -115,14 +115,14 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
 TEST_CASE("variable masses that cannot go on stop with time, step and place", "[robustness]") {
   Check check("variable_mass_breakdown", "Variable masses break down",
               "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave as high as the "
-              "box is deep: its surface turns over. Either stops, with state and masses of before the step.");
+              "box is deep: its surface overturns. Either stops, with state and masses of before the step.");
   Flow jet(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
            {.velocity =
                 [](Point r) {
                   return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
                 }},
            {ControlKind::centroid, 1, 0}, {.gravity = 0, .stabilisation = 0.1});
-  holds_of_breakdown(check, "jet", run_until_break(jet, 20, [](Flow& f) { f.advance(0.02); }), "turns over", -20, 20);
+  holds_of_breakdown(check, "jet", run_until_break(jet, 20, [](Flow& f) { f.advance(0.02); }), "is inverted", -20, 20);
   Flow high(layer_mesh({.begin = 0, .end = 1, .columns = 16, .rows = 8}), wave(0.45), {ControlKind::mapped, 1, 1});
   holds_of_breakdown(check, "high-wave", run_until_break(high, 20, [](Flow& f) { f.advance(0.01); }), "", 0, 1);
 }

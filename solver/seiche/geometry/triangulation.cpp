@@ -387,7 +387,7 @@ void MovingTriangulation::move_to(Places nodes) {
       const auto [a, b, c] = mesh_[inverted].vertex;
       throw Infeasible(
           next_x_[static_cast<std::size_t>(a)],
-          "triangle {} of nodes {}, {}, {} turns over: a node reaches the outline, or two of the outline meet",
+          "triangle {} of nodes {}, {}, {} is inverted: a node reaches the outline, or two of the outline meet",
           inverted, a, b, c);
     }
     x_.swap(next_x_);

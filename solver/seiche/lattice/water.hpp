@@ -418,8 +418,8 @@ class Water {
     const std::size_t corner = first_node(worst.cell);
     throw mechanics::Infeasible(
         q[corner],
-        "the mesh folds: a corner of cell {} (column {}, row {}, layer {}) at ({:.4g}, {:.4g}) has shape "
-        "{:.3g} (1 where it is as at first, allowed: above {:g})",
+        "the mesh tangled: cell {} (column {}, row {}, layer {}) at ({:.4g}, {:.4g}) has relative corner Jacobian "
+        "{:.3g}, must be above {:g}",
         worst.cell, worst.cell % columns, worst.cell / columns % rows, worst.cell / (columns * rows), q[corner],
         q[n_ + corner], worst.shape, lowest);
   }
