@@ -113,6 +113,15 @@ TEST_CASE("a finished part is computed once, and removed with the folder", "[che
       CHECK(computed == 1);
     }
   }
+  SECTION("one that cannot be read is not used, and a note says so") {
+    const auto file = std::filesystem::directory_iterator(folder.path())->path();
+    std::filesystem::remove(file);
+    std::filesystem::create_directories(file / "in the way");
+    const Checkpoints* checkpoints = folder.open(resuming);
+    CHECK(eleven(*checkpoints, computed) == 11);
+    CHECK(computed == 3);
+    CHECK(checkpoints->notes().size() == 2);  // of reading and of writing
+  }
   SECTION("what a killed process was writing is cleared away") {
     std::ofstream(folder.path() / ".h.checkpoint.4711.part") << "half";
     folder.open(resuming);

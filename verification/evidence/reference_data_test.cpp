@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -8,6 +9,8 @@
 #include "seiche/io/text_table.hpp"
 #include "validation/case/reference_source.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
+#include "verification/scratch_folder.hpp"
 
 namespace seiche::verification::reference_data_test {
 
@@ -165,6 +168,19 @@ TEST_CASE("every reference table says where it comes from and how well it is kno
 
 TEST_CASE("an unknown reference table is refused by name", "[evidence]") {
   CHECK_THROWS_AS(validation::reference_source("nobody_1900"), std::invalid_argument);
+}
+
+TEST_CASE("a source with a key that is not known, or of another type, is refused by file and key", "[evidence]") {
+  const ScratchFolder folder("seiche_reference_source");
+  const auto refused = [&](const std::string& text) {
+    std::ofstream(folder.path() / "source.toml") << "citation = \"a book\"\n" << text;
+    return message_of([&] { validation::reference_source(folder.path()); });
+  };
+  const std::string file = (folder.path() / "source.toml").string();
+  CHECK(refused("").empty());
+  CHECK(refused("colour = \"blue\"\n") == file + ": colour is not known");
+  CHECK(refused("what = 1\n") == file + ": what has the wrong type");
+  CHECK(refused("units = \"m\"\n") == file + ": units must be a table");
 }
 
 }  // namespace seiche::verification::reference_data_test
