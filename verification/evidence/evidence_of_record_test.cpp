@@ -142,4 +142,20 @@ TEST_CASE("what cannot be compared has changed", "[evidence]") {
   }
 }
 
+TEST_CASE("the verdict of record says what was declared, and what came out otherwise", "[evidence]") {
+  const auto verdict = [](const std::string& declared, const std::string& found, bool as_declared) {
+    evidence::Summary record;
+    record.claims.emplace_back();
+    record.claims.back().declared = declared;
+    record.claims.back().verdict = found;
+    record.claims.back().as_declared = as_declared;
+    return evidence::recorded_claims({record}).front().verdict;
+  };
+  CHECK(verdict("pass", "pass", true) == "pass");
+  CHECK(verdict("fail", "fail", true) == "declared fail");
+  CHECK(verdict("fail", "fail", false) == "fail outside its band");
+  CHECK(verdict("fail", "pass", false) == "undeclared pass");
+  CHECK(verdict("pass", "fail", false) == "fail");
+}
+
 }  // namespace seiche::verification::evidence_of_record_test

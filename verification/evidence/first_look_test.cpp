@@ -116,4 +116,26 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
        "refinement will not remove this error");
 }
 
+TEST_CASE("the claim that uses most of its limit decides, and the report's table reads as the screen", "[evidence]") {
+  std::vector<WantedTable> tables = wanted(evidence::Role::exact);
+  tables.front().quantities.front().requirements.push_back({.measure = Measure::largest_error,
+                                                            .criterion = Bound{1, "of this test"},
+                                                            .text = "The wave is not far off.",
+                                                            .source = "this test"});
+  // A narrow bump: its largest error, 0.2, is a fifth of its limit; its relative L2 error, 0.04, most of it.
+  const auto bump = values([](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); });
+  const Submitted all{{"wave", {{.value = 0, .abscissa = places(), .values = {{"eta", bump}}}}}};
+  evidence::Record record;
+  score(tables, all, {}, record);
+  const FirstLook look = first_look(tables, all, record, {}, {});
+  show_first_look(look, record);
+  const evidence::Table& table = record.tables().back();
+  REQUIRE(table.rows.size() == look.size());
+  for (std::size_t k = 0; k < look.size(); ++k) {
+    CHECK(std::get<std::string>(table.rows[k].at(0)) == look[k].first);
+    CHECK(std::get<std::string>(table.rows[k].at(1)) == look[k].second);
+    if (look[k].first == "closest limit") CHECK(look[k].second.find("The wave is right.") != std::string::npos);
+  }
+}
+
 }  // namespace seiche::verification::first_look_test
