@@ -57,6 +57,8 @@ TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
   CHECK((read[1].band == 0.2 && read[1].verdict == "declared fail" && std::isnan(read[0].band)));
   std::ofstream(file, std::ios::app) << "bore,,x,bound,one,,1,1,,pass\n";
   CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 7: 'one'"));
+  std::ofstream(file) << csv.substr(1);
+  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 1: must be 'case,"));
   std::filesystem::remove(file);
 }
 

@@ -36,9 +36,10 @@ Points sampled(Function f, double last = 20) {
 }
 
 TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {
-  Check check("misreading", "What a difference looks like",
-              "A gauge is shifted, lifted, turned, slowed, scaled or written in other units; each is recognised. "
-              "Noise, a small difference and the reference itself are not explained.");
+  Check check(
+      "misreading", "What a difference looks like",
+      "A gauge is shifted, lifted, turned, slowed, scaled, smeared or written in other units; each is recognised. "
+      "Noise, a small difference and the reference itself are not explained.");
   const Points reference = sampled(gauge);
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
@@ -72,6 +73,14 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
         "round-off of two sums");
   found("slow", sampled([](double t) { return gauge(0.95 * t); }), Kind::slow, 1 / 0.95 - 1, line / 10,
         "a time at the middle of the series, 10 s from its beginning, " + lines);
+  const auto sum = [](double t) { return 0.3 * t - 0.1 * std::cos(t) + 0.04 / 0.37 * std::sin(0.37 * t + 0.5); };
+  const auto mean = [&](double t) {  // over 4 s, a fifth of the series
+    const double from = std::max(t - 2, 0.0);
+    const double to = std::min(t + 2, 20.0);
+    return (sum(to) - sum(from)) / (to - from);
+  };
+  found("smeared", sampled(mean), Kind::smeared, 0.2, 3 * line / 20,
+        "a width w takes w/12 of the curvature per unit of it, 4 s in 20 s, " + lines);
   Points dying = reference;
   double middle = 0;
   for (const double y : reference.y) middle += y / static_cast<double>(reference.y.size());
