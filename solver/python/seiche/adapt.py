@@ -304,8 +304,8 @@ def read(paths, step=None, field=None):
             raise Unusable(f"{path}: files *{path.suffix} are not known: only {', '.join(sorted(READERS))}")
         try:
             snapshots += READERS[path.suffix](path)
-        except Unusable:
-            raise
+        except Unusable as wrong:
+            raise wrong if str(path) in str(wrong) else Unusable(f"{path}: {wrong}") from None
         except (Exception, SystemExit) as broken:  # whatever a library says of a stranger's file
             said = " ".join(str(broken).split())[:200].removeprefix(f"{path}: ")
             raise Unusable(f"{path}: cannot be read: {said or type(broken).__name__}") from None
@@ -363,16 +363,18 @@ def rows_of(values):
 
 
 def surface(snapshot, field, level):
-    """x and elevation of every column of points that has a surface; without a field all points are on it."""
+    """x and elevation of every column of points that has a surface; without a field all points are on it. A field of one
+    value per column is NaN where it has none."""
     if field is None:
         columns = rows_of(snapshot.x)
         return (np.array([snapshot.x[c].mean() for c in columns]), np.array([snapshot.y[c].mean() for c in columns]))
     x, y, values = snapshot.where_known(field)
+    if len(rows_of(snapshot.x)) == snapshot.x.size:
+        order = np.argsort(snapshot.x)
+        values = snapshot.field(field)[order]
+        return snapshot.x[order], np.where(np.abs(values) < 1e20, values, np.nan)
     columns = rows_of(x)
-    if len(columns) == values.size:
-        order = np.argsort(x)
-        return x[order], values[order]
-    if level is None and not (values.min() > -0.5 and values.max() < 1.5):
+    if level is None and values.size and not (values.min() > -0.5 and values.max() < 1.5):
         raise Unusable(f"field {field} is no share of water from 0 to 1: needs --level, or over a plan gauge --at x=NUMBER,y=NUMBER")
     at = [(float(x[c][0]), last_crossing(y[c], values[c], 0.5 if level is None else level)) for c in columns]
     at = [(x, y) for x, y in at if y is not None]
@@ -416,7 +418,7 @@ def rows_for(options, snapshots):
         return ["T [1]", "X [1]"], [(t * unit, x / options.column) for t, x in found]
     if options.what == "surface":
         return ["t [s]", "x [m]", "eta [m]"], [(one.time, x, y) for one in snapshots
-                                                for x, y in zip(*surface(one, options.field, options.level))]
+                                                for x, y in zip(*surface(one, options.field, options.level)) if np.isfinite(y)]
     if options.at is None:
         raise Unusable("gauge needs --at x=NUMBER")
     x, y = place_of(options.at)
