@@ -66,9 +66,7 @@ inline std::shared_ptr<const PlanBottom> quartic_bottom() {
 /// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 cells; its walls at x, y = 0 mirror it.
 inline dispersive_shallow_water_2d::Lattice plan_hump_in_box(std::shared_ptr<const PlanBottom> bottom = {}) {
   return dispersive_shallow_water_2d::rectangular_lattice(
-      {.begin = 0,
-       .end = 10,
-       .south = 0,
+      {.end = 10,
        .north = 10,
        .columns = 20,
        .rows = 20,
@@ -79,9 +77,7 @@ inline dispersive_shallow_water_2d::Lattice plan_hump_in_box(std::shared_ptr<con
 /// A hump of 0.15 beside the bump, box 20 x 10 depths, 40 x 20 cells.
 inline dispersive_shallow_water_2d::Lattice hump_over_bump() {
   return dispersive_shallow_water_2d::rectangular_lattice(
-      {.begin = 0,
-       .end = 20,
-       .south = 0,
+      {.end = 20,
        .north = 10,
        .columns = 40,
        .rows = 20,

@@ -58,9 +58,7 @@ struct Channel {
   [[nodiscard]] plan::Flow plan_flow(std::size_t rows, Stepping stepping, bool along_y) const {
     using Terms = std::vector<PolynomialBottom::Term>;
     const double width = 0.7 * static_cast<double>(rows);
-    plan::Rectangle rectangle{.begin = 0,
-                              .end = along_y ? width : length,
-                              .south = 0,
+    plan::Rectangle rectangle{.end = along_y ? width : length,
                               .north = along_y ? length : width,
                               .columns = along_y ? rows : columns,
                               .rows = along_y ? columns : rows};

@@ -22,7 +22,6 @@ Flow window_flow(const validation::PlanSolitonRun& run) {
   const exact::SerreSolitary wave(run.amplitude);
   Lattice lattice = rectangular_lattice({.begin = -30,
                                          .end = 30,
-                                         .south = 0,
                                          .north = run.spacing * static_cast<double>(run.rows),
                                          .columns = static_cast<std::size_t>(std::lround(60 / run.spacing)),
                                          .rows = run.rows,

@@ -42,7 +42,6 @@ namespace plan = dispersive_shallow_water_2d;
 plan::Flow dam_break_in_plan(double high, double reach, double spacing) {
   return plan::Flow(plan::rectangular_lattice({.begin = -reach,
                                                .end = reach,
-                                               .south = 0,
                                                .north = 2 * spacing,
                                                .columns = static_cast<std::size_t>(std::lround(2 * reach / spacing)),
                                                .rows = 2,

@@ -90,9 +90,7 @@ inline std::shared_ptr<const PlanBottom> uneven_bottom() {
 /// A hump of 0.1 over it, 12 x 8 x 3 cells of half a depth, between three walls and one that is oblique.
 inline lagrangian_mesh_3d::Mesh hump_over_bottom() {
   return lagrangian_mesh_3d::layer_mesh(
-      {.begin = 0,
-       .end = 6,
-       .south = 0,
+      {.end = 6,
        .north = 4,
        .columns = 12,
        .rows = 8,
@@ -127,14 +125,9 @@ class OffTheBottom {
 /// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 x 2 cells; its walls at x, y = 0 mirror it.
 inline lagrangian_mesh_3d::Mesh hump_in_box() {
   return lagrangian_mesh_3d::layer_mesh(
-      {.begin = 0,
-       .end = 10,
-       .south = 0,
-       .north = 10,
-       .columns = 20,
-       .rows = 20,
-       .layers = 2,
-       .elevation = [](double x, double y) { return 0.3 * std::exp(-0.3 * (x * x + y * y)); }});
+      {.end = 10, .north = 10, .columns = 20, .rows = 20, .layers = 2, .elevation = [](double x, double y) {
+         return 0.3 * std::exp(-0.3 * (x * x + y * y));
+       }});
 }
 
 }  // namespace seiche::verification

@@ -101,8 +101,7 @@ Seen variable(const Twin& twin, variable_mass::Control control, bool layer) {
 Seen gauss(const Twin& twin, bool tank, gauss_particles::Stepping stepping) {
   using namespace gauss_particles;
   LatticePlan lattice{.cell_x = (tank ? 0.5 : 0.25) * twin.length};
-  Particles base = tank ? layer({.begin = 0,
-                                 .end = 2,
+  Particles base = tank ? layer({.end = 2,
                                  .columns = 16,
                                  .rows = 8,
                                  .surface = [](double x) { return 0.2 * hump(x, 0.5); },

@@ -52,7 +52,6 @@ Flow basin() {
       rectangular_lattice(
           {.begin = begin,
            .end = begin + length,
-           .south = 0,
            .north = width,
            .columns = 20,
            .rows = 12,

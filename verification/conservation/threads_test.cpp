@@ -98,9 +98,7 @@ void plan(Check& check, Stepping stepping) {
   same_for_threads(
       check, "Dispersive 2DH, " + name_of(stepping),
       [&](int count) {
-        Flow flow(rectangular_lattice({.begin = 0,
-                                       .end = 0.5 * columns,
-                                       .south = 0,
+        Flow flow(rectangular_lattice({.end = 0.5 * columns,
                                        .north = 0.5 * rows,
                                        .columns = columns,
                                        .rows = rows,
@@ -115,9 +113,7 @@ void hexahedra(Check& check, Stepping stepping) {
   using namespace lagrangian_mesh_3d;
   constexpr std::size_t rows = 60, columns = linear::worth_threads / (2 * rows) + 20;
   const Layer layer{
-      .begin = 0,
       .end = 0.5 * columns,
-      .south = 0,
       .north = 0.5 * rows,
       .columns = columns,
       .rows = rows,
@@ -142,8 +138,7 @@ void quadrilaterals(Check& check, Stepping stepping) {
                     method == linear::SolverMethod::banded ? "banded" : "iterative"),
         [&](int) {
           Flow flow(
-              layer_mesh({.begin = 0,
-                          .end = length,
+              layer_mesh({.end = length,
                           .columns = columns,
                           .rows = rows,
                           .elevation = [length](double x) { return 0.25 * std::cos(std::acos(-1.0) * x / length); }}),

@@ -30,8 +30,7 @@ constexpr double turn = 2 * std::numbers::pi;
 class Wave {
  public:
   Wave(bool exact_energy, double inner_fraction)
-      : flow_(layer({.begin = 0,
-                     .end = length,
+      : flow_(layer({.end = length,
                      .columns = std::size_t{cells} * per_side,
                      .rows = std::size_t{cells} / 2 * per_side,
                      .surface = [this](double x) { return surface(x); },

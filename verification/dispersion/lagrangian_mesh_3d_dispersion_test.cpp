@@ -25,14 +25,8 @@ struct Tank {
   double length, width, depth, gravity;
 
   [[nodiscard]] Mesh mesh() const {
-    return layer_mesh({.begin = 0,
-                       .end = length,
-                       .south = 0,
-                       .north = width,
-                       .depth = depth,
-                       .columns = columns,
-                       .rows = rows,
-                       .layers = layers});
+    return layer_mesh(
+        {.end = length, .north = width, .depth = depth, .columns = columns, .rows = rows, .layers = layers});
   }
   [[nodiscard]] exact::HexahedralDispersion law() const {
     return {gravity, depth, length / static_cast<double>(columns), width / static_cast<double>(rows), layers};

@@ -95,9 +95,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
               "derivative, and $A$ is $J W J^T$.",
               source);
   using plan_lattice::FreeSide;
-  Mesh mesh = layer_mesh({.begin = 0,
-                          .end = 6,
-                          .south = 0,
+  Mesh mesh = layer_mesh({.end = 6,
                           .north = 5,
                           .columns = 12,
                           .rows = 10,

@@ -93,9 +93,7 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
               "along the wall, and the vertical one above the bottom.");
   const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
   Mesh mesh = layer_mesh(
-      {.begin = 0,
-       .end = 4,
-       .south = 0,
+      {.end = 4,
        .north = 3,
        .columns = 4,
        .rows = 3,

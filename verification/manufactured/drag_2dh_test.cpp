@@ -21,9 +21,7 @@ constexpr double manning = 0.3;
 constexpr double depth = 0.8;
 
 Lattice sloshing() {
-  return rectangular_lattice({.begin = 0,
-                              .end = 6,
-                              .south = 0,
+  return rectangular_lattice({.end = 6,
                               .north = 4,
                               .columns = 12,
                               .rows = 8,
@@ -112,9 +110,7 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
                "The difference of the wave from the damped oscillator falls at first order in the step.",
                {1, 0.2, "absorption acts before the forces of a step and not with them"}}},
              [&](double tau) {
-               Flow flow(rectangular_lattice({.begin = 0,
-                                              .end = 6,
-                                              .south = 0,
+               Flow flow(rectangular_lattice({.end = 6,
                                               .north = 4,
                                               .columns = 12,
                                               .rows = 8,

@@ -59,8 +59,7 @@ Velocities gradient(const Particles& at) {
 
 Particles water(int cells, int per_side, bool end_corrected) {
   const double h = length / cells;
-  return layer({.begin = 0,
-                .end = length,
+  return layer({.end = length,
                 .columns = static_cast<std::size_t>(cells * per_side),
                 .rows = static_cast<std::size_t>(std::lround(per_side / h)),
                 .surface = surface,
@@ -183,8 +182,7 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
   for (const Flow& flow : flows) {
     for (const int cells : {4, 8}) {
       const double h = 1.0 / cells;
-      const Particles at = layer({.begin = 0,
-                                  .end = 2,
+      const Particles at = layer({.end = 2,
                                   .columns = static_cast<std::size_t>(12 * cells),
                                   .rows = static_cast<std::size_t>(6 * cells),
                                   .surface = [](double) { return 1.0; },

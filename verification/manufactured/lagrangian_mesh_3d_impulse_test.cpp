@@ -27,7 +27,6 @@ Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
   const double width = 2 * h;
   const Mesh mesh = layer_mesh({.begin = -20,
                                 .end = 20,
-                                .south = 0,
                                 .north = width,
                                 .columns = 40 * layers,
                                 .rows = 2,

@@ -49,9 +49,7 @@ struct Slope {
 double difference(const Slope& slope, Stepping stepping, double tau) {
   section::Flow plane(section::layer_mesh_over(slope.curve(), 0, length, columns, layers, hump), section::VelocityAt{},
                       {.stepping = stepping});
-  space::Flow water(space::layer_mesh({.begin = 0,
-                                       .end = length,
-                                       .south = 0,
+  space::Flow water(space::layer_mesh({.end = length,
                                        .north = 1.3,
                                        .columns = columns,
                                        .rows = rows,

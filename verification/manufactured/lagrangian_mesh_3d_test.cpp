@@ -21,9 +21,7 @@ constexpr double duration = 0.6;
 
 Mesh mesh_of(std::size_t n) {
   const auto bottom = Motion::bottom();
-  return layer_mesh({.begin = 0,
-                     .end = Motion::length,
-                     .south = 0,
+  return layer_mesh({.end = Motion::length,
                      .north = Motion::length,
                      .columns = n,
                      .rows = n,

@@ -58,9 +58,7 @@ std::shared_ptr<const PlanBottom> bowl() {
 /// A sheared lattice, 4 x 3 cells, its south side a slanted wall, the others free.
 Lattice slanted_lattice() {
   using plan_lattice::FreeSide;
-  Lattice lattice = rectangular_lattice({.begin = 0,
-                                         .end = 4,
-                                         .south = 0,
+  Lattice lattice = rectangular_lattice({.end = 4,
                                          .north = 3,
                                          .columns = 4,
                                          .rows = 3,
@@ -91,9 +89,7 @@ TEST_CASE("cells of the 2DH model hold the water between surface and bottom", "[
               "of degree four. They are compared with integrals over the cells, by products of rules of seven points. "
               "8 x 8 cells off a rectangle at random.",
               source);
-  Lattice lattice = jittered(rectangular_lattice({.begin = 0,
-                                                  .end = 8,
-                                                  .south = 0,
+  Lattice lattice = jittered(rectangular_lattice({.end = 8,
                                                   .north = 8,
                                                   .columns = 8,
                                                   .rows = 8,
@@ -273,14 +269,8 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
               "constraints are met, and masses are those of the cells. Over a level bottom a new cell is the copy of "
               "its neighbour: only the inclined one tells them apart.");
   for (const bool inclined : {false, true}) {
-    Lattice lattice = rectangular_lattice({.begin = 0,
-                                           .end = 4,
-                                           .south = 0,
-                                           .north = 3,
-                                           .columns = 4,
-                                           .rows = 3,
-                                           .sides = {.west = plan_lattice::HeldSide{}},
-                                           .depth = 2});
+    Lattice lattice = rectangular_lattice(
+        {.end = 4, .north = 3, .columns = 4, .rows = 3, .sides = {.west = plan_lattice::HeldSide{}}, .depth = 2});
     for (double& x : lattice.x) x *= 1 + 0.1 * x;
     if (inclined) {
       lattice.bottom = std::make_shared<PolynomialBottom>(

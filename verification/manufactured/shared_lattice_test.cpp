@@ -87,14 +87,8 @@ plan::Lattice part_of(const plan::Lattice& lattice, const Block& block) {
 }
 
 mesh::Mesh hexahedra() {
-  return mesh::layer_mesh({.begin = 0,
-                           .end = 8,
-                           .south = 0,
-                           .north = 6,
-                           .columns = whole.columns,
-                           .rows = whole.rows,
-                           .layers = 2,
-                           .elevation = wave});
+  return mesh::layer_mesh(
+      {.end = 8, .north = 6, .columns = whole.columns, .rows = whole.rows, .layers = 2, .elevation = wave});
 }
 
 mesh::Mesh part_of(const mesh::Mesh& all, const Block& block) {
@@ -260,7 +254,6 @@ TEST_CASE("the potential energies of blocks add up to that of the whole", "[manu
   plan::Lattice lattice =
       plan::rectangular_lattice({.begin = -4,
                                  .end = 4,
-                                 .south = 0,
                                  .north = 6,
                                  .columns = whole.columns,
                                  .rows = whole.rows,

@@ -31,9 +31,7 @@ Flow start(std::size_t columns, std::size_t rows, double h, Stepping stepping, S
   const double crest = length / 2;
   const double hump_x = length / 4;
   const double hump_y = width / 3;
-  return Flow(rectangular_lattice({.begin = 0,
-                                   .end = length,
-                                   .south = 0,
+  return Flow(rectangular_lattice({.end = length,
                                    .north = width,
                                    .columns = columns,
                                    .rows = rows,

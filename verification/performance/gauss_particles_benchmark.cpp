@@ -44,8 +44,7 @@ void wave_steps(benchmark::State& state) {
                                                          .ground = {.level = -std::numbers::pi},
                                                          .shift = true});
   const SplineSpace& splines = *space;
-  Flow flow(layer({.begin = 0,
-                   .end = length,
+  Flow flow(layer({.end = length,
                    .columns = 6 * cells,
                    .rows = 3 * cells,
                    .surface = [](double x) { return 0.2 * std::cos(x); },
@@ -68,8 +67,7 @@ BENCHMARK(wave_steps)->ArgsProduct({{20, 40, 80, 240}, {1, 2}})->Unit(benchmark:
 void projection(benchmark::State& state) {
   const double length = 2 * std::numbers::pi;
   const auto cells = static_cast<std::size_t>(state.range(0));
-  const Particles water = layer({.begin = 0,
-                                 .end = length,
+  const Particles water = layer({.end = length,
                                  .columns = 3 * cells,
                                  .rows = 3 * cells / 2,
                                  .surface = [](double x) { return 0.2 * std::cos(x); },

@@ -27,9 +27,7 @@ void steps(benchmark::State& state, Stepping stepping) {
   const auto layers = static_cast<std::size_t>(state.range(1));
   const double h = 1 / static_cast<double>(state.range(2));
   const double length = h * static_cast<double>(side);
-  Flow flow(layer_mesh({.begin = 0,
-                        .end = length,
-                        .south = 0,
+  Flow flow(layer_mesh({.end = length,
                         .north = length,
                         .columns = side,
                         .rows = side,

@@ -24,8 +24,7 @@ Flow still(bool uneven, int cells, int per_side, double penalty, bool shift) {
   const auto profile = std::make_shared<CosineBottom>(1, 0.3, 1);
   Ground ground{.level = -1};
   if (uneven) ground.profile = profile;
-  return Flow(layer({.begin = 0,
-                     .end = length,
+  return Flow(layer({.end = length,
                      .columns = static_cast<std::size_t>(cells * per_side),
                      .rows = static_cast<std::size_t>(std::lround(per_side / h)),
                      .surface = [](double) { return 0.0; },

@@ -65,14 +65,8 @@ struct Lake {
 /// 20 x 20 cells over 10 x 10, nodes moved to where `place` puts them.
 Lattice box(std::shared_ptr<const PlanBottom> bottom = {}, Sides sides = {},
             const std::function<Point(double x, double y)>& place = {}) {
-  Lattice lattice = rectangular_lattice({.begin = 0,
-                                         .end = 10,
-                                         .south = 0,
-                                         .north = 10,
-                                         .columns = 20,
-                                         .rows = 20,
-                                         .sides = std::move(sides),
-                                         .bottom = std::move(bottom)});
+  Lattice lattice = rectangular_lattice(
+      {.end = 10, .north = 10, .columns = 20, .rows = 20, .sides = std::move(sides), .bottom = std::move(bottom)});
   for (std::size_t k = 0; place && k < lattice.x.size(); ++k) {
     const Point there = place(lattice.x[k], lattice.y[k]);
     lattice.x[k] = there.x;

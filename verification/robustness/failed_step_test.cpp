@@ -166,9 +166,7 @@ TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
   {
     namespace cells = lagrangian_mesh_3d;
     for (const double last : {0.0, 0.5}) {
-      cells::Flow flow(cells::layer_mesh({.begin = 0,
-                                          .end = 4,
-                                          .south = 0,
+      cells::Flow flow(cells::layer_mesh({.end = 4,
                                           .north = 4,
                                           .columns = 8,
                                           .rows = 8,

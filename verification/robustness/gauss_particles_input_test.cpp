@@ -21,12 +21,8 @@ LatticePlan tank() {
 }
 
 Layer water() {
-  return {.begin = 0,
-          .end = 2,
-          .columns = 48,
-          .rows = 24,
-          .surface = [](double) { return 1.0; },
-          .bottom = [](double) { return 0.0; }};
+  return {
+      .end = 2, .columns = 48, .rows = 24, .surface = [](double) { return 1.0; }, .bottom = [](double) { return 0.0; }};
 }
 
 std::unique_ptr<FieldSpace> splines(const LatticePlan& plan = tank(), SplineSpace::Settings settings = {}) {

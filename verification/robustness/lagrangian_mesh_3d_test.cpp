@@ -88,14 +88,8 @@ TEST_CASE("a wave that tangles hexahedra at a wall stops with time, step and pla
   const double decay = std::sqrt(0.75 * a / (1 + a));
   const auto elevation = [=](double x, double) { return a / std::pow(std::cosh(decay * x), 2); };
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
-    Flow flow(layer_mesh({.begin = -12,
-                          .end = 12,
-                          .south = 0,
-                          .north = 1,
-                          .columns = 48,
-                          .rows = 2,
-                          .layers = 4,
-                          .elevation = elevation}),
+    Flow flow(layer_mesh(
+                  {.begin = -12, .end = 12, .north = 1, .columns = 48, .rows = 2, .layers = 4, .elevation = elevation}),
               [&](Place r) {
                 const double eta = elevation(r.x, r.y);
                 const double slope = -2 * decay * std::tanh(decay * r.x) * eta;

@@ -18,8 +18,7 @@ using linear::SolverMethod;
 /// Water with an inclined surface, released between walls.
 Flow released(std::size_t columns, std::size_t rows, Scheme scheme, SolverMethod method, double tolerance,
               double length = 6) {
-  return Flow(layer_mesh({.begin = 0,
-                          .end = length,
+  return Flow(layer_mesh({.end = length,
                           .columns = columns,
                           .rows = rows,
                           .elevation = [=](double x) { return 0.25 * std::cos(std::numbers::pi * x / length); }}),
