@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from submitting import SOURCE, Scoring, rows_of
+from submitting import SOURCE, Scoring, printed, rows_of
 
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 PACKAGE = os.environ["SEICHE_PYTHON_PATH"]  # with the compiled module
@@ -149,6 +149,34 @@ class Adapt(Scoring):
             file["particles/fluid/arrays/y"] = np.zeros(3)
             file["particles/fluid/arrays/x"] = h5py.ExternalLink(str(self.folder / "secret.h5"), "/x")
         self.refuses(self.adapt("front", self.folder / "a.hdf5", "--near", 1), "x is a link")
+
+    ADCIRC = ("run  id  grid\n 2  {}  60.0  30  1\n 30.0  30\n 1  0.25\n 2  -99999.0\n 60.0  60\n 1  0.5E+00\n 2  0.125\n")
+
+    def test_series_of_gauges_that_a_solver_wrote(self):
+        self.hdf5("thetis.hdf5", time=np.array([[60.0], [30.0]]), wall=np.array([[0.5], [0.25]]),
+                  shoal=np.array([[0.125, 3], [-0.125, 4]]), comment=np.arange(3.0))
+        for file, names, rows in (
+                ("thetis.hdf5", ["t [s]", "shoal_0 [m]", "shoal_1 [m]", "wall [m]"], [[30, -0.125, 4, 0.25], [60, 0.125, 3, 0.5]]),
+                (self.write(self.ADCIRC.format(2), "fort.61").name, ["t [s]", "1 [m]", "2 [m]"], [[30, 0.25, np.nan], [60, 0.5, 0.125]])):
+            found, values = self.rows("series", self.folder / file)
+            self.assertEqual(found, names)
+            np.testing.assert_array_equal(values, rows)
+        for file, content in (("a.61", self.ADCIRC.format(3)), ("b.61", "run\n"), ("c.61", self.ADCIRC.format(2).replace("0.25", "x")),
+                              ("d.61", self.ADCIRC.format(0)), ("e.hdf5", b"\x89HDF"), ("f.csv", "t,1\n0,1\n")):
+            self.refuses(self.adapt("series", self.write(content, file)), file)
+        self.hdf5("g.h5", wall=np.arange(3.0))
+        self.refuses(self.adapt("series", self.folder / "g.h5"), "no time: there are wall")
+        self.hdf5("h.h5", time=np.array([0, np.nan]), wall=np.arange(2.0))
+        self.refuses(self.adapt("series", self.folder / "h.h5"), "finite numbers")
+        self.refuses(self.adapt("series", self.folder / "g.h5", self.folder / "g.h5"), "one file")
+
+    def test_series_are_scored_by_the_numbers_of_gauges(self):
+        _, rows = rows_of(printed("score", "island_gauges", "--template", "--table", "gauges"))
+        times = np.unique([float(row[1]) for row in rows])
+        records = "".join(f"{t} 1\n1 {0.01 * np.sin(t)}\n2 {0.02 * np.sin(t)}\n" for t in times)
+        made = self.adapt("series", self.write(f"run\n{len(times)} 2 0.1 1 1\n{records}", "fort.61"))
+        scored = self.score("island_gauges", "--data", self.write(made.stdout), "--gauges", "1=6,2=9")
+        self.assertIn("2 of 8 given, without gauge = 1, 2, 3, 4, 16, 22", scored.stdout, scored.stderr)
 
     def test_what_is_missing_is_named(self):
         self.refuses(self.adapt("front", self.folder / "nothing.vtu"), "is not there")

@@ -126,8 +126,8 @@ def overview(cases, broken, problems):
         "crashed": [record for record in records if record.status == "error"],
         "broken": broken, "problems": problems,
         "unexpected_count": len(surprises),
-        "unexpected_elsewhere": sum(1 for record, _ in surprises if record not in own),
-        "evidence": _evidence(own), "deviations": by_cause(declared),
+        "own_unexpected": sum(1 for record, _ in surprises if record in own),
+        "evidence": _evidence(own) + _others([record for record in records if record not in own]), "deviations": by_cause(declared),
         "wall_time": sum(record.wall_time or 0 for record in own),
         "slowest": sorted(own, key=lambda record: -(record.wall_time or 0))[:5],
         "quiet": not (surprises or broken or any(record.status == "error" for record in records)),
@@ -148,6 +148,13 @@ def _evidence(records):
     kinds["Laboratory"] += f"; {beside} further claims" if beside else ""
     return [(name, kinds[name], sum(1 for claim in claims if claim.verdict == "pass"), len(claims))
             for name, claims in found.items()]
+
+
+def _others(records):
+    """The same row for what other solvers' results were scored by."""
+    claims = [claim for record in records for claim in record.claims]
+    return [("Other solvers", f"{plural(len(records), 'scored result')}, none of ours",
+             sum(1 for claim in claims if claim.verdict == "pass"), len(claims))] if records else []
 
 
 def cause_of(case, claim, causes):

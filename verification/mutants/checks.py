@@ -16,6 +16,7 @@ PROJECT = {  # what else decides a file, by its path: programs of ci.* and of th
     "reports/render/": ["reports/render/tests"],
     "solver/python/module": ["solver/python/tests"],
     "solver/python/seiche/adapt": ["ci/tests/test_adapt.py"],
+    "solver/python/seiche/readers": ["ci/tests/test_adapt.py"],
     "solver/python/seiche/": ["solver/python/tests"],
     "reports/evidence/": ["ci/tests/test_junit.py", "ci/tests/test_command.py"],
     "validation/case/": ["ci/tests/test_command.py"],

@@ -105,6 +105,14 @@ class Matrix(unittest.TestCase):
         self.assertEqual([(cause, len(members), counts) for cause, members, counts in said["deviations"]],
                          [("Other causes", 1, [(("b", "cases/b.html"), 1)])])
 
+    def test_results_of_other_solvers_are_counted_apart(self):
+        wrong = claim("y", verdict="fail")
+        said = pages.overview(loaded(record("a", claims=[claim("x"), wrong]),
+                                     record("b", solver="boxes", claims=[claim("x"), wrong, wrong])), [], [])
+        self.assertEqual((said["claims"], said["unexpected_count"], said["own_unexpected"]), (2, 3, 1))
+        self.assertEqual([(name, met, all_of) for name, _, met, all_of in said["evidence"]],
+                         [("Verification", 0, 0), ("Theory and sources", 1, 2), ("Laboratory", 0, 0), ("Other solvers", 1, 3)])
+
     def test_every_known_deviation_of_the_baseline_has_a_cause(self):
         causes, other, used = matrix.causes(), [], set()
         for file in (matrix.PROBLEMS.parent / "record").glob("*.csv"):
