@@ -67,7 +67,8 @@ TEST_CASE("lattices that tangle, touch their bottom or leave it stop with time, 
           return Velocity{0.5 * std::sin(k * x) * std::cos(k * y), -0.5 * std::cos(k * x) * std::sin(k * y), 0};
         },
         scheme);
-    holds_of_breakdown(check, name_of(stepping) + "-eddy", run_until_breakdown(eddy, 60, 0.1), "mesh tangled", -0.5, 10.5);
+    holds_of_breakdown(check, name_of(stepping) + "-eddy", run_until_breakdown(eddy, 60, 0.1), "mesh tangled", -0.5,
+                       10.5);
     Flow collapse(rectangular_lattice(block(0.02)), {}, scheme);
     holds_of_breakdown(check, name_of(stepping) + "-collapse", run_until_breakdown(collapse, 60, 0.02),
                        "touches the bottom", -20, 20);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
@@ -70,15 +71,12 @@ TEST_CASE("bad lattices and settings of the 2DH model are refused with name, val
   });
   const auto settings =
       refusals.with<Settings>([&](const Settings& bad) { Flow flow(rectangular_lattice(still_water()), {}, {}, bad); });
-  settings({"gravity", "-1"}, {.gravity = -1});
-  settings({"gravity", "nan"}, {.gravity = not_a_number});
-  settings({"manning", "-1", "non-negative"}, {.drag = {.manning = -1}});
+  refusals.outside_ranges("Settings", Settings{},
+                          [](const Settings& s) { Flow(rectangular_lattice(still_water()), {}, {}, s); });
+  refusals.outside_ranges("DragSettings", DragSettings{},
+                          [](const DragSettings& s) { Flow(rectangular_lattice(still_water()), {}, {}, {.drag = s}); });
   settings({"shore_rate", "shoreline", "south"}, {.drag = {.shore_rate = 1}});
-  settings({"breaking_slope", "-1", "non-negative"}, {.drag = {.breaking_slope = -1}});
-  settings({"lattice_rate", "-1", "non-negative"}, {.drag = {.lattice_rate = -1}});
   settings({"absorption", "-1", "non-negative"}, {.drag = {.absorption = [](Point at) { return at.x - 1; }}});
-  settings({"gamma", "-0.1", "non-negative"}, {.gamma = -0.1});
-  settings({"inertia", "0", "[0.001, 1]"}, {.inertia = 0});
   settings({"tolerance", "0.1"}, {.solver = linear::SolverMethod::iterative, .tolerance = 0.1});
   refusals.refused({"u[0]", "nan", "finite"}, [] {
     Flow flow(rectangular_lattice(still_water()), [](double, double) { return Velocity{not_a_number, 0, 0}; });
@@ -96,13 +94,15 @@ TEST_CASE("bad lattices and settings of the 2DH model are refused with name, val
     bent.y[bent.shape.node(4, bent.shape.rows)] -= 0.2;
     Flow flow(std::move(bent), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
-  refusals.refused({"moving window", "shoreline"}, [] {
-    Rectangle beach = still_water();
-    beach.sides.south = plan_lattice::ShoreSide{};
-    beach.bottom =
-        std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{.coefficient = -1, .y_power = 1}});
+  Rectangle beach = still_water();
+  beach.sides.south = plan_lattice::ShoreSide{};
+  beach.bottom =
+      std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{.coefficient = -1, .y_power = 1}});
+  refusals.refused({"moving window", "shoreline"}, [&] {
     Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
+  refusals.outside_ranges("RezoneSettings", RezoneSettings{},
+                          [&](const RezoneSettings& s) { ShoreFollowing(rectangular_lattice(beach), s); });
   refusals.refused({"moving window", "absorption"}, [] {
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
               {.reach = [](double t) { return t; }});

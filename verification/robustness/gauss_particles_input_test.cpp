@@ -85,12 +85,9 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
         std::make_shared<PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
   });
 
-  const auto with_settings =
-      refusals.with<Settings>([&](const Settings& settings) { Flow flow(layer(water()), splines(), {}, settings); });
-  with_settings({"gravity", "= -1", "non-negative"}, {.gravity = -1});
-  with_settings({"penalty", "= -0.01", "non-negative"}, {.penalty = -0.01});
-  with_settings({"density", "= 0", "positive"}, {.density = 0});
-  refusals.refused({"inner_fraction", "= 1.5"}, [] { splines(tank(), {.inner_fraction = 1.5}); });
+  refusals.outside_ranges("Settings", Settings{}, [](const Settings& s) { Flow(layer(water()), splines(), {}, s); });
+  refusals.outside_ranges("SplineSpace::Settings", SplineSpace::Settings{},
+                          [](const SplineSpace::Settings& s) { splines(tank(), s); });
   refusals.refused({"no space"}, [] { Flow flow(layer(water()), nullptr); });
   refusals.refused({"no stream function"}, [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
   refusals.refused({"depth", "positive"}, [] {

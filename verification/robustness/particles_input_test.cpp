@@ -33,16 +33,8 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
         {0, 1, 2, 3, 4}, [](double x) { return 2.25 - x; }, level));
   });
   refusals.refused({"bore"}, [] { bore(9.81, 0, 5, 10, 1, 2, 10); });
-  refusals.refused({"gravity"}, [] {
-    Forcing forcing;
-    forcing.gravity = 0;
-    ParticleFlow flow(still_water(), {}, forcing);
-  });
-  refusals.refused({"theta"}, [] {
-    Scheme scheme;
-    scheme.theta = 2.5;
-    ParticleFlow flow(still_water(), {}, {}, scheme);
-  });
+  refusals.outside_ranges("Forcing", Forcing{}, [](const Forcing& f) { ParticleFlow(still_water(), {}, f); });
+  refusals.outside_ranges("Scheme", Scheme{}, [](const Scheme& s) { ParticleFlow(still_water(), {}, {}, s); });
   refusals.refused({"bed"}, [] {
     Forcing forcing;
     forcing.bed = Bed{[](double x) { return x; }, [](double x) { return x; }};

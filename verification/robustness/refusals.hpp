@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "seiche/ranges.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification {
@@ -22,9 +25,9 @@ class Refusals {
  public:
   explicit Refusals(Check& check) : check_(check) {}
 
-  /// `action` is refused with a message that contains all of `words`: parameter, value, range.
+  /// `action` is refused with a message that contains all of `words`: parameter, value, range. @param of  what it is of
   template <class Action>
-  void refused(const std::vector<std::string>& words, Action action) {
+  void refused(const std::vector<std::string>& words, Action action, const std::string& of = "") {
     std::string message;
     try {
       action();
@@ -41,7 +44,7 @@ class Refusals {
       wanted += (wanted.empty() ? "" : ", ") + word;
     }
     check_.holds(
-        "Rejected, naming: " + wanted + ".", {named ? 1.0 : 0.0},
+        of + "Rejected, naming: " + wanted + ".", {named ? 1.0 : 0.0},
         evidence::Qualitative{
             "std::invalid_argument whose message contains all of it",
             "input must be rejected before anything is computed, with what is wrong, its value and what is allowed"});
@@ -57,6 +60,20 @@ class Refusals {
         use(std::move(bad));
       });
     };
+  }
+  /// Every number of a struct of parameters (seiche/ranges.hpp): the nearest ones outside of its range, infinities and
+  /// NaN are refused by its name, value and range; the good ones are not. @param of  the name of the struct
+  template <class Parameters, class Use>
+  void outside_ranges(const std::string& of, const Parameters& good, Use use) {
+    CHECK_NOTHROW(use(good));
+    for (const auto& number : Parameters::ranges()) {
+      for (const double value : number.range.outside()) {
+        Parameters bad = good;
+        bad.*number.member = value;
+        refused(
+            {fmt::format("{} = {:.17g}", number.name, value), number.range.words()}, [&] { use(bad); }, of + ": ");
+      }
+    }
   }
   /// Rows that give what is used.
   template <class Bad, class Use>

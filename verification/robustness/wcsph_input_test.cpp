@@ -12,7 +12,7 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "verification/check.hpp"
+#include "verification/robustness/refusals.hpp"
 #include "verification/wcsph_problems.hpp"
 
 namespace seiche::verification::wcsph_input_test {
@@ -39,17 +39,15 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
   CHECK_NOTHROW(Flow(water, spacing, good));
   CHECK_THROWS_AS(Flow(water, 0, good), std::invalid_argument);
   CHECK_THROWS_AS(Flow(water, -0.1, good), std::invalid_argument);
-  refuse(water, with([](Settings& s) { s.smoothing = 0.89; }), "smoothing");
-  refuse(water, with([](Settings& s) { s.smoothing = 3.01; }), "smoothing");
-  refuse(water, with([](Settings& s) { s.sound_speed = 0; }), "sound_speed");
-  refuse(water, with([](Settings& s) { s.density = -1; }), "density");
-  refuse(water, with([](Settings& s) { s.xsph = 1.1; }), "xsph");
-  refuse(water, with([](Settings& s) { s.xsph = -0.1; }), "xsph");
-  refuse(water, with([](Settings& s) { s.viscosity = ArtificialViscosity{-0.1}; }), "alpha");
-  refuse(water, with([](Settings& s) { s.viscosity = LaminarSps{-1e-6}; }), "viscosity");
+  Check check("wcsph_bad_settings", "Bad settings of SPH", "Each number outside of its range.");
+  Refusals refusals(check);
+  const auto viscous = [&](const auto& viscosity) {
+    Flow(water, spacing, with([&](Settings& s) { s.viscosity = viscosity; }));
+  };
+  refusals.outside_ranges("Settings", good, [&](const Settings& s) { Flow(water, spacing, s); });
+  refusals.outside_ranges("ArtificialViscosity", ArtificialViscosity{}, viscous);
+  refusals.outside_ranges("LaminarSps", LaminarSps{}, viscous);
   refuse(water, with([](Settings& s) { s.filter_every = -1; }), "filter");
-  refuse(water, with([](Settings& s) { s.courant = 0; }), "courant");
-  refuse(water, with([](Settings& s) { s.gravity = std::numeric_limits<double>::quiet_NaN(); }), "gravity");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
   refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));

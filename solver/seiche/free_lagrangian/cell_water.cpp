@@ -66,8 +66,7 @@ CellWater::CellWater(const Mesh& mesh, Settings settings)
       pressure_(mesh, settings.stabilisation),
       freedom_(freedoms(mesh)),
       force_(mesh.nodes()) {
-  require_not_negative("gravity", settings.gravity);
-  require_positive("density", settings.density);
+  require_ranges(settings);
   std::vector<double> masses = first_areas(mesh, pressure_.triangulation().mesh());
   for (double& mass : masses) mass *= settings.density;
   set_masses(masses);
@@ -155,9 +154,7 @@ std::vector<double> first_areas(const Mesh& mesh, const Triangulation& triangula
 }
 
 CellPressure::CellPressure(const Mesh& mesh, double stabilisation)
-    : stabilisation_(stabilisation), triangulation_(triangulated(mesh), mesh.places()) {
-  require_not_negative("stabilisation", stabilisation);
-}
+    : stabilisation_(stabilisation), triangulation_(triangulated(mesh), mesh.places()) {}
 
 MeshQuality CellPressure::quality(Places at) {
   follow(at);

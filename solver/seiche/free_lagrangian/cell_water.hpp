@@ -26,6 +26,7 @@
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::free_lagrangian {
 
@@ -127,6 +128,12 @@ struct Settings {
   double gravity = 1;          ///< [m/s^2]
   double density = 1;          ///< [kg/m^3]
   double stabilisation = 0.1;  ///< epsilon
+
+  static constexpr auto ranges() {
+    return std::array{Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"density", &Settings::density, Range::positive()},
+                      Number{"stabilisation", &Settings::stabilisation, Range::not_negative()}};
+  }
 };
 
 /// Velocity of the water at a place; empty: at rest.

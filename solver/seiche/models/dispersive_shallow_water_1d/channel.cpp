@@ -16,16 +16,9 @@ double Friction::per_length(double gravity, double depth) const {
 
 void Channel::validate() const {
   require_that(bottom != nullptr, "channel without a bottom: set Channel::bottom");
-  require_not_negative("period", period);
-  require_positive("gravity", gravity);
-  require_positive("density", density);
-  require_positive("alpha", alpha);
-  require_finite("slope_energy", slope_energy);
-  require_not_negative("gamma", gamma);
-  require_finite("depth_power", depth_power);
-  require_positive("reference_depth", reference_depth);
+  require_ranges(*this);
   require_not_negative("friction coefficient", friction.coefficient);
-  if (breaking) breaking->validate();
+  if (breaking) require_ranges(*breaking);
   require_that(kinetics != Kinetics::green_naghdi || alpha >= 0.25,
                "kinetics = green_naghdi needs alpha >= 1/4: the kinetic energy over steep slopes "
                "would not be positive");
@@ -51,12 +44,6 @@ bool compressed(const BreakingFronts::Surface& surface, std::size_t cell) {
 }
 
 }  // namespace
-
-void Breaking::validate() const {
-  require_positive("onset_slope", onset_slope);
-  require_within("ceasing_froude", ceasing_froude, 1, std::numeric_limits<double>::max());
-  require_positive("share", share);
-}
 
 double BreakingFronts::damping_of_front(const Surface& surface, std::size_t first, std::size_t cells) const {
   const std::size_t all = damping_.size();

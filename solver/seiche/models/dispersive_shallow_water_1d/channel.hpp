@@ -1,6 +1,7 @@
 /// What a channel is: its bottom, its ends, and the constants of the model.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "seiche/geometry/bottom_profile.hpp"
+#include "seiche/ranges.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
@@ -46,8 +48,11 @@ struct Breaking {
   double ceasing_froude = shallow_water::weakest_breaking_bore;  ///< at least 1
   double share = 1;                                              ///< of the viscosity that leaves no waves
 
-  /// Throws std::invalid_argument.
-  void validate() const;
+  static constexpr auto ranges() {
+    return std::array{Number{"onset_slope", &Breaking::onset_slope, Range::positive()},
+                      Number{"ceasing_froude", &Breaking::ceasing_froude, Range{1}},
+                      Number{"share", &Breaking::share, Range::positive()}};
+  }
 };
 
 class BreakingFronts {
@@ -141,6 +146,17 @@ struct Channel {
   /// Throws std::invalid_argument.
   void validate() const;
   [[nodiscard]] bool periodic() const { return period > 0; }
+
+  static constexpr auto ranges() {
+    return std::array{Number{"period", &Channel::period, Range::not_negative()},
+                      Number{"gravity", &Channel::gravity, Range::positive()},
+                      Number{"density", &Channel::density, Range::positive()},
+                      Number{"alpha", &Channel::alpha, Range::positive()},
+                      Number{"slope_energy", &Channel::slope_energy, Range::finite()},
+                      Number{"gamma", &Channel::gamma, Range::not_negative()},
+                      Number{"depth_power", &Channel::depth_power, Range::finite()},
+                      Number{"reference_depth", &Channel::reference_depth, Range::positive()}};
+  }
 };
 
 }  // namespace seiche::dispersive_shallow_water_1d

@@ -177,10 +177,7 @@ double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
 
 Drag::Drag(DragSettings settings, const Lattice& lattice, double inertia)
     : settings_(settings), shape_(lattice.shape), breaking_(settings.breaking_slope, inertia, lattice.shape) {
-  require_not_negative("manning", settings.manning);
-  require_not_negative("shore_rate", settings.shore_rate);
-  require_not_negative("lattice_rate", settings.lattice_rate);
-  require_not_negative("breaking_slope", settings.breaking_slope);
+  require_ranges(settings);
   require_that(settings.shore_rate == 0 || std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south),
                "shore_rate without a shoreline on the south side; allowed: 0");
   if (settings.absorption) {

@@ -38,6 +38,7 @@
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -140,6 +141,13 @@ struct DragSettings {
   double breaking_slope = 0;  ///< of a surface that begins to break; 0 for none
   /// Rate of an absorbing layer [1/s] at the first place of a column; empty for none. Not with a moving window.
   std::function<double(Point)> absorption = {};
+
+  static constexpr auto ranges() {
+    return std::array{Number{"manning", &DragSettings::manning, Range::not_negative()},
+                      Number{"shore_rate", &DragSettings::shore_rate, Range::not_negative()},
+                      Number{"lattice_rate", &DragSettings::lattice_rate, Range::not_negative()},
+                      Number{"breaking_slope", &DragSettings::breaking_slope, Range::not_negative()}};
+  }
 };
 
 class Drag {

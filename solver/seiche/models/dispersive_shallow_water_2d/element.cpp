@@ -164,9 +164,7 @@ Diagonals::Diagonals(mechanics::Input q, const plan_lattice::Shape& shape, std::
   b = vector_at(q, c3) - vector_at(q, c1);
 }
 
-DispersionEnergy::DispersionEnergy(plan_lattice::Shape shape, double gamma) : shape_(shape), gamma_(gamma) {
-  require_not_negative("gamma", gamma);
-}
+DispersionEnergy::DispersionEnergy(plan_lattice::Shape shape, double gamma) : shape_(shape), gamma_(gamma) {}
 
 double DispersionEnergy::value(std::span<const double> volumes, mechanics::Input q) const {
   CompensatedSum sum;

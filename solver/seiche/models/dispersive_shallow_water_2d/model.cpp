@@ -22,7 +22,7 @@ using bilinear_patch::Corners;
 
 lattice::Cells valid_cells(const Lattice& lattice, const Settings& settings) {
   lattice.require_valid();
-  require_within("inertia", settings.inertia, 1e-3, 1);
+  require_ranges(settings);
   return {lattice.shape.columns, lattice.shape.rows};
 }
 
@@ -77,7 +77,6 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       drag_(settings.drag, lattice_, settings.inertia),
       normals_(n_),
       other_normals_(n_) {
-  require_not_negative("gravity", settings.gravity);
   if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
   const std::vector<double> places = lattice::joined({lattice_.x, lattice_.y, lattice_.z});
   if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {

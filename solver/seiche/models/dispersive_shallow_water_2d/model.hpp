@@ -58,6 +58,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/shoreline.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -74,6 +75,12 @@ struct Settings {
   linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
   DragSettings drag = {};    ///< takes energy; none in Frank's own model
+
+  static constexpr auto ranges() {
+    return std::array{Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"inertia", &Settings::inertia, Range::within(1e-3, 1)},
+                      Number{"gamma", &Settings::gamma, Range::not_negative()}};
+  }
 };
 
 struct Forcing {

@@ -37,11 +37,7 @@ constexpr int most_halvings = 5;  // of one that fails
 
 ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
     : shape_(first.shape), settings_(settings) {
-  require_within("drift", settings.drift, 1e-6, 2);
-  require_within("narrowest", settings.narrowest, 0, 0.99);
-  require_not_negative("edge_slope", settings.edge_slope);
-  require_not_negative("shore_slope", settings.shore_slope);
-  require_within("strain", settings.strain, 1e-6, 1);
+  require_ranges(settings);
   require_that(std::holds_alternative<plan_lattice::ShoreSide>(first.sides.south),
                "a lattice without a shoreline on its south side; allowed: one with it");
   require_at_least("columns", static_cast<long>(shape_.columns), 3);

@@ -30,6 +30,7 @@
 /// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -37,6 +38,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -90,6 +92,14 @@ struct RezoneSettings {
   double edge_slope = 0.08;
   double strain = 0.3;     ///< of an edge, in a step
   double shore_slope = 2;  ///< of the shoreline against its columns, in plan; 0: as it comes
+
+  static constexpr auto ranges() {
+    return std::array{Number{"drift", &RezoneSettings::drift, Range::within(1e-6, 2)},
+                      Number{"narrowest", &RezoneSettings::narrowest, Range::within(0, 0.99)},
+                      Number{"edge_slope", &RezoneSettings::edge_slope, Range::not_negative()},
+                      Number{"shore_slope", &RezoneSettings::shore_slope, Range::not_negative()},
+                      Number{"strain", &RezoneSettings::strain, Range::within(1e-6, 1)}};
+  }
 };
 
 /// Places of the nodes of a lattice that follows the shoreline on its south side.

@@ -28,9 +28,7 @@ Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings se
     : particles_(std::move(particles)), space_(std::move(space)), settings_(settings), forcing_(std::move(forcing)) {
   require_particles(particles_);
   require_that(space_ != nullptr, "no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
-  require_not_negative("gravity", settings_.gravity);
-  require_positive("density", settings_.density);
-  require_not_negative("penalty", settings_.penalty);
+  require_ranges(settings_);
   if (settings_.surface) surface_.emplace(*settings_.surface, particles_, settings_.density * settings_.gravity);
   const mechanics::State first = state();
   if (surface_) {

@@ -50,6 +50,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/particles.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -122,6 +123,12 @@ struct Settings {
   double penalty = 0.01;
   /// Gravity acts through the surface (SurfaceGravity) and not on every particle; conservative stepping only.
   std::optional<SurfaceLine> surface = {};
+
+  static constexpr auto ranges() {
+    return std::array{Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"density", &Settings::density, Range::positive()},
+                      Number{"penalty", &Settings::penalty, Range::not_negative()}};
+  }
 };
 
 /// What acts on the water besides gravity.

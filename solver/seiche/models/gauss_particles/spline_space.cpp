@@ -80,8 +80,7 @@ SplineSpace::SplineSpace(const LatticePlan& plan, Settings settings) : SplineSpa
 
 SplineSpace::SplineSpace(Ground ground, LatticeAt at, Settings settings)
     : ground_(std::move(ground)), at_(std::move(at)), settings_(settings) {
-  require_positive("density", settings_.density);
-  require_within("inner_fraction", settings_.inner_fraction, 0.05, 1);
+  require_ranges(settings_);
   require_that(at_ != nullptr, "no lattice; allowed: a function that gives one");
 }
 

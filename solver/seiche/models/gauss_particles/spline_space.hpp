@@ -7,6 +7,7 @@
 /// Results do not depend on the number of threads.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -16,6 +17,7 @@
 #include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/gram_system.hpp"
 #include "seiche/models/gauss_particles/lattice.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -50,6 +52,11 @@ class SplineSpace final : public FieldSpace {
     double density = 1;  ///< [kg/m^3]
     /// f: mass of an inner cell, of a full one; 0.25 to 0.3 for thin tongues, 0.9 with gravity on the surface
     double inner_fraction = 0.5;
+
+    static constexpr auto ranges() {
+      return std::array{Number{"density", &Settings::density, Range::positive()},
+                        Number{"inner_fraction", &Settings::inner_fraction, Range::within(0.05, 1)}};
+    }
   };
 
   /// Throws std::invalid_argument: what LatticePlan::check says, density not positive, fraction not in [0.05, 1].

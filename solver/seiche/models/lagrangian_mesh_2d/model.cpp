@@ -21,7 +21,7 @@ namespace {
 
 lattice::Cells valid_cells(const Mesh& mesh, const Settings& settings) {
   mesh.require_valid();
-  require_positive("density", settings.density);
+  require_ranges(settings);
   return {mesh.columns, mesh.rows};
 }
 
@@ -75,9 +75,6 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
       edges_(mesh_),
       hourglass_(mesh_, settings.hourglass * settings.density * settings.gravity * std::sqrt(mean_area(mesh_))),
       barrier_(settings.corner_barrier * settings.density * settings.gravity) {
-  require_not_negative("gravity", settings.gravity);
-  require_not_negative("hourglass", settings.hourglass);
-  require_not_negative("corner_barrier", settings.corner_barrier);
   require_that(!edges_.empty(), "the mesh has no free side; allowed: at least one");
   require_that(settings.lowest_corner < 1, "lowest_corner = {:g}; allowed: below 1", settings.lowest_corner);
   volume_ = areas_of(mesh_);

@@ -49,6 +49,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_2d/nodes.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -71,6 +72,13 @@ struct Settings {
   double lowest_corner = 0;
   linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
+
+  static constexpr auto ranges() {
+    return std::array{Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"density", &Settings::density, Range::positive()},
+                      Number{"hourglass", &Settings::hourglass, Range::not_negative()},
+                      Number{"corner_barrier", &Settings::corner_barrier, Range::not_negative()}};
+  }
 };
 
 /// What acts on the water besides gravity.

@@ -17,7 +17,7 @@ namespace {
 
 lattice::Cells valid_cells(const Mesh& mesh, const Settings& settings) {
   mesh.require_valid();
-  require_positive("density", settings.density);
+  require_ranges(settings);
   return {mesh.plan.columns, mesh.plan.rows, mesh.layers};
 }
 
@@ -77,7 +77,6 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
       bottom_(mesh_.bottom, nodes_.on_bottom()),
       surface_(mesh_.plan.columns, mesh_.plan.rows, n_),
       forcing_(std::move(forcing)) {
-  require_not_negative("gravity", settings.gravity);
   volume_ = volumes_of(mesh_);
   first_pushed_row_ = forcing_.body_force ? 0 : (mesh_.plan.rows + 1) * mesh_.layers;
 }

@@ -50,6 +50,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_3d/nodes.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
@@ -62,6 +63,11 @@ struct Settings {
   double gravity = 1;        ///< [m/s^2]
   double density = 1;        ///< [kg/m^3]
   double tolerance = 1e-10;  ///< relative residual of the iteration; 1e-13 where conservation is measured
+
+  static constexpr auto ranges() {
+    return std::array{Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"density", &Settings::density, Range::positive()}};
+  }
 };
 
 /// What acts on the water besides gravity.

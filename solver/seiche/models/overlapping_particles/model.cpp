@@ -23,7 +23,7 @@ Particles valid(Particles particles) {
 }
 
 double support_of(const Particles& particles, const Settings& settings) {
-  require_within("support", settings.support, 1.5, 10);
+  require_ranges(settings);
   return settings.support * particles.spacing;
 }
 
@@ -36,8 +36,6 @@ Model::Model(Particles particles, Settings settings)
       walls_(settings_.walls, kernel_.support()),
       first_(particles_.size()),
       near_(kernel_.support()) {
-  require_not_negative("gravity", settings_.gravity);
-  require_not_negative("stabilisation", settings_.stabilisation);
   const std::vector<double> q = state().q;
   try {
     require_places(q);

@@ -53,6 +53,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/overlapping_particles/neighbourhoods.hpp"
 #include "seiche/models/overlapping_particles/particles.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::overlapping_particles {
 
@@ -62,10 +63,16 @@ using mechanics::Output;
 
 struct Settings {
   Shape shape = Shape::smoothed;
-  double support = 2.6;      ///< S/h, of the spacing, in [1.5, 10]; 1.6 for balls
+  double support = 2.6;      ///< S/h, of the spacing; 1.6 for balls
   double gravity = 0;        ///< [m/s^2], down along y
   double stabilisation = 0;  ///< epsilon
   std::vector<Wall> walls = {};
+
+  static constexpr auto ranges() {
+    return std::array{Number{"support", &Settings::support, Range::within(1.5, 10)},
+                      Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"stabilisation", &Settings::stabilisation, Range::not_negative()}};
+  }
 };
 
 /// Velocity of the water at a place; empty: at rest.

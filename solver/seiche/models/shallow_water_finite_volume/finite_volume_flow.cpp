@@ -203,12 +203,7 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
   require_at_least("number of cells", static_cast<long>(n_), 4);
   require_finite("start", start);
   require_positive("end - start", end - start);
-  require_positive("gravity", settings.gravity);
-  require_within("courant", settings.courant, 1e-6, 1);
-  require_within("viscosity", settings.viscosity, 1e-3, 1);
-  require_within("theta", settings.theta, 1, 2);
-  require_not_negative("manning", settings.manning);
-  require_positive("dry_depth", settings.dry_depth);
+  require_ranges(settings);
   for (const End& side : {settings.left, settings.right}) {
     require_not_negative("depth of the inflow", side.state.depth);
     require_finite("velocity of the inflow", side.state.velocity);

@@ -31,6 +31,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/model.hpp"
+#include "seiche/ranges.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_finite_volume {
@@ -77,13 +78,22 @@ class FiniteVolumeFlow {
   struct Settings {
     Scheme scheme = Scheme::muscl_hll;
     double gravity = 9.81;
-    double courant = 0.4;      ///< of stable_step(), in (0, 1]
-    double viscosity = 0.9;    ///< nu of Lax-Friedrichs, in [0.001, 1]
-    double theta = 1.5;        ///< limiter of muscl_hll, in [1, 2]
+    double courant = 0.4;      ///< of stable_step()
+    double viscosity = 0.9;    ///< nu of Lax-Friedrichs
+    double theta = 1.5;        ///< limiter of muscl_hll
     double manning = 0;        ///< Manning's n [s/m^(1/3)], semi-implicit
     double dry_depth = 1e-12;  ///< below it the velocity counts as 0 [m]
     End left = End::wall();
     End right = End::wall();
+
+    static constexpr auto ranges() {
+      return std::array{Number{"gravity", &Settings::gravity, Range::positive()},
+                        Number{"courant", &Settings::courant, Range::within(1e-6, 1)},
+                        Number{"viscosity", &Settings::viscosity, Range::within(1e-3, 1)},
+                        Number{"theta", &Settings::theta, Range::within(1, 2)},
+                        Number{"manning", &Settings::manning, Range::not_negative()},
+                        Number{"dry_depth", &Settings::dry_depth, Range::positive()}};
+    }
   };
 
   /// @param start, end        the channel [m]

@@ -15,7 +15,6 @@ namespace seiche::shallow_water_particles {
 
 namespace {
 
-constexpr double hard_courant = 0.9;
 constexpr double jump_fraction = 0.8;  // a jump may cross this part of a particle in one step
 
 }  // namespace
@@ -41,11 +40,8 @@ ParticleFlow::ParticleFlow(Particles initial, Ends ends, Forcing forcing, Scheme
 
 void ParticleFlow::validate() const {
   now_.validate();
-  require_positive("gravity", forcing_.gravity);
-  require_not_negative("manning", forcing_.manning);
-  require_within("theta", scheme_.theta, 1, 2);
-  require_positive("courant", scheme_.courant);
-  require_within("courant", scheme_.courant, 0, hard_courant);
+  require_ranges(forcing_);
+  require_ranges(scheme_);
   if (forcing_.bed) forcing_.bed->validate(now_.edge.front(), now_.edge.back());
   for (const bool right : {false, true}) {
     const Side s = side(right);

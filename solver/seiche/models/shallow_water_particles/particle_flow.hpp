@@ -43,6 +43,7 @@
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
 #include "seiche/models/shallow_water_particles/row_kernels.hpp"
+#include "seiche/ranges.hpp"
 #include "seiche/samples.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
@@ -59,11 +60,18 @@ enum class Level {
              ///< exact
 };
 
+inline constexpr double hard_courant = 0.9;  ///< tau c / w of a step that is not refused
+
 /// Numerical parameters with the values recommended for all flows.
 struct Scheme {
   Level level = Level::hand_over;
   double theta = 2;      ///< generalised minmod: 1 most dissipative, 2 monotonised central
-  double courant = 0.4;  ///< largest tau c / w that largest_step() proposes, at most 0.9
+  double courant = 0.4;  ///< largest tau c / w that largest_step() proposes
+
+  static constexpr auto ranges() {
+    return std::array{Number{"theta", &Scheme::theta, Range::within(1, 2)},
+                      Number{"courant", &Scheme::courant, Range::above_until(0, hard_courant)}};
+  }
 };
 
 /// Smallest relative depth jump that is handed over.
@@ -107,6 +115,11 @@ struct Forcing {
   std::optional<Bed> bed;
   double manning = 0;
   std::function<double(double, double)> body_force;
+
+  static constexpr auto ranges() {
+    return std::array{Number{"gravity", &Forcing::gravity, Range::positive()},
+                      Number{"manning", &Forcing::manning, Range::not_negative()}};
+  }
 };
 
 /// Impulses on the water per unit width and density [m^3/s], positive along +x, since the start of the run; inflows of

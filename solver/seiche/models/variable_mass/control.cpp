@@ -187,8 +187,7 @@ ControlKind control_named(std::string_view name) {
 
 ControlVelocity::ControlVelocity(const Mesh& rest, Control control)
     : control_(control), rest_(valid(rest)), surface_(rest), freedom_(freedoms(rest)), controlled_(rest.nodes(), true) {
-  require_not_negative("rate", control.rate);
-  require_not_negative("surface_rate", control.surface_rate);
+  require_ranges(control);
   require_that(surface_.exists() || !(lifts() || control.surface_rate > 0),
                "the mesh has no surface between two walls; allowed: control none or centroid with surface_rate = "
                "0, not {:g}",

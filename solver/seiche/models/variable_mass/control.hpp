@@ -14,6 +14,7 @@
 /// particle.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -23,6 +24,7 @@
 #include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/triangulation.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::variable_mass {
 
@@ -79,6 +81,11 @@ struct Control {
   ControlKind kind = ControlKind::mapped;
   double rate = 1;            ///< sigma [1/s]
   double surface_rate = 0.5;  ///< sigma_s [1/s]
+
+  static constexpr auto ranges() {
+    return std::array{Number{"rate", &Control::rate, Range::not_negative()},
+                      Number{"surface_rate", &Control::surface_rate, Range::not_negative()}};
+  }
 };
 
 class ControlVelocity {

@@ -37,22 +37,9 @@ double sound_speed_for(double gravity, double height, double coefficient) {
 }
 
 void validate(const Settings& settings) {
-  require_within("smoothing", settings.smoothing, 0.9, 3);
-  require_not_negative("gravity", settings.gravity);
-  require_positive("density", settings.density);
-  require_positive("sound_speed", settings.sound_speed);
-  if (const auto* artificial = std::get_if<ArtificialViscosity>(&settings.viscosity)) {
-    require_not_negative("alpha", artificial->alpha);
-  }
-  if (const auto* sps = std::get_if<LaminarSps>(&settings.viscosity)) {
-    require_not_negative("kinematic_viscosity", sps->kinematic_viscosity);
-    require_not_negative("smagorinsky", sps->smagorinsky);
-    require_not_negative("isotropic", sps->isotropic);
-  }
-  require_within("xsph", settings.xsph, 0, 1);
+  require_ranges(settings);
+  std::visit([](const auto& viscosity) { require_ranges(viscosity); }, settings.viscosity);
   require_at_least("filter_every", settings.filter_every, 0);
-  require_not_negative("density_diffusion", settings.density_diffusion);
-  require_within("courant", settings.courant, 1e-6, 1);
   validate_period("period.x", settings.period.x);
   validate_period("period.z", settings.period.z);
 }

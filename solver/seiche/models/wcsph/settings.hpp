@@ -1,20 +1,28 @@
 /// What a computation by weakly compressible SPH consists of.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <variant>
 
 #include "seiche/models/wcsph/kernel.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::wcsph {
 
 /// No viscosity at all: acoustics grows slowly (the midpoint rule has no stability interval).
-struct Inviscid {};
+struct Inviscid {
+  static constexpr std::array<Number<Inviscid>, 0> ranges() { return {}; }
+};
 
 /// Monaghan's artificial viscosity on approaching pairs (3): Pi = -alpha c mu/rho. Its kinematic viscosity is about
 /// 0.08 alpha c_0 h, not the alpha c h/8 of the two-sided form.
 struct ArtificialViscosity {
   double alpha = 0.1;
+
+  static constexpr auto ranges() {
+    return std::array{Number{"alpha", &ArtificialViscosity::alpha, Range::not_negative()}};
+  }
 };
 
 /// Laminar viscosity and sub-particle-scale stress (4); smagorinsky = isotropic = 0 leaves the laminar part alone.
@@ -22,6 +30,12 @@ struct LaminarSps {
   double kinematic_viscosity = 1e-6;  ///< nu_0 [m^2/s]
   double smagorinsky = 0.12;          ///< C_S
   double isotropic = 0.00066;         ///< C_I
+
+  static constexpr auto ranges() {
+    return std::array{Number{"kinematic_viscosity", &LaminarSps::kinematic_viscosity, Range::not_negative()},
+                      Number{"smagorinsky", &LaminarSps::smagorinsky, Range::not_negative()},
+                      Number{"isotropic", &LaminarSps::isotropic, Range::not_negative()}};
+  }
 };
 
 using Viscosity = std::variant<Inviscid, ArtificialViscosity, LaminarSps>;
@@ -43,12 +57,12 @@ struct Period {
 
 struct Settings {
   KernelName kernel = KernelName::cubic_spline;
-  double smoothing = 1.3;  ///< h_0 over the spacing, in [0.9, 3]; h_a = h_0 (rho_0/rho_a)^(1/2), pairs use the mean
+  double smoothing = 1.3;  ///< h_0 over the spacing; h_a = h_0 (rho_0/rho_a)^(1/2), pairs use the mean
   double gravity = 9.81;   ///< [m/s^2], downwards
   double density = 1000;   ///< rho_0 [kg/m^3]
   double sound_speed = 0;  ///< c_0 [m/s]; must be given, see sound_speed_for
   Viscosity viscosity = ArtificialViscosity{};
-  double xsph = 0.5;               ///< epsilon of (6), in [0, 1]
+  double xsph = 0.5;               ///< epsilon of (6)
   int filter_every = 0;            ///< steps between density filters (MLS of first order); 0: never
   double density_diffusion = 0;    ///< delta of delta-SPH, 0: none; 0.1 is usual
   bool particle_shifting = false;  ///< Lind et al. (2012), Sun et al. (2017), without the free surface
@@ -57,6 +71,16 @@ struct Settings {
   /// what has no artificial viscosity and takes ten thousand steps wants 0.2.
   double courant = 0.3;
   Period period;
+
+  static constexpr auto ranges() {
+    return std::array{Number{"smoothing", &Settings::smoothing, Range::within(0.9, 3)},
+                      Number{"gravity", &Settings::gravity, Range::not_negative()},
+                      Number{"density", &Settings::density, Range::positive()},
+                      Number{"sound_speed", &Settings::sound_speed, Range::positive()},
+                      Number{"xsph", &Settings::xsph, Range::within(0, 1)},
+                      Number{"density_diffusion", &Settings::density_diffusion, Range::not_negative()},
+                      Number{"courant", &Settings::courant, Range::within(1e-6, 1)}};
+  }
 };
 
 /// Part of the support by which candidate lists are wider, so that they last several steps.
