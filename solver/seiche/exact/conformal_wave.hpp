@@ -10,6 +10,7 @@
 /// Lagrange interpolation, SIAM Rev. 46 (2004) 501.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -92,20 +93,14 @@ class CauchyVelocity {
  private:
   /// The value of the node that coincides with p.
   [[nodiscard]] Complex at_node(Complex p, std::size_t first, std::size_t last) const {
+    const auto apart = [&](std::size_t j, double side) {
+      return std::abs(Complex(pole_re_[j], side * pole_im_[j]) - p);
+    };
     std::size_t nearest = first;
-    double distance = std::numeric_limits<double>::infinity();
-    bool conjugate = false;
     for (std::size_t j = first; j < last; ++j) {
-      const Complex pole(pole_re_[j], pole_im_[j]);
-      for (const bool mirrored : {false, true}) {
-        const double next = std::abs((mirrored ? std::conj(pole) : pole) - p);
-        if (next >= distance) continue;
-        distance = next;
-        nearest = j;
-        conjugate = mirrored;
-      }
+      if (std::min(apart(j, 1), apart(j, -1)) < std::min(apart(nearest, 1), apart(nearest, -1))) nearest = j;
     }
-    return conjugate ? std::conj(values_[nearest]) : values_[nearest];
+    return apart(nearest, 1) <= apart(nearest, -1) ? values_[nearest] : std::conj(values_[nearest]);
   }
 
   std::vector<double> pole_re_, pole_im_, weight_re_, weight_im_, moment_re_, moment_im_;
@@ -229,6 +224,12 @@ class ConformalSurface {
   [[nodiscard]] double maximum_slope() const;
   [[nodiscard]] Velocity velocity(double x, double y) const;
 
+  /// Of a line, or means over a wavelength: excess mass, impulse, energies and circulation, those that there are.
+  struct Integrals {
+    double mass = 0, impulse = 0, kinetic_energy = 0, potential_energy = 0, circulation = 0;
+  };
+  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
+
  protected:
   struct Point {
     double label, x, displacement, elevation, stretch;
@@ -255,8 +256,9 @@ class ConformalSurface {
   double speed_;
   double depth_ = 1;
   Eigen::VectorXd elevation_;
-  Eigen::VectorXd position_;                                ///< x_j
-  Interpolation interpolation_;                             ///< of y, the part of x that it can, dx/ds
+  Eigen::VectorXd position_;     ///< x_j
+  Interpolation interpolation_;  ///< of y, the part of x that it can, dx/ds
+  Integrals integrals_;
   double end_ = std::numeric_limits<double>::infinity();    ///< water rests from there on
   double reach_ = std::numeric_limits<double>::infinity();  ///< of the kernel of Cauchy's integral
   std::vector<double> contour_;                             ///< x of its nodes

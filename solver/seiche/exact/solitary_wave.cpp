@@ -177,6 +177,15 @@ ConformalSolution solve_solitary_wave(WaveCrest crest, Resolution resolution) {
 
 constexpr double kernel_reach = 12.5;  // periods p from where the kernel 1/sinh(pi z/p) is below round-off
 
+std::shared_ptr<const SolitarySurface> solved(WaveCrest crest, double depth, double gravity, Resolution resolution) {
+  require_all_positive({{"depth", depth}, {"gravity", gravity}});
+  require_resolution(resolution);
+  if (crest.height) require_finite("amplitude", depth * *crest.height);
+  if (crest.height) require_within("amplitude/depth", *crest.height, 0.001, 0.8331);
+  if (crest.speed) require_within("crest_speed", *crest.speed, 3e-4, 0.999);
+  return std::make_shared<const SolitarySurface>(crest, resolution);
+}
+
 }  // namespace
 
 SolitarySurface::SolitarySurface(WaveCrest crest, Resolution resolution)
@@ -253,19 +262,6 @@ double SolitarySurface::half_width() const {
   const double last = static_cast<double>(position_.size() - 1) * solution_.nodes->spacing();
   return point(root([&](double label) { return point(label).elevation - 0.5 * crest(); }, 0, last)).x;
 }
-
-namespace {
-
-std::shared_ptr<const SolitarySurface> solved(WaveCrest crest, double depth, double gravity, Resolution resolution) {
-  require_all_positive({{"depth", depth}, {"gravity", gravity}});
-  require_resolution(resolution);
-  if (crest.height) require_finite("amplitude", depth * *crest.height);
-  if (crest.height) require_within("amplitude/depth", *crest.height, 0.001, 0.8331);
-  if (crest.speed) require_within("crest_speed", *crest.speed, 3e-4, 0.999);
-  return std::make_shared<const SolitarySurface>(crest, resolution);
-}
-
-}  // namespace
 
 SolitaryWave::SolitaryWave(WaveCrest crest, double depth, double gravity, Resolution resolution)
     : ScaledWave(solved(crest, depth, gravity, resolution), 1 / depth, gravity), depth_(depth) {}

@@ -40,14 +40,6 @@ class SolitarySurface : public ConformalSurface {
   [[nodiscard]] double potential(double x) const;
   [[nodiscard]] double half_width() const;
 
-  struct Integrals {
-    double mass = 0;
-    double kinetic_energy = 0;
-    double potential_energy = 0;
-    double circulation = 0;
-  };
-  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
-
  private:
   explicit SolitarySurface(ConformalSolution solution);
   [[nodiscard]] Point point(double label) const override;
@@ -61,7 +53,6 @@ class SolitarySurface : public ConformalSurface {
   double decay_rate_;
   double kernel_period_ = 0;     ///< p of the kernel 1/sinh(pi z/p)
   double end_displacement_ = 0;  ///< X(infinity) = C/(2 F); interpolated is X - X(infinity) tanh(s/2)
-  Integrals integrals_;
 };
 
 class SolitaryWave : public ScaledWave<SolitarySurface> {

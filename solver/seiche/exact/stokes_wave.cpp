@@ -246,6 +246,27 @@ VectorXd odd_integral(const VectorXd& even) {
   return result;
 }
 
+/// Wavenumber of a medium in which the wave exists.
+double checked_wavenumber(double wavelength, double depth, const char* depth_name, double gravity,
+                          Resolution resolution) {
+  require_all_positive({{"wavelength", wavelength}, {"gravity", gravity}});
+  require_resolution(resolution);
+  if (!(depth > 0)) require_positive(depth_name, depth);
+  const double wavenumber = 2 * pi / wavelength;
+  constexpr double shallowest = 0.2;
+  require_that(wavenumber * depth >= shallowest,
+               "k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer waves "
+               "are solitary waves: use SolitaryWave",
+               depth_name, wavenumber * depth, shallowest);
+  return wavenumber;
+}
+
+WaveCrest checked_crest(double amplitude, double wavenumber) {
+  require_positive("amplitude", amplitude);
+  require_within("k amplitude", wavenumber * amplitude, 1e-4, 0.4432);  // the limiting deep wave has 0.44316
+  return {2 * wavenumber * amplitude, {}};
+}
+
 }  // namespace
 
 StokesSurface::StokesSurface(ConformalSolution solution) : ConformalSurface(std::move(solution), "k ", "") {
@@ -311,31 +332,6 @@ double StokesSurface::potential(double x) const {
   const Point surface = find(std::abs(place));
   return std::copysign(speed_ * (surface.x - static_cast<double>(solution_.nodes->at(surface.label).potential)), place);
 }
-
-namespace {
-
-/// Wavenumber of a medium in which the wave exists.
-double checked_wavenumber(double wavelength, double depth, const char* depth_name, double gravity,
-                          Resolution resolution) {
-  require_all_positive({{"wavelength", wavelength}, {"gravity", gravity}});
-  require_resolution(resolution);
-  if (!(depth > 0)) require_positive(depth_name, depth);
-  const double wavenumber = 2 * pi / wavelength;
-  constexpr double shallowest = 0.2;
-  require_that(wavenumber * depth >= shallowest,
-               "k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer waves "
-               "are solitary waves: use SolitaryWave",
-               depth_name, wavenumber * depth, shallowest);
-  return wavenumber;
-}
-
-WaveCrest checked_crest(double amplitude, double wavenumber) {
-  require_positive("amplitude", amplitude);
-  require_within("k amplitude", wavenumber * amplitude, 1e-4, 0.4432);  // the limiting deep wave has 0.44316
-  return {2 * wavenumber * amplitude, {}};
-}
-
-}  // namespace
 
 StokesWave::StokesWave(double amplitude, double wavelength, double mean_depth, double gravity, Resolution resolution)
     : StokesWave(

@@ -38,13 +38,6 @@ class StokesSurface : public ConformalSurface {
   [[nodiscard]] double trough() const { return elevation_[elevation_.size() - 1]; }
   [[nodiscard]] double potential(double x) const;
 
-  struct Integrals {
-    double impulse = 0;
-    double kinetic_energy = 0;
-    double potential_energy = 0;
-  };
-  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
-
  private:
   [[nodiscard]] Point point(double label) const override;
   [[nodiscard]] std::complex<double> pole(std::complex<double> z) const override;
@@ -55,7 +48,6 @@ class StokesSurface : public ConformalSurface {
   [[nodiscard]] bool bottom_matters() const { return depth_ < 19; }  // exp(-2 k h) is below round-off
 
   double bernoulli_ = 0;
-  Integrals integrals_;
 };
 
 class StokesWave : public ScaledWave<StokesSurface> {

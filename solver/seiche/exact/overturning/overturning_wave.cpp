@@ -47,6 +47,59 @@ const OverturningWave::Parameters& checked(const OverturningWave::Parameters& p)
   return p;
 }
 
+/// Frank's last frame, in units of 1/sqrt(g k).
+constexpr double last_frame = 7.4;
+constexpr double switched_off = std::numbers::pi;
+
+const PressureForcedWave::Parameters& checked(const PressureForcedWave::Parameters& p) {
+  require_computable(p);
+  // As of Stokes waves; the markers must be closer to each other than to the bottom.
+  require_that(2 * std::numbers::pi * p.depth >= 0.2 * p.wavelength,
+               "depth = {:g} is out of range: must be at least 0.2 wavelength/(2 pi) = {:g}", p.depth,
+               0.1 * p.wavelength / std::numbers::pi);
+  require_within("amplitude", p.amplitude, 0, p.wavelength);
+  require_positive("amplitude + |pressure|/gravity", p.amplitude + std::abs(p.pressure) / p.gravity);
+  require_within("k pressure/gravity", 2 * std::numbers::pi / p.wavelength * p.pressure / p.gravity, -1, 1);
+  return p;
+}
+
+/// In scaled units.
+double surface_pressure(double strength, double x, double t) {
+  return t <= switched_off ? -strength * std::sin(t) * std::sin(x - t) : 0;
+}
+
+const FocusedGroup::Parameters& checked(const FocusedGroup::Parameters& p) {
+  require_computable(p);
+  require_not_negative("focus", p.focus);
+  require_within("first", p.first, 1, p.last);
+  require_within("last", p.last, p.first, static_cast<double>(p.markers) / 8);
+  require_positive("amplitude", p.amplitude);
+  require_within("amplitude", p.amplitude, 0, std::min(p.wavelength / (2 * std::numbers::pi * p.last), 0.99 * p.depth));
+  return p;
+}
+
+/// In scaled units.
+FocusedGroup::Linear modes_at(int first, int last, double amplitude, double depth, double x, double y, double since) {
+  FocusedGroup::Linear sum;
+  double rate = 0;  // of the potential
+  for (int n = first; n <= last; ++n) {
+    const double a = amplitude / (last - first + 1);
+    const double w = std::sqrt(n * std::tanh(n * depth));
+    // cosh n(y + h)/cosh nh and sinh n(y + h)/cosh nh without overflow in deep water.
+    const double up = std::exp(n * y) / (1 + std::exp(-2 * n * depth));
+    const double down = std::exp(-n * (y + 2 * depth)) / (1 + std::exp(-2 * n * depth));
+    const double potential = -a / w * std::sin(w * since);
+    sum.elevation += a * std::cos(n * x) * std::cos(w * since);
+    sum.potential += potential * (up + down) * std::cos(n * x);
+    rate -= a * std::cos(w * since) * (up + down) * std::cos(n * x);
+    sum.velocity.u -= n * potential * (up + down) * std::sin(n * x);
+    sum.velocity.v += n * potential * (up - down) * std::cos(n * x);
+    sum.discharge -= potential * (up - down) * std::sin(n * x);
+  }
+  sum.pressure = -rate - 0.5 * (sum.velocity.u * sum.velocity.u + sum.velocity.v * sum.velocity.v) - y;
+  return sum;
+}
+
 }  // namespace
 
 OverturningWave::OverturningWave(const Parameters& parameters)
@@ -74,31 +127,6 @@ SelfTest OverturningWave::self_test() const {
                "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; sum over "
                "the markers"});
 }
-
-namespace {
-
-/// Frank's last frame, in units of 1/sqrt(g k).
-constexpr double last_frame = 7.4;
-constexpr double switched_off = std::numbers::pi;
-
-const PressureForcedWave::Parameters& checked(const PressureForcedWave::Parameters& p) {
-  require_computable(p);
-  // As of Stokes waves; the markers must be closer to each other than to the bottom.
-  require_that(2 * std::numbers::pi * p.depth >= 0.2 * p.wavelength,
-               "depth = {:g} is out of range: must be at least 0.2 wavelength/(2 pi) = {:g}", p.depth,
-               0.1 * p.wavelength / std::numbers::pi);
-  require_within("amplitude", p.amplitude, 0, p.wavelength);
-  require_positive("amplitude + |pressure|/gravity", p.amplitude + std::abs(p.pressure) / p.gravity);
-  require_within("k pressure/gravity", 2 * std::numbers::pi / p.wavelength * p.pressure / p.gravity, -1, 1);
-  return p;
-}
-
-/// In scaled units.
-double surface_pressure(double strength, double x, double t) {
-  return t <= switched_off ? -strength * std::sin(t) * std::sin(x - t) : 0;
-}
-
-}  // namespace
 
 PressureForcedWave::PressureForcedWave(const Parameters& parameters)
     : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
@@ -148,42 +176,6 @@ SelfTest PressureForcedWave::self_test() const {
   }
   return balances(scale(), parameters_.tolerance, start);
 }
-
-namespace {
-
-const FocusedGroup::Parameters& checked(const FocusedGroup::Parameters& p) {
-  require_computable(p);
-  require_not_negative("focus", p.focus);
-  require_within("first", p.first, 1, p.last);
-  require_within("last", p.last, p.first, static_cast<double>(p.markers) / 8);
-  require_positive("amplitude", p.amplitude);
-  require_within("amplitude", p.amplitude, 0, std::min(p.wavelength / (2 * std::numbers::pi * p.last), 0.99 * p.depth));
-  return p;
-}
-
-/// In scaled units.
-FocusedGroup::Linear modes_at(int first, int last, double amplitude, double depth, double x, double y, double since) {
-  FocusedGroup::Linear sum;
-  double rate = 0;  // of the potential
-  for (int n = first; n <= last; ++n) {
-    const double a = amplitude / (last - first + 1);
-    const double w = std::sqrt(n * std::tanh(n * depth));
-    // cosh n(y + h)/cosh nh and sinh n(y + h)/cosh nh without overflow in deep water.
-    const double up = std::exp(n * y) / (1 + std::exp(-2 * n * depth));
-    const double down = std::exp(-n * (y + 2 * depth)) / (1 + std::exp(-2 * n * depth));
-    const double potential = -a / w * std::sin(w * since);
-    sum.elevation += a * std::cos(n * x) * std::cos(w * since);
-    sum.potential += potential * (up + down) * std::cos(n * x);
-    rate -= a * std::cos(w * since) * (up + down) * std::cos(n * x);
-    sum.velocity.u -= n * potential * (up + down) * std::sin(n * x);
-    sum.velocity.v += n * potential * (up - down) * std::cos(n * x);
-    sum.discharge -= potential * (up - down) * std::sin(n * x);
-  }
-  sum.pressure = -rate - 0.5 * (sum.velocity.u * sum.velocity.u + sum.velocity.v * sum.velocity.v) - y;
-  return sum;
-}
-
-}  // namespace
 
 FocusedGroup::FocusedGroup(const Parameters& parameters)
     : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {

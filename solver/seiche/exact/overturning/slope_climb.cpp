@@ -34,6 +34,20 @@ double halved_at_ends(Index k, Index n) {
   return k == 0 || k == n ? 0.5 : 1;
 }
 
+/// Distance from the image over that from the next node, from where the integrals err by exp(-2 pi 5) at most.
+constexpr double near_image = 5;
+
+namespace odeint = boost::numeric::odeint;
+
+constexpr double held = 4;         // depths at the far end, over which water is let go gradually
+constexpr double shortest = 1e-6;  // step
+
+/// From 0 to 1 with three derivatives 0 at both ends.
+double smooth_step(double u) {
+  const double t = std::clamp(u, 0.0, 1.0);
+  return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t)));
+}
+
 }  // namespace
 
 Eigen::VectorXd clenshaw_curtis(std::size_t intervals) {
@@ -82,13 +96,6 @@ Eigen::MatrixXd ChebyshevLine::refinement(std::size_t times) const {
   const auto n = static_cast<Index>(n_);
   return polynomials(n * static_cast<Index>(times), n) * coefficients();
 }
-
-namespace {
-
-/// Distance from the image over that from the next node, from where the integrals err by exp(-2 pi 5) at most.
-constexpr double near_image = 5;
-
-}  // namespace
 
 WedgeFlow::WedgeFlow(std::size_t intervals, double slope)
     : beta_(slope),
@@ -197,21 +204,6 @@ void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
   for (Index i = 0; i <= n; ++i) velocity_[i] = Complex(phi_s[i], psi_s[i]) / z_s[i];
 }
 
-namespace {
-
-namespace odeint = boost::numeric::odeint;
-
-constexpr double held = 4;         // depths at the far end, over which water is let go gradually
-constexpr double shortest = 1e-6;  // step
-
-/// From 0 to 1 with three derivatives 0 at both ends.
-double smooth_step(double u) {
-  const double t = std::clamp(u, 0.0, 1.0);
-  return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t)));
-}
-
-}  // namespace
-
 Climb::Climb(double slope, const Eigen::VectorXcd& z, const Eigen::VectorXd& phi, double tolerance)
     : n_(static_cast<std::size_t>(z.size())),
       slope_(slope),
@@ -236,7 +228,7 @@ Eigen::VectorXcd Climb::nodes(const State& state) const {
 
 void Climb::rate(const State& state, State& rate) {
   rate.resize(state.size());
-  flow_.solve(nodes(state), Eigen::Map<const Eigen::VectorXd>(state.data() + 2 * n_, static_cast<Index>(n_)));
+  flow_.solve(nodes(state), potential(state));
   for (std::size_t k = 0; k < n_; ++k) {
     const auto i = static_cast<Index>(k);
     Complex velocity = std::conj(flow_.velocity()[i]);
@@ -307,23 +299,16 @@ double Climb::shore_speed() {
 double Climb::energy() {
   State rates;
   rate(state_, rates);
-  const Eigen::VectorXcd z = nodes(state_);
-  const Eigen::VectorXcd z_s = flow_.line().differentiation() * z;
-  double potential = 0;
-  for (Index i = 0; i < z.size(); ++i) {
-    potential += flow_.line().weights()[i] * std::pow(z[i].imag() - 1, 2) * z_s[i].real() / 2;
-  }
-  potential -= std::cos(slope_) / std::sin(slope_) * std::pow(shore(), 3) / 6;  // the slope's side
-  return potential +
-         flow_.kinetic_energy(Eigen::Map<const Eigen::VectorXd>(state_.data() + 2 * n_, static_cast<Index>(n_)));
+  return moment(2) + flow_.kinetic_energy(potential(state_));
 }
 
-double Climb::volume() const {
+double Climb::moment(int power) const {
   const Eigen::VectorXcd z = nodes(state_);
-  const Eigen::VectorXcd z_s = flow_.line().differentiation() * z;
-  double sum = 0;
-  for (Index i = 0; i < z.size(); ++i) sum += flow_.line().weights()[i] * (z[i].imag() - 1) * z_s[i].real();
-  return sum - std::cos(slope_) / std::sin(slope_) * std::pow(shore(), 2) / 2;
+  const Eigen::VectorXd x_s = flow_.line().differentiation() * z.real();
+  const Eigen::ArrayXd heights = (z.imag().array() - 1).pow(power) / power;
+  const double below_surface = flow_.line().weights().dot((heights * x_s.array()).matrix());
+  // The slope's side.
+  return below_surface - std::cos(slope_) / std::sin(slope_) * std::pow(shore(), power + 1) / (power * (power + 1));
 }
 
 }  // namespace seiche::exact::slope_climb

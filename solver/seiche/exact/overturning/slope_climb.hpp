@@ -130,7 +130,7 @@ class Climb {
   /// T + V, V = int int y above still water less what is missing below; slope and bottom taken as they are.
   [[nodiscard]] double energy();
   /// Of the water, above that at rest.
-  [[nodiscard]] double volume() const;
+  [[nodiscard]] double volume() const { return moment(1); }
 
  private:
   using State = std::vector<double>;  ///< x, y and phi of all nodes
@@ -141,6 +141,11 @@ class Climb {
   void filter();
   void require_finite() const;
   [[nodiscard]] Eigen::VectorXcd nodes(const State& state) const;
+  [[nodiscard]] Eigen::Map<const Eigen::VectorXd> potential(const State& state) const {
+    return {state.data() + 2 * n_, static_cast<Eigen::Index>(n_)};
+  }
+  /// int int y^(power - 1) over the water above still water less that over what is missing below, power 1 or 2.
+  [[nodiscard]] double moment(int power) const;
 
   std::size_t n_;  ///< nodes
   double slope_;

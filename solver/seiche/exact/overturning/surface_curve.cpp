@@ -27,6 +27,22 @@ SurfaceCurve curve(const Moment& moment) {
   return SurfaceCurve(displacements);
 }
 
+constexpr std::size_t nodes_per_marker = 16;
+
+/// Largest value of periodic samples, by the parabola through the largest three.
+template <class Value>
+double maximum(std::size_t n, const Value& value) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (value(i) > value(largest)) largest = i;
+  }
+  const double middle = value(largest);
+  const double before = value((largest + n - 1) % n) - middle;
+  const double after = value((largest + 1) % n) - middle;
+  const double curvature = before + after;
+  return curvature < 0 ? middle - (after - before) * (after - before) / (8 * curvature) : middle;
+}
+
 }  // namespace
 
 TrigonometricInterpolant::TrigonometricInterpolant(std::span<const Complex> samples)
@@ -64,26 +80,6 @@ std::vector<Complex> TrigonometricInterpolant::refined(std::size_t refinement) c
   linear::Fourier(n).samples(values, values);
   return values;
 }
-
-namespace {
-
-constexpr std::size_t nodes_per_marker = 16;
-
-/// Largest value of periodic samples, by the parabola through the largest three.
-template <class Value>
-double maximum(std::size_t n, const Value& value) {
-  std::size_t largest = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    if (value(i) > value(largest)) largest = i;
-  }
-  const double middle = value(largest);
-  const double before = value((largest + n - 1) % n) - middle;
-  const double after = value((largest + 1) % n) - middle;
-  const double curvature = before + after;
-  return curvature < 0 ? middle - (after - before) * (after - before) / (8 * curvature) : middle;
-}
-
-}  // namespace
 
 SurfaceCurve::SurfaceCurve(std::span<const Complex> displacements)
     : periodic_((require_at_least("points", static_cast<long>(displacements.size()), 8), displacements)),
