@@ -107,10 +107,9 @@ OverturningWave::OverturningWave(const Parameters& parameters)
   const double depth = parameters_.depth / length();
   const double last_time = parameters_.last_time > 0 ? parameters_.last_time
                                                      : 2 * std::numbers::pi / std::sqrt(std::tanh(depth)) * time_unit();
-  auto motion = std::make_shared<ow::Evolution>(
-      ow::sinusoidal_wave(parameters_.markers, parameters_.amplitude / length(), depth), depth, parameters_.tolerance);
-  motion->advance_to(last_time / time_unit());
-  keep(std::move(motion), last_time, [](double tangent) { return 0.25 * tangent; });
+  compute(ow::Evolution(ow::sinusoidal_wave(parameters_.markers, parameters_.amplitude / length(), depth), depth,
+                        parameters_.tolerance),
+          last_time, [](double tangent) { return 0.25 * tangent; });
 }
 
 double OverturningWave::uncertainty(double t) const {
@@ -141,13 +140,10 @@ PressureForcedWave::PressureForcedWave(const Parameters& parameters)
   }
   const double strength = parameters_.pressure / (velocity() * velocity());
   const double last_time = parameters_.last_time > 0 ? parameters_.last_time : last_frame * time_unit();
-  auto motion =
-      std::make_shared<ow::Evolution>(std::move(start), depth, parameters_.tolerance,
-                                      [strength](double x, double t) { return surface_pressure(strength, x, t); });
-  const double end = last_time / time_unit();
-  motion->advance_to(std::min(switched_off, end));
-  motion->advance_to(end);
-  keep(std::move(motion), last_time, [unit = time_unit()](double) { return 0.4 * unit; });
+  compute(
+      ow::Evolution(std::move(start), depth, parameters_.tolerance,
+                    [strength](double x, double t) { return surface_pressure(strength, x, t); }),
+      last_time, [unit = time_unit()](double) { return 0.4 * unit; }, switched_off);
 }
 
 double PressureForcedWave::pressure(double x, double t) const {
@@ -186,13 +182,11 @@ FocusedGroup::FocusedGroup(const Parameters& parameters)
   };
   const double longest = 2 * std::numbers::pi / std::sqrt(p.first * std::tanh(p.first * depth)) * time_unit();
   const double last_time = p.last_time > 0 ? p.last_time : p.focus > 0 ? p.focus : longest;
-  auto motion =
-      std::make_shared<ow::Evolution>(ow::from_functions(
-                                          p.markers, [&](double x) { return start(x, 0).elevation; },
-                                          [&](double x) { return start(x, start(x, 0).elevation).potential; }),
-                                      depth, p.tolerance);
-  motion->advance_to(last_time / time_unit());
-  keep(std::move(motion), last_time, [](double tangent) { return 0.25 * tangent; });
+  ow::State state = ow::from_functions(
+      p.markers, [&](double x) { return start(x, 0).elevation; },
+      [&](double x) { return start(x, start(x, 0).elevation).potential; });
+  compute(ow::Evolution(std::move(state), depth, p.tolerance), last_time,
+          [](double tangent) { return 0.25 * tangent; });
 }
 
 FocusedGroup::Linear FocusedGroup::linear(double x, double y, double t) const {

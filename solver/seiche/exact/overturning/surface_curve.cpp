@@ -214,9 +214,11 @@ MovingSurface::MovingSurface(double wavelength, double gravity)
       time_(std::sqrt(length_ / gravity)),
       velocity_(std::sqrt(length_ * gravity)) {}
 
-void MovingSurface::keep(std::shared_ptr<const Evolution> evolution, double last_time,
-                         const std::function<double(double tangent)>& jet_time) {
-  evolution_ = std::move(evolution);
+void MovingSurface::compute(Evolution motion, double last_time, const std::function<double(double tangent)>& jet_time,
+                            double kink) {
+  motion.advance_to(std::min(kink, last_time / time_));
+  motion.advance_to(last_time / time_);
+  evolution_ = std::make_shared<const Evolution>(std::move(motion));
   last_time_ = last_time;
   const auto tangent = evolution_->first_zero([](const Moment& moment) { return curve(moment).least_advance(); }, 1e-9);
   if (tangent) vertical_tangent_time_ = *tangent * time_;
