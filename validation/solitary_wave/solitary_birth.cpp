@@ -53,7 +53,7 @@ left.
 namespace seiche::validation::cases::solitary_birth {
 namespace {
 
-using exact::LaitoneSolitary;
+using exact::AsymptoticSolitary;
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
 
@@ -122,7 +122,7 @@ Born follow(lagrangian_mesh_2d::Flow& flow, double tau, const std::function<void
   born.amplitude = born.track.mean_elevation(birth_separated);
   born.speed = born.track.speed(birth_separated);
   const SolitaryWave exact(born.end_amplitude());
-  const LaitoneSolitary laitone(born.end_amplitude());
+  const AsymptoticSolitary laitone(AsymptoticSolitary::Theory::laitone, born.end_amplitude());
   const double crest = born.track.place.back();
   born.from_exact = largest_profile_error(flow, crest, birth_reach, [&](double s) { return exact.elevation(s); });
   born.from_laitone = largest_profile_error(flow, crest, birth_reach, [&](double s) { return laitone.elevation(s); });
@@ -393,7 +393,7 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
 
   const double crest = r.own.track.place.back();
   const SolitaryWave exact(r.own.end_amplitude());
-  const LaitoneSolitary laitone(r.own.end_amplitude());
+  const AsymptoticSolitary laitone(AsymptoticSolitary::Theory::laitone, r.own.end_amplitude());
   const MeshWindow window{crest - birth_reach - 2, crest + birth_reach + 2};
   const std::vector<double> x = evenly(window.begin, window.end, 241);
   auto& figure = exhibit.figure(

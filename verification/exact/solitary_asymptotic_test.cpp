@@ -13,11 +13,9 @@ namespace solitary_asymptotic_test {
 
 using namespace seiche;
 using exact::AsymptoticSolitary;
-using exact::BoussinesqSolitary;
-using exact::GrimshawSolitary;
-using exact::LaitoneSolitary;
 using exact::SerreSolitary;
 using exact::SolitaryWave;
+using Theory = AsymptoticSolitary::Theory;
 using namespace seiche::verification;
 
 const std::string series_source =
@@ -78,10 +76,10 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
   check.from(serre_source)
       .that("particles", "The place of an amount of water is the inverse of the amount up to a place.",
             "error of the place [m]", {inverse.value()}, Roundoff{15, 17, "15 roundings of lengths up to 17 m"});
-  self_test_holds(check, "boussinesq", BoussinesqSolitary(0.3, 2, 9.81));
+  self_test_holds(check, "boussinesq", AsymptoticSolitary(Theory::boussinesq, 0.3, 2, 9.81));
   self_test_holds(check, "serre", wave);
-  self_test_holds(check, "laitone", LaitoneSolitary(0.3, 2, 9.81));
-  self_test_holds(check, "grimshaw", GrimshawSolitary(0.3, 2, 9.81));
+  self_test_holds(check, "laitone", AsymptoticSolitary(Theory::laitone, 0.3, 2, 9.81));
+  self_test_holds(check, "grimshaw", AsymptoticSolitary(Theory::grimshaw, 0.3, 2, 9.81));
   CHECK(std::abs(wave.elevation(3, 2) - wave.elevation(3 - 2 * wave.speed())) == 0);
   CHECK_NOTHROW(SerreSolitary(3));
 }
@@ -109,10 +107,10 @@ TEST_CASE("the series leave the exact solitary wave with their orders in amplitu
       [](double a) {
         const SolitaryWave truth(a);
         const SerreSolitary serre(a);
-        const LaitoneSolitary laitone(a);
-        const GrimshawSolitary grimshaw(a);
+        const AsymptoticSolitary laitone(Theory::laitone, a);
+        const AsymptoticSolitary grimshaw(Theory::grimshaw, a);
         const auto speed = [&](const AsymptoticSolitary& wave) { return std::abs(wave.speed() - truth.speed()); };
-        return std::array{profile_error(BoussinesqSolitary(a), truth),
+        return std::array{profile_error(AsymptoticSolitary(Theory::boussinesq, a), truth),
                           profile_error(serre, truth),
                           profile_error(laitone, truth),
                           profile_error(grimshaw, truth),

@@ -47,6 +47,24 @@ void put(const Matrix2d& m, Phase& phase, std::size_t first) {
   Eigen::Map<RowMajor>(phase.data() + first) = m;
 }
 
+/// Accuracy of an integrated motion that lasts so long, in units of its strength.
+double integrated(double duration) {
+  return 3 * (duration * tolerance + 4 * epsilon * std::sqrt(30));
+}
+const std::string steps_of_drop =
+    "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on errs less "
+    "by the step; rounded in about 30 steps; growing at most as the deformation, threefold";
+
+/// sqrt(2 (1 + 2 s^2)/(1 + s^2)), between sqrt 2 and 2; the division last keeps it finite for any s.
+double slowness(double s) {
+  return std::sqrt(2 * (2 - 1 / (1 + s * s)));
+}
+
+/// a/c of sigma = (a/c - c/a)/2.
+double stretch(double sigma) {
+  return sigma >= 0 ? sigma + std::hypot(1, sigma) : 1 / (std::hypot(1, sigma) - sigma);
+}
+
 }  // namespace
 
 Vector2d DropInstant::label(double x, double y) const {
@@ -129,18 +147,6 @@ AffineDrop::Invariants AffineDrop::invariants(const DropInstant& instant) const 
           pi * (flow(0, 1) - flow(1, 0))};
 }
 
-namespace {
-
-/// Accuracy of an integrated motion that lasts so long, in units of its strength.
-double integrated(double duration) {
-  return 3 * (duration * tolerance + 4 * epsilon * std::sqrt(30));
-}
-const std::string steps_of_drop =
-    "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on errs less "
-    "by the step; rounded in about 30 steps; growing at most as the deformation, threefold";
-
-}  // namespace
-
 SelfTest AffineDrop::self_test() const {
   const double end = 3 / strength_;
   const DropInstant later = at(end);
@@ -162,20 +168,6 @@ SelfTest AffineDrop::self_test() const {
           {"the motion can be run back", (back.at(-end).deformation - deformation_).norm() / deformation_.norm(),
            4 * integrated(3), "twice as many steps; the way back amplifies an error in the rate by the elapsed time"}};
 }
-
-namespace {
-
-/// sqrt(2 (1 + 2 s^2)/(1 + s^2)), between sqrt 2 and 2; the division last keeps it finite for any s.
-double slowness(double s) {
-  return std::sqrt(2 * (2 - 1 / (1 + s * s)));
-}
-
-/// a/c of sigma = (a/c - c/a)/2.
-double stretch(double sigma) {
-  return sigma >= 0 ? sigma + std::hypot(1, sigma) : 1 / (std::hypot(1, sigma) - sigma);
-}
-
-}  // namespace
 
 StretchingDrop::StretchingDrop(double semi_axis, double other_axis, double strain_rate, double density)
     : density_(density) {

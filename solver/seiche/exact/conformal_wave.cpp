@@ -6,6 +6,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 
+#include "seiche/linear/dense.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
@@ -14,13 +15,14 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
-constexpr long double long_pi = std::numbers::pi_v<long double>;
+using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-/// asinh(width sinh s) for s >= 0 without overflow.
-long double line_map(double s, double width) {
-  const auto length = static_cast<long double>(s);
-  return length < 100 ? std::asinh(width * std::sinh(length)) : length + std::log(static_cast<long double>(width));
+/// exp(x) - 1 of every value, without cancellation.
+template <class Values>
+auto expm1(const Values& values) {
+  return values.unaryExpr([](auto value) { return std::expm1(value); });
 }
 
 /// 1 - q exp(-i theta) without cancellation in gentle waves.
@@ -30,6 +32,137 @@ Complex velocity_defect(double log_speed, double inclination) {
   return {-std::expm1(log_speed) + 2 * speed * half * half, speed * std::sin(inclination)};
 }
 
+/// Unknowns tau_0..tau_N, c^2; equations: the crest, the streamline along the surface at j = 1..N, the end. At a
+/// trough, where the streamline says nothing, the wavelength; the end is then that of a sawtooth, else tau_N = 0.
+///
+/// The residual is evaluated with extended precision: dy/dphi and theta of a long wave balance up to the square of its
+/// amplitude, so that rounding is divided by it.
+class StreamlineEquations {
+ public:
+  StreamlineEquations(const ConformalNodes& nodes, WaveCrest crest)
+      : crest_(crest),
+        periodic_(nodes.periodic()),
+        last_(nodes.count() - 1),
+        stretch_(nodes.stretch()),
+        derivative_(nodes.derivative()),
+        conjugate_(nodes.conjugate()),
+        weight_(VectorXd::Constant(nodes.count(), 1 / static_cast<double>(last_))) {
+    weight_[0] = weight_[last_] *= 0.5;
+    end_ = weight_;
+    for (Index j = 1; j <= last_; j += 2) end_[j] = -end_[j];
+    if (!periodic_) end_ = VectorXd::Unit(last_ + 1, last_);
+  }
+
+  [[nodiscard]] bool admissible(const VectorXd& unknowns) const {
+    return unknowns[last_ + 1] > 0 && unknowns.head(last_ + 1).lpNorm<Eigen::Infinity>() < 12;
+  }
+
+  [[nodiscard]] VectorXd inclination(const VectorXd& tau) const {
+    return (conjugate_ * tau.cast<long double>()).cast<double>();
+  }
+
+  [[nodiscard]] VectorXd residual(const VectorXd& unknowns) const {
+    const Extended tau = unknowns.head(last_ + 1).cast<long double>();
+    const Extended theta = conjugate_ * tau;
+    const Extended squares = expm1(2 * tau);
+    const Extended inverse_speed = (-tau.array()).exp();
+    const Extended climb = stretch_.cast<long double>().array() * theta.array().sin() * inverse_speed.array();
+    const double speed_squared = unknowns[last_ + 1];
+    VectorXd result(last_ + 2);
+    result.head(last_ + 1) = (speed_squared / 2.0L * (derivative_ * squares) + climb).cast<double>();
+    result[0] = crest_.height ? static_cast<double>(speed_squared * (squares[last_] - squares[0]) / 2) - *crest_.height
+                              : unknowns[0] - std::log(*crest_.speed);
+    if (periodic_) {
+      // cos(theta)/q - 1
+      const Extended excess = expm1(-tau).array() - 2 * (theta.array() / 2).sin().square() * inverse_speed.array();
+      result[last_] = weight_.cwiseProduct(stretch_).dot(excess.cast<double>());
+    }
+    result[last_ + 1] = end_.dot(unknowns.head(last_ + 1));
+    return result;
+  }
+
+  void jacobian(const VectorXd& unknowns, MatrixXd& matrix) const {
+    const Index count = last_ + 1;
+    const VectorXd tau = unknowns.head(count);
+    const double speed_squared = unknowns[count];
+    const VectorXd theta = inclination(tau);
+    const VectorXd speeds = (2 * tau.array()).exp();
+    const VectorXd squares = expm1(2 * tau);
+    const VectorXd inverse_speed = (-tau.array()).exp();
+    const VectorXd along = stretch_.array() * theta.array().cos() * inverse_speed.array();
+    const VectorXd across = stretch_.array() * theta.array().sin() * inverse_speed.array();
+    matrix.setZero(count + 1, count + 1);
+    for (Index j = 0; j < count; ++j) {
+      matrix.col(j).head(count) = speed_squared * speeds[j] * derivative_.col(j).cast<double>() +
+                                  along.cwiseProduct(conjugate_.col(j).cast<double>());
+      matrix(j, j) -= across[j];
+      if (periodic_) {
+        matrix(last_, j) = -weight_[j] * along[j] - weight_.cwiseProduct(across).dot(conjugate_.col(j).cast<double>());
+      }
+    }
+    matrix.col(count).head(count) = (derivative_ * squares.cast<long double>()).cast<double>() / 2;
+    if (periodic_) matrix(last_, count) = 0;
+    matrix.row(0).setZero();
+    if (crest_.height) {
+      matrix(0, 0) = -speed_squared * speeds[0];
+      matrix(0, last_) = speed_squared * speeds[last_];
+      matrix(0, count) = (squares[last_] - squares[0]) / 2;
+    } else {
+      matrix(0, 0) = 1;
+    }
+    matrix.row(count).head(count) = end_.transpose();
+  }
+
+ private:
+  WaveCrest crest_;
+  bool periodic_;
+  Index last_;
+  VectorXd stretch_;
+  ConformalNodes::Matrix derivative_, conjugate_;
+  VectorXd weight_, end_;  ///< of the mean over a period, and of the equation of the end
+};
+
+/// Newton's method with an exact Jacobian: steps are halved until they are admissible; once the correction is below
+/// 1e-3 the factors are kept and iterated until the correction no longer shrinks: the rounding of the residual.
+///
+/// @returns the last correction (maximum norm), infinite without convergence
+double solve_newton(const StreamlineEquations& system, VectorXd& unknowns) {
+  constexpr int most_steps = 30;
+  constexpr double refine_below = 1e-3;
+  MatrixXd jacobian;
+  for (int step = 0; step < most_steps; ++step) {
+    system.jacobian(unknowns, jacobian);
+    const linear::LuFactors factors(jacobian);
+    VectorXd correction = factors.solve(system.residual(unknowns));
+    double size = correction.lpNorm<Eigen::Infinity>();
+    if (!std::isfinite(size)) break;
+    double damping = 1;
+    while (damping > 1e-6 && !system.admissible(unknowns - damping * correction)) damping /= 2;
+    unknowns -= damping * correction;
+    if (size > refine_below) continue;
+    for (int refinement = 0; refinement < 20; ++refinement) {
+      correction = factors.solve(system.residual(unknowns));
+      const double previous = size;
+      size = correction.lpNorm<Eigen::Infinity>();
+      if (!(size < 0.5 * previous)) break;
+      unknowns -= correction;
+    }
+    return size;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// tau of a wave at other nodes, scaled to another crest; 0 beyond its last node.
+VectorXd transfer(const ConformalSolution& from, const ConformalNodes& to, double crest_tau) {
+  const VectorXd none = VectorXd::Zero(from.tau.size());
+  const Interpolation between = from.nodes->between(from.tau, none, none);
+  const double last = from.nodes->spacing() * static_cast<double>(from.tau.size() - 1);
+  return to.potential().unaryExpr([&](double potential) {
+    const double s = from.nodes->label(potential);
+    return s <= last * (1 + 1e-12) ? between(s).elevation * crest_tau / from.tau[0] : 0;  // a trough's own label
+  });
+}
+
 }  // namespace
 
 void require_resolution(Resolution resolution) {
@@ -37,160 +170,97 @@ void require_resolution(Resolution resolution) {
   require_within("resolution.clustering", resolution.clustering, 0.25, 4);
 }
 
-long double LineNodes::potential(double s) const {
-  return (uniform() ? static_cast<long double>(s) : line_map(s, width_)) / rate_;
-}
-
-double LineNodes::stretch(double s) const {
-  if (uniform() || s >= 100) return 1 / rate_;
-  const double sinh = width_ * std::sinh(s);
-  return width_ * std::cosh(s) / (rate_ * std::sqrt(1 + sinh * sinh));
-}
-
-double LineNodes::label(double potential) const {
-  const double length = rate_ * potential;
-  if (uniform()) return length;
-  return length < 300 ? std::asinh(std::sinh(length) / width_) : length - std::log(width_);
-}
-
-PeriodicNodes::PeriodicNodes(double width) : width_(width) {
-  long double a = 1;
-  long double b = width_;
-  while (std::abs(a - b) > 1e-10L * a) {  // quadratic convergence: one more mean is exact
-    const long double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  quarter_period_ = long_pi / (a + b);
-}
-
-PeriodicNodes::Jacobi PeriodicNodes::jacobi(long double u) const {
-  constexpr int levels = 12;
-  std::array<long double, levels> ratio{};
-  long double a = 1;
-  long double b = width_;
-  long double angle = u;
-  int last = 0;
-  while (last < levels && std::abs(a - b) > 1e-20L * a) {
-    const long double mean = (a + b) / 2;
-    ratio[static_cast<std::size_t>(last++)] = (a - b) / 2 / mean;
-    b = std::sqrt(a * b);
-    a = mean;
-    angle *= 2;
-  }
-  angle *= a;
-  while (last > 0) angle = (angle + std::asin(ratio[static_cast<std::size_t>(--last)] * std::sin(angle))) / 2;
-  const long double sn = std::sin(angle);
-  const long double cn = std::cos(angle);
-  return {sn, cn, std::sqrt(cn * cn + width_ * width_ * sn * sn)};
-}
-
-PeriodicNodes::Node PeriodicNodes::at(double s) const {
-  const long double u = static_cast<long double>(s) / long_pi * quarter_period_;
-  const long double scale = 2 * quarter_period_ / long_pi;
-  if (2 * u < quarter_period_) {
-    const auto [sn, cn, dn] = jacobi(u);
-    return {2 * std::atan2(width_ * sn, cn), static_cast<double>(scale * width_ / dn)};
-  }
-  // sn(u) = cn(v)/dn(v), cn(u) = k' sn(v)/dn(v), dn(u) = k'/dn(v) with v = K - u: no loss where cn(u) is small.
-  const auto [sn, cn, dn] = jacobi(std::max(quarter_period_ - u, 0.0L));
-  return {2 * std::atan2(cn, sn), static_cast<double>(scale * dn)};
-}
-
-double PeriodicNodes::label(double potential) const {
-  double low = 0;
-  double high = std::numbers::pi;
-  double s = potential;
-  for (int step = 0; step < 60 && high - low > 1e-15; ++step) {
-    const Node node = at(s);
-    const double excess = static_cast<double>(node.potential) - potential;
-    (excess > 0 ? high : low) = s;
-    const double next = s - excess / node.stretch;
-    if (std::abs(next - s) < 1e-15) return next;
-    s = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return s;
-}
-
-SincInterpolation::SincInterpolation(double spacing, const VectorXd& elevation, const VectorXd& displacement,
-                                     const VectorXd& stretch)
-    : spacing_(spacing) {
-  for (Index j = 0; j < elevation.size(); ++j) {
-    const double sign = j % 2 == 0 ? 1 : -1;
-    const double fold = j == 0 ? 0.5 : 1;
-    elevation_.push_back(sign * fold * elevation[j]);
-    displacement_.push_back(sign * static_cast<double>(j) * displacement[j]);
-    stretch_.push_back(sign * fold * stretch[j]);
-    position_.push_back(static_cast<double>(j));
+void ConformalNodes::place(Index count, double spacing) {
+  spacing_ = spacing;
+  potential_.resize(count);
+  stretch_.resize(count);
+  for (Index j = 0; j < count; ++j) {
+    const Node node = at(static_cast<double>(j) * spacing_);
+    potential_[j] = static_cast<double>(node.potential);
+    stretch_[j] = node.stretch;
   }
 }
 
-SurfaceSample SincInterpolation::at(double s) const {
-  const double t = s / spacing_;
-  const double nearest = std::round(t);
-  const double offset = t - nearest;
-  const double sign = std::fmod(nearest, 2) == 0 ? 1 : -1;
-  if (std::abs(offset) < 1e-290) {
-    const auto j = static_cast<std::size_t>(nearest);
-    const double fold = sign * (j == 0 ? 2 : 1);
-    return {fold * elevation_[j], j == 0 ? 0 : sign * displacement_[j] / nearest, fold * stretch_[j]};
+ConformalNodes::Matrix ConformalNodes::folded(const Sequence& sequence) const {
+  const Index last = count() - 1;
+  std::vector<long double> value;
+  for (Index m = 0; m <= 2 * last; ++m) value.push_back(m == 0 ? 0 : sequence(m));
+  const auto at = [&](Index m) {
+    return m < 0 ? -value[static_cast<std::size_t>(-m)] : value[static_cast<std::size_t>(m)];
+  };
+  Matrix matrix = Matrix::Zero(last + 1, last + 1);
+  for (Index j = 0; j <= last; ++j) {
+    const bool own_image = j == 0 || (periodic_ && j == last);
+    for (Index i = 1; i <= (periodic_ ? last - 1 : last); ++i) {
+      matrix(i, j) = own_image ? at(i - j) : at(i - j) + at(i + j);
+    }
   }
-  double elevation = 0;
-  double displacement = 0;
-  double stretch = 0;
-#pragma omp simd reduction(+ : elevation, displacement, stretch)
-  for (std::size_t j = 0; j < position_.size(); ++j) {
-    const double kernel = 1 / ((t - position_[j]) * (t + position_[j]));
-    elevation += elevation_[j] * kernel;
-    displacement += displacement_[j] * kernel;
-    stretch += stretch_[j] * kernel;
-  }
-  const double factor = 2 * sign * std::sin(std::numbers::pi * offset) / std::numbers::pi;
-  return {factor * t * elevation, factor * displacement, factor * t * stretch};
+  return matrix;
 }
 
-TrigonometricInterpolation::TrigonometricInterpolation(const VectorXd& elevation, const VectorXd& displacement,
-                                                       const VectorXd& stretch) {
-  const Index intervals = elevation.size() - 1;
-  for (Index j = 0; j <= intervals; ++j) {
-    const double s = std::numbers::pi * static_cast<double>(j) / static_cast<double>(intervals);
-    const double half = std::sin(0.5 * s);
-    const bool end = j == 0 || j == intervals;
-    const double weight = (j % 2 == 0 ? 1 : -1) * (end ? 0.5 : 1.0);
-    position_.push_back(half * half);
-    weight_.push_back(weight);
-    elevation_.push_back(weight * elevation[j]);
-    displacement_.push_back(end ? 0 : weight * displacement[j] * std::sin(s));
-    stretch_.push_back(weight * stretch[j]);
+ConformalNodes::Matrix ConformalNodes::on_alternate_points(const std::function<double(double)>& kernel) const {
+  const Index last = count() - 1;
+  std::vector<long double> potential;
+  for (Index j = 0; j <= last; ++j) potential.push_back(at(static_cast<double>(j) * spacing_).potential);
+  const auto phi = [&](Index j) { return potential[static_cast<std::size_t>(j)]; };
+  Matrix matrix = Matrix::Zero(last + 1, last + 1);
+  for (Index j = 0; j <= last; ++j) {
+    for (Index i = (j + 1) % 2; i < j; i += 2) {
+      // Differences in extended precision: under a steep crest they are many orders below phi far away.
+      const double behind = kernel(static_cast<double>(phi(j) - phi(i)));
+      const double ahead = i > 0 && !(periodic_ && j == last) ? kernel(static_cast<double>(phi(i) + phi(j))) : 0;
+      matrix(i, j) = 2 * spacing_ * stretch_[j] * (ahead - behind);
+      matrix(j, i) = 2 * spacing_ * stretch_[i] * (ahead + behind);
+    }
   }
+  matrix.row(0).setZero();
+  if (periodic_) matrix.row(last).setZero();
+  return matrix;
 }
 
-SurfaceSample TrigonometricInterpolation::at(double s) const {
-  const double half = std::sin(0.5 * s);
-  const double position = half * half;
-  double elevation = 0;
-  double displacement = 0;
-  double stretch = 0;
-  double total = 0;
-  double sine = std::sin(s);
-#pragma omp simd reduction(+ : elevation, displacement, stretch, total)
-  for (std::size_t j = 0; j < position_.size(); ++j) {
-    const double kernel = 1 / (position_[j] - position);
-    total += weight_[j] * kernel;
-    elevation += elevation_[j] * kernel;
-    displacement += displacement_[j] * kernel;
-    stretch += stretch_[j] * kernel;
+ConformalSolution solve_on(const std::shared_ptr<const ConformalNodes>& nodes, WaveCrest crest, const VectorXd& tau,
+                           double speed_squared) {
+  VectorXd unknowns(nodes->count() + 1);
+  unknowns << tau, speed_squared;
+  const StreamlineEquations equations(*nodes, crest);
+  const double correction = solve_newton(equations, unknowns);
+  const VectorXd solved = unknowns.head(nodes->count());
+  return {nodes, solved, equations.inclination(solved), unknowns[nodes->count()], correction};
+}
+
+ConformalSolution approach(const WaveFamily& family, WaveCrest crest, ConformalSolution wave) {
+  constexpr double step = 0.105;  // q falls by a tenth
+  constexpr double converged = 1e-6;
+  const auto reached = [&] {
+    return crest.height ? wave.height() >= *crest.height * (1 - 1e-9) : wave.tau[0] <= std::log(*crest.speed) + 1e-12;
+  };
+  ConformalSolution last = wave;
+  while (!reached()) {
+    const double slope = std::min(-1.6 * wave.tau[0], step - wave.tau[0]);
+    const double speed = std::max(std::exp(-slope), crest.speed.value_or(0));
+    // Near the limiting wave no more than about c^2 q^2/2 is left of the height.
+    const double left = 2 * wave.speed_squared * std::exp(2 * wave.tau[0]);
+    const bool beyond = crest.height && wave.crest_speed() < 0.1 && *crest.height > wave.height() + left;
+    const bool good = wave.correction < converged;
+    if (good) last = wave;
+    require_that(speed >= family.least_speed && good && !beyond,
+                 "{}: the last wave that converged has {:.8g}, with the speed {:.3g} c at its crest", family.limit,
+                 family.share * last.height(), last.crest_speed());
+    const auto nodes = family.nodes(wave.speed_squared, speed, false);
+    wave = solve_on(nodes, {{}, speed}, transfer(wave, *nodes, std::log(speed)), wave.speed_squared);
   }
-  if (!std::isfinite(total)) {  // a node's own place
-    std::size_t j = 0;
-    while (position_[j] != position) ++j;
-    sine = 2 * std::sqrt(position * (1 - position));
-    total = weight_[j];
-    elevation = elevation_[j];
-    displacement = displacement_[j];
-    stretch = stretch_[j];
-  }
-  return {elevation / total, sine > 0 ? displacement / (total * sine) : 0, stretch / total};
+  if (!crest.height) return wave;
+  ConformalSolution close = solve_on(wave.nodes, crest, wave.tau, wave.speed_squared);
+  return close.correction < converged ? close : wave;
+}
+
+ConformalSolution refined(const WaveFamily& family, WaveCrest crest, const ConformalSolution& nearby) {
+  const auto nodes = family.nodes(nearby.speed_squared, nearby.crest_speed(), true);
+  ConformalSolution wave = solve_on(nodes, crest, transfer(nearby, *nodes, nearby.tau[0]), nearby.speed_squared);
+  require_that(wave.correction < 1e-8,
+               "{}: Newton's method stopped at a correction of {:.1e}; lower the amplitude or raise the resolution",
+               family.described, wave.correction);
+  return wave;
 }
 
 ConformalSurface::Point ConformalSurface::find(double x) const {
@@ -198,9 +268,10 @@ ConformalSurface::Point ConformalSurface::find(double x) const {
   const auto* end = begin + position_.size();
   const auto right = std::clamp<std::ptrdiff_t>(std::upper_bound(begin, end, x) - begin, 1, end - begin - 1);
   const double fraction = (x - position_[right - 1]) / (position_[right] - position_[right - 1]);
-  const auto inside = [&](double label) { return std::clamp(label, 0.0, last_label_); };
+  const double last_label = solution_.nodes->periodic() ? std::numbers::pi : std::numeric_limits<double>::infinity();
+  const auto inside = [&](double label) { return std::clamp(label, 0.0, last_label); };
   // The map is monotone and nearly linear between nodes: Newton's method converges from the chord.
-  Point result = point(inside((static_cast<double>(right - 1) + fraction) * spacing_));
+  Point result = point(inside((static_cast<double>(right - 1) + fraction) * solution_.nodes->spacing()));
   constexpr double accuracy = 1e-9;  // the step after it is exact to round-off
   for (int step = 0; step < 8; ++step) {
     const double correction = (x - result.x) / result.stretch;
@@ -222,11 +293,25 @@ void ConformalSurface::add_to_contour(Complex z, double log_speed, double inclin
   contour_.push_back(z.real());
 }
 
-double ConformalSurface::steepest(const VectorXd& inclination, const std::function<double(double)>& between) const {
+void ConformalSurface::add_nodes_to_contour() {
+  const Index last = position_.size() - 1;
+  for (Index j = 0; j <= last; ++j) {
+    const bool on_axis = j == 0 || (solution_.nodes->periodic() && j == last);
+    add_to_contour({position_[j], elevation_[j]}, solution_.tau[j], solution_.inclination[j],
+                   (on_axis ? 0.5 : 1) * solution_.nodes->stretch()[j]);
+  }
+}
+
+double ConformalSurface::maximum_slope() const {
+  const VectorXd none = VectorXd::Zero(position_.size());
+  const Interpolation between = solution_.nodes->between(none, solution_.inclination, none);
   Index node = 0;
-  inclination.minCoeff(&node);
-  const double s = static_cast<double>(node) * spacing_;
-  return -boost::math::tools::brent_find_minima(between, s - spacing_, s + spacing_, 40).second;
+  solution_.inclination.minCoeff(&node);
+  const double spacing = solution_.nodes->spacing();
+  const double s = static_cast<double>(node) * spacing;
+  return -boost::math::tools::brent_find_minima([&](double label) { return between(label).displacement; }, s - spacing,
+                                                s + spacing, 40)
+              .second;
 }
 
 Velocity ConformalSurface::velocity(double x, double y) const {

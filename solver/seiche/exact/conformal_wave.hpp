@@ -10,6 +10,7 @@
 /// Lagrange interpolation, SIAM Rev. 46 (2004) 501.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -24,7 +25,6 @@
 #include <Eigen/Core>
 
 #include "seiche/exact/reference_solution.hpp"
-#include "seiche/linear/dense.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -93,20 +93,14 @@ class CauchyVelocity {
  private:
   /// The value of the node that coincides with p.
   [[nodiscard]] Complex at_node(Complex p, std::size_t first, std::size_t last) const {
+    const auto apart = [&](std::size_t j, double side) {
+      return std::abs(Complex(pole_re_[j], side * pole_im_[j]) - p);
+    };
     std::size_t nearest = first;
-    double distance = std::numeric_limits<double>::infinity();
-    bool conjugate = false;
     for (std::size_t j = first; j < last; ++j) {
-      const Complex pole(pole_re_[j], pole_im_[j]);
-      for (const bool mirrored : {false, true}) {
-        const double next = std::abs((mirrored ? std::conj(pole) : pole) - p);
-        if (next >= distance) continue;
-        distance = next;
-        nearest = j;
-        conjugate = mirrored;
-      }
+      if (std::min(apart(j, 1), apart(j, -1)) < std::min(apart(nearest, 1), apart(nearest, -1))) nearest = j;
     }
-    return conjugate ? std::conj(values_[nearest]) : values_[nearest];
+    return apart(nearest, 1) <= apart(nearest, -1) ? values_[nearest] : std::conj(values_[nearest]);
   }
 
   std::vector<double> pole_re_, pole_im_, weight_re_, weight_im_, moment_re_, moment_im_;
@@ -121,115 +115,12 @@ struct Resolution {
 };
 void require_resolution(Resolution resolution);
 
-/// One of the two is given: the height that the wave is known by, or the speed of the water at the crest, seen from the
-/// wave, relative to the wave's.
+/// One of the two is given: the height of the crest above the lowest water, or the speed of the water at the crest,
+/// seen from the wave, relative to the wave's.
 struct WaveCrest {
-  std::optional<double> amplitude;
+  std::optional<double> height;
   std::optional<double> speed;
 };
-
-/// phi(s) = asinh(width sinh s)/rate: spacing ds/rate far away, geometric near phi = 0 for width << 1, uniform for
-/// width = 1. Analytic in |Im s| < pi/2.
-class LineNodes {
- public:
-  LineNodes(double width, double rate) : width_(width), rate_(rate) {}
-
-  [[nodiscard]] long double potential(double s) const;  ///< phi(s)
-  [[nodiscard]] double stretch(double s) const;         ///< dphi/ds
-  [[nodiscard]] double label(double potential) const;   ///< s(phi)
-  [[nodiscard]] bool uniform() const { return width_ == 1; }
-
- private:
-  double width_, rate_;
-};
-
-/// tan(phi/2) = k' sn(u)/cn(u), u = s K/pi, with Jacobi's functions of the complementary modulus k' (width) and its
-/// quarter period K: 2 pi periodic and odd, the identity for k' = 1.
-class PeriodicNodes {
- public:
-  struct Node {
-    long double potential;  ///< phi(s)
-    double stretch;         ///< dphi/ds
-  };
-
-  explicit PeriodicNodes(double width);
-
-  [[nodiscard]] Node at(double s) const;               ///< 0 <= s <= pi
-  [[nodiscard]] double label(double potential) const;  ///< s(phi), 0 <= phi <= pi
-  [[nodiscard]] double quarter_period() const { return static_cast<double>(quarter_period_); }
-
- private:
-  struct Jacobi {
-    long double sn, cn, dn;
-  };
-  /// By the descending arithmetic-geometric mean from k' itself: 1 - k'^2 would lose it.
-  [[nodiscard]] Jacobi jacobi(long double u) const;
-
-  long double width_;
-  long double quarter_period_;
-};
-
-/// A wave on its nodes s_j = j spacing, j = 0..N, or nodes for one that is not solved yet.
-template <class Nodes>
-struct ConformalSolution {
-  Nodes nodes;
-  double spacing = 0;
-  double depth = 1;           ///< conformal
-  Eigen::VectorXd potential;  ///< phi_j
-  Eigen::VectorXd stretch;    ///< dphi/ds
-  Eigen::VectorXd values;     ///< what is solved for: tau = log q, or the elevation
-  Eigen::VectorXd inclination;
-  double speed_squared = 1;
-  double correction = 0;  ///< last correction of Newton's method
-
-  [[nodiscard]] Eigen::Index count() const { return stretch.size(); }
-};
-
-/// Newton's method for a square nonlinear system with an exact Jacobian: steps are halved until they are admissible;
-/// once the correction is below 1e-3 the factors are kept and iterated until the correction no longer shrinks: the
-/// rounding of the residual.
-///
-/// @returns the last correction (maximum norm), infinite without convergence
-template <class System>
-double solve_newton(const System& system, Eigen::VectorXd& unknowns) {
-  constexpr int most_steps = 30;
-  constexpr double refine_below = 1e-3;
-  Eigen::MatrixXd jacobian;
-  for (int step = 0; step < most_steps; ++step) {
-    system.jacobian(unknowns, jacobian);
-    const linear::LuFactors factors(jacobian);
-    Eigen::VectorXd correction = factors.solve(system.residual(unknowns));
-    double size = correction.lpNorm<Eigen::Infinity>();
-    if (!std::isfinite(size)) break;
-    double damping = 1;
-    while (damping > 1e-6 && !system.admissible(unknowns - damping * correction)) damping /= 2;
-    unknowns -= damping * correction;
-    if (size > refine_below) continue;
-    for (int refinement = 0; refinement < 20; ++refinement) {
-      correction = factors.solve(system.residual(unknowns));
-      const double previous = size;
-      size = correction.lpNorm<Eigen::Infinity>();
-      if (!(size < 0.5 * previous)) break;
-      unknowns -= correction;
-    }
-    return size;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
-/// The wave on the nodes of `grid`, from a first guess of its values and of the square of its speed.
-template <class Equations, class Solution>
-Solution solve_on(const Solution& grid, WaveCrest crest, const Eigen::VectorXd& values, double speed_squared) {
-  Eigen::VectorXd unknowns(grid.count() + 1);
-  unknowns << values, speed_squared;
-  const Equations equations(grid, crest);
-  Solution wave = grid;
-  wave.correction = solve_newton(equations, unknowns);
-  wave.values = unknowns.head(grid.count());
-  wave.speed_squared = unknowns[grid.count()];
-  wave.inclination = equations.inclination(unknowns);
-  return wave;
-}
 
 struct SurfaceSample {
   double elevation = 0;     ///< even in s
@@ -238,66 +129,115 @@ struct SurfaceSample {
 };
 
 /// A wave's surface between its nodes: the even function elevation(s) and the odd function x(s), stored without the
-/// part that does not decay (or is not periodic), which the caller adds. Folding the nodes s_j and -s_j leaves one
-/// reciprocal per pair for all functions.
-///
-/// This one on the nodes s_j = j spacing, j = 0..N, of functions that vanish beyond them.
-class SincInterpolation {
+/// part that does not decay (or is not periodic), which the caller adds.
+using Interpolation = std::function<SurfaceSample(double s)>;
+
+/// Nodes s_j = j spacing, j = 0..N, what they do to the potential phi(s), and the operators on functions of s.
+class ConformalNodes {
  public:
-  SincInterpolation() = default;
-  SincInterpolation(double spacing, const Eigen::VectorXd& elevation, const Eigen::VectorXd& displacement,
-                    const Eigen::VectorXd& stretch);
-  /// @param s  in [0, N spacing]
-  [[nodiscard]] SurfaceSample at(double s) const;
+  using Sequence = std::function<long double(Eigen::Index)>;
+  using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+  struct Node {
+    long double potential;  ///< phi(s)
+    double stretch;         ///< dphi/ds
+  };
+
+  ConformalNodes(const ConformalNodes&) = delete;
+  ConformalNodes& operator=(const ConformalNodes&) = delete;
+  virtual ~ConformalNodes() = default;
+
+  [[nodiscard]] virtual Node at(double s) const = 0;
+  [[nodiscard]] virtual double label(double potential) const = 0;  ///< s(phi)
+  /// d/ds of even functions, rows of the nodes that are not ends of a period.
+  [[nodiscard]] virtual Matrix derivative() const = 0;
+  /// theta = T tau in the same rows: the inclination vanishes at crest and trough.
+  [[nodiscard]] virtual Matrix conjugate() const = 0;
+  [[nodiscard]] virtual Interpolation between(const Eigen::VectorXd& elevation, const Eigen::VectorXd& displacement,
+                                              const Eigen::VectorXd& stretch) const = 0;
+
+  [[nodiscard]] bool periodic() const { return periodic_; }  ///< the last node is the trough
+  [[nodiscard]] Eigen::Index count() const { return stretch_.size(); }
+  [[nodiscard]] double spacing() const { return spacing_; }
+  [[nodiscard]] double depth() const { return depth_; }                          ///< conformal
+  [[nodiscard]] const Eigen::VectorXd& potential() const { return potential_; }  ///< phi_j
+  [[nodiscard]] const Eigen::VectorXd& stretch() const { return stretch_; }
+
+ protected:
+  ConformalNodes(bool periodic, double depth) : periodic_(periodic), depth_(depth) {}
+  void place(Eigen::Index count, double spacing);
+  /// Convolution of even values with an odd sequence c(m), folded onto j >= 0; the result is odd.
+  [[nodiscard]] Matrix folded(const Sequence& sequence) const;
+  /// The principal value of an integral with an odd kernel by the trapezoidal rule on alternate points, spectrally
+  /// accurate.
+  [[nodiscard]] Matrix on_alternate_points(const std::function<double(double)>& kernel) const;
 
  private:
-  double spacing_ = 1;
-  std::vector<double> elevation_, displacement_, stretch_, position_;
+  bool periodic_;
+  double depth_;
+  double spacing_ = 0;
+  Eigen::VectorXd potential_, stretch_;
 };
 
-/// On the nodes s_j = pi j/N, j = 0..N, of 2 pi periodic functions: Lagrange's formula in the variable sin^2(s/2).
-class TrigonometricInterpolation {
- public:
-  TrigonometricInterpolation() = default;
-  TrigonometricInterpolation(const Eigen::VectorXd& elevation, const Eigen::VectorXd& displacement,
-                             const Eigen::VectorXd& stretch);
-  /// @param s  in [0, pi]
-  [[nodiscard]] SurfaceSample at(double s) const;
+/// A wave on its nodes, tau = log q.
+struct ConformalSolution {
+  std::shared_ptr<const ConformalNodes> nodes;
+  Eigen::VectorXd tau, inclination;
+  double speed_squared = 1;
+  double correction = 0;  ///< last correction of Newton's method
 
- private:
-  std::vector<double> position_, weight_, elevation_, displacement_, stretch_;
+  [[nodiscard]] double crest_speed() const { return std::exp(tau[0]); }
+  /// c^2 (q_end^2 - q_crest^2)/2
+  [[nodiscard]] double height() const {
+    return 0.5 * speed_squared * (std::expm1(2 * tau[tau.size() - 1]) - std::expm1(2 * tau[0]));
+  }
 };
 
-/// The values of a wave at the nodes of another grid, scaled to another value at the crest; 0 beyond its last node.
-template <class Solution, class Interpolation>
-Eigen::VectorXd transfer(const Solution& from, const Interpolation& between, const Solution& to, double crest) {
-  const double last = from.spacing * static_cast<double>(from.count() - 1) * (1 + 1e-12);  // a trough's own label
-  return to.potential.unaryExpr([&](double potential) {
-    const double s = from.nodes.label(potential);
-    return s <= last ? between.at(s).elevation * crest / from.values[0] : 0;
-  });
-}
+/// What tells one family of waves from another on the way to the crest asked for.
+struct WaveFamily {
+  /// Nodes for a wave of about this speed and crest; coarse ones to get there on.
+  std::function<std::shared_ptr<const ConformalNodes>(double speed_squared, double crest_speed, bool fine)> nodes;
+  double least_speed;            ///< at the crest of a wave that is tried
+  std::string limit, described;  ///< what is above which limiting wave, and what Newton's method stopped at
+  double share;                  ///< amplitude over height
+};
+
+/// The wave on these nodes, from a first guess of its values and of the square of its speed.
+ConformalSolution solve_on(const std::shared_ptr<const ConformalNodes>& nodes, WaveCrest crest,
+                           const Eigen::VectorXd& tau, double speed_squared);
+/// Continuation in the crest's speed on coarse nodes, from a wave on such nodes to the crest asked for. Throws
+/// std::invalid_argument above the limiting wave.
+ConformalSolution approach(const WaveFamily& family, WaveCrest crest, ConformalSolution wave);
+/// The wave asked for on fine nodes, from one nearby. Throws std::invalid_argument if Newton's method stops too early.
+ConformalSolution refined(const WaveFamily& family, WaveCrest crest, const ConformalSolution& nearby);
 
 /// The surface of a solved wave, and the water below it.
 class ConformalSurface {
  public:
   virtual ~ConformalSurface() = default;
 
+  [[nodiscard]] const ConformalSolution& solution() const { return solution_; }
   [[nodiscard]] double speed() const { return speed_; }
+  [[nodiscard]] double crest_speed() const { return solution_.crest_speed(); }
   [[nodiscard]] double depth() const { return depth_; }  ///< mean, or undisturbed
   [[nodiscard]] double crest() const { return elevation_[0]; }
   [[nodiscard]] double elevation(double x) const;
+  [[nodiscard]] double maximum_slope() const;
   [[nodiscard]] Velocity velocity(double x, double y) const;
+
+  /// Of a line, or means over a wavelength: excess mass, impulse, energies and circulation, those that there are.
+  struct Integrals {
+    double mass = 0, impulse = 0, kinetic_energy = 0, potential_energy = 0, circulation = 0;
+  };
+  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
 
  protected:
   struct Point {
     double label, x, displacement, elevation, stretch;
   };
   /// @param before, after  what makes a length dimensionless, for messages: "k x", "x/depth"
-  ConformalSurface(double speed, double spacing, double last_label, std::string before, std::string after)
-      : speed_(speed),
-        spacing_(spacing),
-        last_label_(last_label),
+  ConformalSurface(ConformalSolution solution, std::string before, std::string after)
+      : solution_(std::move(solution)),
+        speed_(std::sqrt(solution_.speed_squared)),
         before_(std::move(before)),
         after_(std::move(after)) {}
   ConformalSurface(const ConformalSurface&) = default;
@@ -307,19 +247,18 @@ class ConformalSurface {
 
   /// The surface point at x, not negative.
   [[nodiscard]] Point find(double x) const;
-  /// Adds a node to the contour of Cauchy's integral: there q, theta and dphi/ds, or half of it on the axis.
+  /// Adds the nodes to the contour of Cauchy's integral.
+  void add_nodes_to_contour();
+  /// Adds one more: there q, theta and dphi/ds, or half of it on the axis.
   void add_to_contour(std::complex<double> z, double log_speed, double inclination, double stretch);
-  /// Largest inclination, from that at the nodes and between them.
-  template <class Interpolation>
-  [[nodiscard]] double steepest(const Eigen::VectorXd& inclination, const Interpolation& between) const {
-    return steepest(inclination, std::function([&](double s) { return between.at(s).displacement; }));
-  }
-  [[nodiscard]] double steepest(const Eigen::VectorXd& inclination, const std::function<double(double)>& between) const;
 
+  ConformalSolution solution_;
   double speed_;
   double depth_ = 1;
   Eigen::VectorXd elevation_;
-  Eigen::VectorXd position_;                                ///< x_j
+  Eigen::VectorXd position_;     ///< x_j
+  Interpolation interpolation_;  ///< of y, the part of x that it can, dx/ds
+  Integrals integrals_;
   double end_ = std::numeric_limits<double>::infinity();    ///< water rests from there on
   double reach_ = std::numeric_limits<double>::infinity();  ///< of the kernel of Cauchy's integral
   std::vector<double> contour_;                             ///< x of its nodes
@@ -332,7 +271,6 @@ class ConformalSurface {
   /// x of the same place of the wave next to the crest.
   [[nodiscard]] virtual double reduced(double x) const { return x; }
 
-  double spacing_, last_label_;
   std::string before_, after_;
   CauchyVelocity velocity_;
 };

@@ -36,25 +36,25 @@ void GerstnerWave::require_below_top(Label label) const {
                              label.b, top_);
 }
 
-GerstnerWave::Vector GerstnerWave::position(Label label, double t) const {
+GerstnerWave::Vector GerstnerWave::turned(Label label, double t, double size) const {
   require_below_top(label);
   const double phase = wavenumber_ * label.a - frequency_ * t;
-  const double r = radius(label.b);
-  return {label.a - r * std::sin(phase), label.b + r * std::cos(phase)};
+  return {size * std::sin(phase), size * std::cos(phase)};
+}
+
+GerstnerWave::Vector GerstnerWave::position(Label label, double t) const {
+  const auto [sine, cosine] = turned(label, t, radius(label.b));
+  return {label.a - sine, label.b + cosine};
 }
 
 Velocity GerstnerWave::velocity(Label label, double t) const {
-  require_below_top(label);
-  const double phase = wavenumber_ * label.a - frequency_ * t;
-  const double speed = frequency_ * radius(label.b);
-  return {speed * std::cos(phase), speed * std::sin(phase)};
+  const auto [sine, cosine] = turned(label, t, frequency_ * radius(label.b));
+  return {cosine, sine};
 }
 
 GerstnerWave::Vector GerstnerWave::acceleration(Label label, double t) const {
-  require_below_top(label);
-  const double phase = wavenumber_ * label.a - frequency_ * t;
-  const double size = gravity_ * std::exp(wavenumber_ * label.b);
-  return {size * std::sin(phase), -size * std::cos(phase)};
+  const auto [sine, cosine] = turned(label, t, gravity_ * std::exp(wavenumber_ * label.b));
+  return {sine, -cosine};
 }
 
 double GerstnerWave::pressure(Label label) const {

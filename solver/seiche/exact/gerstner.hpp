@@ -68,6 +68,8 @@ class GerstnerWave {
 
  private:
   void require_below_top(Label label) const;
+  /// Sine and cosine of the phase of a particle, times `size`. Throws OutsideFluid.
+  [[nodiscard]] Vector turned(Label label, double t, double size) const;
   /// Radius of the circle, e^{k b}/k.
   [[nodiscard]] double radius(double b) const { return std::exp(wavenumber_ * b) / wavenumber_; }
   /// Phase k a - omega t of the particle with label b that is at x.

@@ -66,6 +66,12 @@ Eigen::VectorXd levels(double order, double spacing, double half) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+/// A solution of ratios, and the amplitude that they are of.
+template <class Solution>
+struct Scaled : Solution {
+  double amplitude_of_incident;
+};
+
 }  // namespace
 
 SolitonFission::SolitonFission(double depth, Passage passage) : depth_(depth) {
@@ -104,16 +110,6 @@ SelfTest SolitonFission::self_test() const {
 }
 
 static_assert(ReferenceSolution<SolitonFission>);
-
-namespace {
-
-/// A solution of ratios, and the amplitude that they are of.
-template <class Solution>
-struct Scaled : Solution {
-  double amplitude_of_incident;
-};
-
-}  // namespace
 
 ExactSolution mach_reflection_entry() {
   constexpr double degree = std::numbers::pi / 180;

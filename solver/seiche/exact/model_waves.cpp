@@ -105,11 +105,29 @@ EllipticParameter parameter_of(double height, double wavelength, double depth) {
 
 }  // namespace
 
-AsymptoticSolitary::AsymptoticSolitary(double amplitude, double depth, double gravity, const Series& series,
-                                       double limit)
-    : ratio_(amplitude / depth), depth_(depth), gravity_(gravity), series_(series) {
-  require_all_positive({{"amplitude", amplitude}, {"depth", depth}, {"gravity", gravity}});
-  require_within("amplitude/depth", ratio_, 0, limit);
+AsymptoticSolitary::Series AsymptoticSolitary::series_of(Theory theory, double a, double alpha) {
+  const double long_wave = std::sqrt(0.75 * a);
+  switch (theory) {
+    case Theory::boussinesq:
+      return {.decay = long_wave, .froude = std::sqrt(1 + a), .conserves_momentum = true};
+    case Theory::rayleigh:
+      return {.decay = std::sqrt(a / (4 * alpha * (1 + a))), .froude = std::sqrt(1 + a), .conserves_momentum = true};
+    case Theory::laitone:
+      return {.decay = long_wave * (1 - 0.625 * a), .froude = 1 + a * (0.5 - 0.15 * a), .b = 0.75};
+    default:  // Grimshaw
+      return {.decay = long_wave * (1 - a * (0.625 - 71.0 / 128 * a)),
+              .froude = std::sqrt(1 + a * (1 - a * (0.05 + 3.0 / 70 * a))),
+              .b = 0.75,
+              .c = 0.625,
+              .d = 101.0 / 80};
+  }
+}
+
+AsymptoticSolitary::AsymptoticSolitary(Theory theory, double amplitude, double depth, double gravity, double alpha)
+    : ratio_(amplitude / depth), depth_(depth), gravity_(gravity), series_(series_of(theory, ratio_, alpha)) {
+  require_all_positive({{"amplitude", amplitude}, {"depth", depth}, {"gravity", gravity}, {"alpha", alpha}});
+  require_within("amplitude/depth", ratio_, 0,
+                 theory == Theory::rayleigh ? std::numeric_limits<double>::max() : highest);
 }
 
 double AsymptoticSolitary::profile(double x) const {
@@ -159,36 +177,6 @@ SelfTest AsymptoticSolitary::self_test() const {
   return identities;
 }
 
-BoussinesqSolitary::BoussinesqSolitary(double amplitude, double depth, double gravity)
-    : AsymptoticSolitary(amplitude, depth, gravity,
-                         {.decay = std::sqrt(0.75 * amplitude / depth),
-                          .froude = std::sqrt(1 + amplitude / depth),
-                          .conserves_momentum = true}) {}
-
-SerreSolitary::SerreSolitary(double amplitude, double depth, double gravity, double alpha)
-    : AsymptoticSolitary(amplitude, depth, gravity,
-                         {.decay = std::sqrt(amplitude / depth / (4 * alpha * (1 + amplitude / depth))),
-                          .froude = std::sqrt(1 + amplitude / depth),
-                          .conserves_momentum = true},
-                         std::numeric_limits<double>::max()) {
-  require_positive("alpha", alpha);
-}
-
-LaitoneSolitary::LaitoneSolitary(double amplitude, double depth, double gravity)
-    : AsymptoticSolitary(amplitude, depth, gravity,
-                         {.decay = std::sqrt(0.75 * amplitude / depth) * (1 - 0.625 * amplitude / depth),
-                          .froude = 1 + amplitude / depth * (0.5 - 0.15 * amplitude / depth),
-                          .b = 0.75}) {}
-
-GrimshawSolitary::GrimshawSolitary(double amplitude, double depth, double gravity)
-    : AsymptoticSolitary(amplitude, depth, gravity, [a = amplitude / depth]() -> Series {
-        return {.decay = std::sqrt(0.75 * a) * (1 - a * (0.625 - 71.0 / 128 * a)),
-                .froude = std::sqrt(1 + a * (1 - a * (0.05 + 3.0 / 70 * a))),
-                .b = 0.75,
-                .c = 0.625,
-                .d = 101.0 / 80};
-      }()) {}
-
 double SerreSolitary::excess_up_to(double x) const {
   require_finite("x", x);
   return depth() * depth() * ratio() / decay() * std::tanh(decay() * x / depth());
@@ -233,14 +221,7 @@ ExactSolution solitary_asymptotic_entry() {
       .outputs = {surface_eta, mean_velocity_u},
       .scalars = {{"speed", "m/s", "phase speed", &AsymptoticSolitary::speed},
                   {"mass", "m^2", "int eta dx", &AsymptoticSolitary::area}},
-      .make = made_by(
-          [](int theory, double amplitude, double depth, double gravity) -> AsymptoticSolitary {
-            if (theory == 0) return BoussinesqSolitary(amplitude, depth, gravity);
-            if (theory == 1) return SerreSolitary(amplitude, depth, gravity);
-            if (theory == 2) return LaitoneSolitary(amplitude, depth, gravity);
-            return GrimshawSolitary(amplitude, depth, gravity);
-          },
-          "theory", "amplitude", "depth", "gravity"),
+      .make = from<AsymptoticSolitary>("theory", "amplitude", "depth", "gravity"),
       .row = [](const AsymptoticSolitary& wave, At at) { return travelling_row(wave, wave.speed(), at); }};
 }
 

@@ -33,6 +33,14 @@ namespace seiche::exact {
 /// A steady wave of elevation on still water; see the formulas above.
 class AsymptoticSolitary {
  public:
+  enum class Theory { boussinesq, rayleigh, laitone, grimshaw };
+
+  /// @param amplitude [m], at most 0.8332 depth but for Rayleigh's wave;  @param depth [m];  @param gravity [m/s^2]
+  /// @param alpha  factor of the vertical kinetic energy in Rayleigh's wave, 1/3 for Serre. Throws
+  ///               std::invalid_argument.
+  explicit AsymptoticSolitary(Theory theory, double amplitude, double depth = 1, double gravity = 1,
+                              double alpha = 1.0 / 3);
+
   /// Elevation [m] at distance x [m] from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
   [[nodiscard]] double elevation(double x) const;
   [[nodiscard]] double elevation(double x, double t) const { return elevation(x - speed() * t); }
@@ -63,8 +71,7 @@ class AsymptoticSolitary {
     bool conserves_momentum = false;
   };
 
-  /// @param amplitude [m], at most `limit` depths;  @param depth [m];  @param gravity [m/s^2]
-  AsymptoticSolitary(double amplitude, double depth, double gravity, const Series& series, double limit = highest);
+  static Series series_of(Theory theory, double amplitude, double alpha);
 
   /// Amplitude over depth, and the decay rate K of the profile.
   [[nodiscard]] double ratio() const { return ratio_; }
@@ -80,17 +87,11 @@ class AsymptoticSolitary {
   Series series_;
 };
 
-/// These throw std::invalid_argument for amplitudes above 0.8332 depth, but SerreSolitary's may be any.
-class BoussinesqSolitary final : public AsymptoticSolitary {
- public:
-  explicit BoussinesqSolitary(double amplitude, double depth = 1, double gravity = 1);
-};
-
 /// Rayleigh's wave; exact for the equations of Serre, and for those of Frank's discrete model as spacing -> 0.
 class SerreSolitary final : public AsymptoticSolitary {
  public:
-  /// @param alpha  factor of the vertical kinetic energy, 1/3 for Serre.
-  explicit SerreSolitary(double amplitude, double depth = 1, double gravity = 1, double alpha = 1.0 / 3);
+  explicit SerreSolitary(double amplitude, double depth = 1, double gravity = 1, double alpha = 1.0 / 3)
+      : AsymptoticSolitary(Theory::rayleigh, amplitude, depth, gravity, alpha) {}
 
   /// Area of the water between the crest and x, depth x + integral of the elevation [m^2], and its inverse: equal steps
   /// of it are particles of equal mass.
@@ -99,16 +100,6 @@ class SerreSolitary final : public AsymptoticSolitary {
   /// Integral of the elevation from the crest to x [m^2], and the elevation's derivative, crest at x = 0.
   [[nodiscard]] double excess_up_to(double x) const;
   [[nodiscard]] double elevation_slope(double x) const;
-};
-
-class LaitoneSolitary final : public AsymptoticSolitary {
- public:
-  explicit LaitoneSolitary(double amplitude, double depth = 1, double gravity = 1);
-};
-
-class GrimshawSolitary final : public AsymptoticSolitary {
- public:
-  explicit GrimshawSolitary(double amplitude, double depth = 1, double gravity = 1);
 };
 
 /// Periodic travelling wave of Serre's equations (Green and Naghdi's) over a level bottom: cnoidal, exact at any

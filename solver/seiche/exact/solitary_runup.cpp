@@ -25,6 +25,10 @@ constexpr double invisible = 40;
 /// The zeros of J0 - i J1 nearest the real axis are +-2.98 - 1.28 i: a beach rings down as e^{-0.64 t/X0}.
 constexpr double ringing_rate = 0.6398;
 
+double tangent(double degrees) {
+  return std::tan(degrees * std::numbers::pi / 180);
+}
+
 }  // namespace
 
 SolitaryRunup::SolitaryRunup(double gravity, double depth, double amplitude, double cotangent, double refinement)
@@ -162,14 +166,6 @@ SelfTest SolitaryRunup::self_test() const {
           {"the shoreline rests before the wave arrives", before.value() / crest, uncertainty(),
            "causality, by cancellation of terms up to a fifth of R"}};
 }
-
-namespace {
-
-double tangent(double degrees) {
-  return std::tan(degrees * std::numbers::pi / 180);
-}
-
-}  // namespace
 
 HallWatts::HallWatts(double depth, double slope) : depth_(depth) {
   require_positive("depth", depth);

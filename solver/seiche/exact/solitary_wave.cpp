@@ -13,69 +13,13 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
-using SolitarySolution = SolitarySurface::Solution;
 using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-
-/// Convolution of even values with an odd sequence c(m), folded onto j >= 0; the result is odd.
-MatrixXd folded(const Extended& sequence) {
-  const Index count = sequence.size() / 2;
-  MatrixXd matrix = MatrixXd::Zero(count, count);
-  for (Index j = 0; j < count; ++j) {
-    for (Index i = 1; i < count; ++i) {
-      const long double direct = i < j ? -sequence[j - i] : sequence[i - j];
-      matrix(i, j) = static_cast<double>(j > 0 ? direct + sequence[i + j] : direct);
-    }
-  }
-  return matrix;
-}
-
-Extended convolve(const Extended& sequence, const Extended& values) {
-  Extended result = Extended::Zero(values.size());
-  for (Index i = 1; i < values.size(); ++i) {
-    long double sum = values[0] * sequence[i];
-    for (Index j = 1; j < values.size(); ++j) {
-      sum += values[j] * ((i < j ? -sequence[j - i] : sequence[i - j]) + sequence[i + j]);
-    }
-    result[i] = sum;
-  }
-  return result;
-}
-
-/// d/ds by the sinc series: (-1)^m/(m spacing).
-Extended derivative_sequence(Index count, double spacing) {
-  Extended sequence = Extended::Zero(2 * count);
-  for (Index m = 1; m < 2 * count; ++m) {
-    sequence[m] = (m % 2 == 0 ? 1 : -1) / (static_cast<long double>(spacing) * static_cast<long double>(m));
-  }
-  return sequence;
-}
 
 double cosech(double argument) {
   constexpr double negligible = 90;  // e^-90 is below the square of round-off
   return std::abs(argument) > negligible ? 0 : 1 / std::sinh(argument);
-}
-
-/// theta = T tau by the trapezoidal rule on alternate points, spectrally accurate for the principal value.
-MatrixXd alternate_point_conjugate(const LineNodes& nodes, const VectorXd& stretch, double spacing) {
-  const Index count = stretch.size();
-  std::vector<long double> potential;
-  for (Index i = 0; i < count; ++i) potential.push_back(nodes.potential(static_cast<double>(i) * spacing));
-  const auto phi = [&](Index i) { return potential[static_cast<std::size_t>(i)]; };
-  MatrixXd matrix = MatrixXd::Zero(count, count);
-  for (Index j = 0; j < count; ++j) {
-    for (Index i = (j + 1) % 2; i < j; i += 2) {
-      // Differences in extended precision: under a steep crest they are many orders below phi far away.
-      const double behind = cosech(static_cast<double>(phi(i) - phi(j)) * pi / 2);
-      const double ahead = cosech(static_cast<double>(phi(i) + phi(j)) * pi / 2);
-      matrix(i, j) = spacing * stretch[j] * (behind + ahead);
-      matrix(j, i) = i > 0 ? spacing * stretch[i] * (ahead - behind) : -spacing * stretch[0] * behind;
-    }
-  }
-  matrix.row(0).setZero();
-  return matrix;
 }
 
 /// theta = T tau by Fourier series with the symbol -i tanh(k), on equal steps of any size: long waves.
@@ -103,8 +47,101 @@ double solitary_decay_rate(double froude_squared) {
       std::min(1.2, std::sqrt(3 * (froude_squared - 1))), 0.0, pi / 2, digits);
 }
 
+/// On the nodes s_j = j spacing, j = 0..N, of functions that vanish beyond them. Folding the nodes s_j and -s_j leaves
+/// one reciprocal per pair for all functions.
+class SincInterpolation {
+ public:
+  SincInterpolation(double spacing, const VectorXd& elevation, const VectorXd& displacement, const VectorXd& stretch)
+      : spacing_(spacing) {
+    for (Index j = 0; j < elevation.size(); ++j) {
+      const double sign = j % 2 == 0 ? 1 : -1;
+      const double fold = j == 0 ? 0.5 : 1;
+      elevation_.push_back(sign * fold * elevation[j]);
+      displacement_.push_back(sign * static_cast<double>(j) * displacement[j]);
+      stretch_.push_back(sign * fold * stretch[j]);
+      position_.push_back(static_cast<double>(j));
+    }
+  }
+
+  /// @param s  in [0, N spacing]
+  [[nodiscard]] SurfaceSample operator()(double s) const {
+    const double t = s / spacing_;
+    const double nearest = std::round(t);
+    const double offset = t - nearest;
+    const double sign = std::fmod(nearest, 2) == 0 ? 1 : -1;
+    if (std::abs(offset) < 1e-290) {
+      const auto j = static_cast<std::size_t>(nearest);
+      const double fold = sign * (j == 0 ? 2 : 1);
+      return {fold * elevation_[j], j == 0 ? 0 : sign * displacement_[j] / nearest, fold * stretch_[j]};
+    }
+    double elevation = 0;
+    double displacement = 0;
+    double stretch = 0;
+#pragma omp simd reduction(+ : elevation, displacement, stretch)
+    for (std::size_t j = 0; j < position_.size(); ++j) {
+      const double kernel = 1 / ((t - position_[j]) * (t + position_[j]));
+      elevation += elevation_[j] * kernel;
+      displacement += displacement_[j] * kernel;
+      stretch += stretch_[j] * kernel;
+    }
+    const double factor = 2 * sign * std::sin(std::numbers::pi * offset) / std::numbers::pi;
+    return {factor * t * elevation, factor * displacement, factor * t * stretch};
+  }
+
+ private:
+  double spacing_;
+  std::vector<double> elevation_, displacement_, stretch_, position_;
+};
+
+/// phi(s) = asinh(width sinh s)/rate: spacing ds/rate far away, geometric near phi = 0 for width << 1, uniform for
+/// width = 1. Analytic in |Im s| < pi/2.
+class LineNodes : public ConformalNodes {
+ public:
+  /// @param longest  the last node
+  LineNodes(double width, double rate, double spacing, double longest)
+      : ConformalNodes(false, 1), width_(width), rate_(rate) {
+    place(static_cast<Index>(std::ceil(longest / spacing)) + 1, spacing);
+  }
+
+  [[nodiscard]] Node at(double s) const override {
+    if (uniform()) return {static_cast<long double>(s) / rate_, 1 / rate_};
+    const auto length = static_cast<long double>(s);
+    if (s >= 100) return {(length + std::log(static_cast<long double>(width_))) / rate_, 1 / rate_};
+    const double sinh = width_ * std::sinh(s);
+    return {std::asinh(width_ * std::sinh(length)) / rate_,
+            width_ * std::cosh(s) / (rate_ * std::sqrt(1 + sinh * sinh))};
+  }
+  [[nodiscard]] double label(double potential) const override {
+    const double length = rate_ * potential;
+    if (uniform()) return length;
+    return length < 300 ? std::asinh(std::sinh(length) / width_) : length - std::log(width_);
+  }
+  /// By the sinc series.
+  [[nodiscard]] Matrix derivative() const override {
+    return folded([step = static_cast<long double>(spacing())](Index m) {
+      return (m % 2 == 0 ? 1 : -1) / (step * static_cast<long double>(m));
+    });
+  }
+  [[nodiscard]] Matrix conjugate() const override {
+    if (!uniform()) return on_alternate_points([](double x) { return 0.5 * cosech(pi / 2 * x); });
+    const auto step = static_cast<long double>(spacing()) * static_cast<long double>(stretch()[0]);
+    const Extended sequence = fourier_conjugate_sequence(count(), step);
+    return folded([&](Index m) { return sequence[m]; });
+  }
+  [[nodiscard]] Interpolation between(const VectorXd& elevation, const VectorXd& displacement,
+                                      const VectorXd& stretch) const override {
+    return SincInterpolation(spacing(), elevation, displacement, stretch);
+  }
+
+ private:
+  [[nodiscard]] bool uniform() const { return width_ == 1; }
+
+  double width_, rate_;
+};
+
 /// @param tail  the wave is followed until it has decayed by exp(-tail)
-SolitarySolution make_grid(double froude_squared, double crest_speed, double spacing, double clustering, double tail) {
+std::shared_ptr<const ConformalNodes> line_nodes(double froude_squared, double crest_speed, double spacing,
+                                                 double clustering, double tail) {
   const double decay = solitary_decay_rate(froude_squared);
   // The nearest singularity lies q^3 F^2 above the crest; below a ~ 0.07 the wave is long and needs no cluster.
   constexpr double long_wave = 0.45;
@@ -112,176 +149,54 @@ SolitarySolution make_grid(double froude_squared, double crest_speed, double spa
   const double rate = clustered ? 0.8 : 1.1 * decay;
   const double width = clustered ? std::min(0.9, clustering * rate * std::pow(crest_speed, 3) * froude_squared) : 1;
   const double longest = rate * std::max(tail / decay, clustered ? 1.25 * tail : 0) - std::log(width);
-  SolitarySolution grid{.nodes = LineNodes(width, rate), .spacing = spacing};
-  const auto count = static_cast<Index>(std::ceil(longest / spacing)) + 1;
-  grid.potential.resize(count);
-  grid.stretch.resize(count);
-  for (Index j = 0; j < count; ++j) {
-    const double s = static_cast<double>(j) * spacing;
-    grid.potential[j] = static_cast<double>(grid.nodes.potential(s));
-    grid.stretch[j] = grid.nodes.stretch(s);
-  }
-  return grid;
-}
-
-/// Unknowns y_0..y_N, F^2; equations: the crest, the streamline at j = 1..N, y_N = 0.
-///
-/// The residual is evaluated with extended precision: dy/dphi and theta of a long wave balance up to the square of its
-/// amplitude, so that rounding is divided by it.
-class SolitaryEquations {
- public:
-  SolitaryEquations(const SolitarySolution& grid, WaveCrest crest)
-      : stretch_(grid.stretch),
-        slope_(derivative_sequence(grid.stretch.size(), grid.spacing)),
-        derivative_(folded(slope_)),
-        crest_(crest) {
-    if (grid.nodes.uniform()) {
-      long_wave_ = fourier_conjugate_sequence(
-          grid.stretch.size(), static_cast<long double>(grid.spacing) * static_cast<long double>(grid.stretch[0]));
-      conjugate_ = folded(*long_wave_);
-    } else {
-      conjugate_ = alternate_point_conjugate(grid.nodes, grid.stretch, grid.spacing);
-    }
-  }
-
-  [[nodiscard]] bool admissible(const VectorXd& unknowns) const {
-    const Index count = stretch_.size();
-    return unknowns[count] > 0 && 2 * unknowns.head(count).maxCoeff() < unknowns[count];
-  }
-
-  [[nodiscard]] VectorXd inclination(const VectorXd& unknowns) const {
-    return conjugate(log_speed(unknowns)).cast<double>();
-  }
-
-  [[nodiscard]] VectorXd residual(const VectorXd& unknowns) const {
-    const Index count = stretch_.size();
-    const Extended elevation = unknowns.head(count).cast<long double>();
-    const Extended tau = log_speed(unknowns);
-    const Extended theta = conjugate(tau);
-    const Extended climb = stretch_.cast<long double>().array() * theta.array().sin() * (-tau.array()).exp();
-    VectorXd result(count + 1);
-    result.head(count) = (convolve(slope_, elevation) - climb).cast<double>();
-    result[0] = crest_.amplitude ? unknowns[0] - *crest_.amplitude
-                                 : unknowns[0] - 0.5 * unknowns[count] * (1 - *crest_.speed) * (1 + *crest_.speed);
-    result[count] = unknowns[count - 1];
-    return result;
-  }
-
-  void jacobian(const VectorXd& unknowns, MatrixXd& matrix) const {
-    const Index count = stretch_.size();
-    const double froude_squared = unknowns[count];
-    const VectorXd tau = log_speed(unknowns).cast<double>();
-    const VectorXd theta = conjugate_ * tau;
-    const VectorXd inverse_speed = (-tau.array()).exp();
-    const VectorXd along = stretch_.array() * theta.array().cos() * inverse_speed.array();
-    const VectorXd across = stretch_.array() * theta.array().sin() * inverse_speed.array();
-    const VectorXd tau_y = -inverse_speed.array().square() / froude_squared;
-    const VectorXd tau_f = unknowns.head(count).array() * inverse_speed.array().square() / std::pow(froude_squared, 2);
-    matrix.setZero(count + 1, count + 1);
-    for (Index j = 0; j < count; ++j) {
-      matrix.col(j).head(count) = derivative_.col(j) - tau_y[j] * along.cwiseProduct(conjugate_.col(j));
-      matrix(j, j) += across[j] * tau_y[j];
-    }
-    matrix.col(count).head(count) = across.cwiseProduct(tau_f) - along.cwiseProduct(conjugate_ * tau_f);
-    matrix.row(0).setZero();
-    matrix(0, 0) = 1;
-    if (crest_.speed) matrix(0, count) = -0.5 * (1 - *crest_.speed) * (1 + *crest_.speed);
-    matrix(count, count - 1) = 1;
-  }
-
- private:
-  [[nodiscard]] Extended log_speed(const VectorXd& unknowns) const {
-    const Index count = stretch_.size();
-    const Extended head = unknowns.head(count).cast<long double>() * (-2 / static_cast<long double>(unknowns[count]));
-    return head.array().log1p() / 2;
-  }
-  [[nodiscard]] Extended conjugate(const Extended& tau) const {
-    return long_wave_ ? convolve(*long_wave_, tau) : Extended(conjugate_.cast<long double>() * tau);
-  }
-
-  VectorXd stretch_;
-  Extended slope_;
-  MatrixXd derivative_;
-  std::optional<Extended> long_wave_;  ///< sequence of T on equal steps
-  MatrixXd conjugate_;                 ///< T
-  WaveCrest crest_;
-};
-
-/// The elevation of a solution at the nodes of another grid, scaled to another crest.
-VectorXd elevation_on(const SolitarySolution& grid, const SolitarySolution& from, double crest) {
-  const VectorXd none = VectorXd::Zero(from.count());
-  return transfer(from, SincInterpolation(from.spacing, from.values, none, none), grid, crest);
-}
-
-double crest_speed_of(const SolitarySolution& wave) {
-  return std::sqrt(1 - 2 * wave.values[0] / wave.speed_squared);
+  return std::make_shared<const LineNodes>(width, rate, spacing, longest);
 }
 
 /// Continuation on coarse nodes, then one solution on fine nodes. Throws std::invalid_argument above the limiting wave.
-SolitarySolution solve_solitary_wave(WaveCrest crest, Resolution resolution) {
-  constexpr double coarse_spacing = 0.3;
-  constexpr double coarse_tail = 14;
-  constexpr double fine_spacing = 0.09;
-  constexpr double fine_tail = 40;
-  constexpr double step = 0.9;
-  constexpr double least_speed = 2e-4;
-  // Step 1: Rayleigh's wave, at most 0.3 high, corrected on coarse nodes.
-  const double target =
-      crest.amplitude ? *crest.amplitude : std::max(1e-3, (1 - *crest.speed) * (1 + *crest.speed) / 2);
+ConformalSolution solve_solitary_wave(WaveCrest crest, Resolution resolution) {
+  const double target = crest.height ? *crest.height : std::max(1e-3, (1 - *crest.speed) * (1 + *crest.speed) / 2);
+  const WaveFamily family{.nodes =
+                              [=](double froude_squared, double crest_speed, bool fine) {
+                                return fine ? line_nodes(froude_squared, crest_speed, 0.09 / resolution.refinement,
+                                                         resolution.clustering, 40)
+                                            : line_nodes(froude_squared, crest_speed, 0.3, 1, 14);
+                              },
+                          .least_speed = 2e-4,
+                          .limit = fmt::format("amplitude/depth = {:.17g} is above the limiting solitary wave", target),
+                          .described = fmt::format("amplitude/depth = {:.17g}", target),
+                          .share = 1};
+  // Rayleigh's wave, at most 0.3 high, corrected on coarse nodes.
   const double start = std::min(0.3, target);
-  double froude_squared = 1 + start;
-  SolitarySolution grid =
-      make_grid(froude_squared, std::sqrt(1 - 2 * start / froude_squared), coarse_spacing, 1, coarse_tail);
+  const double froude_squared = 1 + start;
+  const auto nodes = family.nodes(froude_squared, std::sqrt(1 - 2 * start / froude_squared), false);
   const double steepness = std::sqrt(0.75 * start / (1 + start));
-  const VectorXd rayleigh = start * (steepness * grid.potential.array()).cosh().square().inverse();
-  SolitarySolution wave = solve_on<SolitaryEquations>(grid, {start, {}}, rayleigh, froude_squared);
-  // Step 2: towards the limiting wave, in the speed at the crest.
-  const auto reached = [&] {
-    return crest.amplitude ? wave.values[0] >= *crest.amplitude * (1 - 1e-12)
-                           : crest_speed_of(wave) <= *crest.speed * (1 + 1e-4);
-  };
-  while (!reached()) {
-    const double speed = std::max(step * crest_speed_of(wave), crest.speed.value_or(0));
-    require_that(speed >= least_speed && wave.correction < 1e-4,
-                 "amplitude/depth = {:.17g} is above the limiting solitary wave: the last wave that converged has "
-                 "{:.8g}, with the speed {:.3g} c at its crest",
-                 target, wave.values[0], crest_speed_of(wave));
-    grid = make_grid(wave.speed_squared, speed, coarse_spacing, 1, coarse_tail);
-    const double height = 0.5 * wave.speed_squared * (1 - speed * speed);
-    wave = solve_on<SolitaryEquations>(grid, {{}, speed}, elevation_on(grid, wave, height), wave.speed_squared);
-  }
-  if (crest.amplitude) {
-    auto close =
-        solve_on<SolitaryEquations>(grid, crest, elevation_on(grid, wave, *crest.amplitude), wave.speed_squared);
-    if (close.correction < 1e-4) wave = std::move(close);
-  }
-  // Step 3: the wave asked for on fine nodes.
-  const double height = crest.amplitude ? *crest.amplitude : wave.values[0];
-  const double speed = std::sqrt(std::max(1 - 2 * height / wave.speed_squared, least_speed * least_speed));
-  grid = make_grid(wave.speed_squared, crest.speed.value_or(speed), fine_spacing / resolution.refinement,
-                   resolution.clustering, fine_tail);
-  wave = solve_on<SolitaryEquations>(grid, crest, elevation_on(grid, wave, height), wave.speed_squared);
-  require_that(wave.correction < 1e-9,
-               "amplitude/depth = {:.17g}: Newton's method stopped at a correction of {:.1e}; lower the amplitude or "
-               "raise the resolution",
-               target, wave.correction);
-  return wave;
+  const VectorXd rayleigh = start * (steepness * nodes->potential().array()).cosh().square().inverse();
+  const VectorXd tau = 0.5 * (-2 / froude_squared * rayleigh.array()).log1p();
+  return refined(family, crest, approach(family, crest, solve_on(nodes, {start, {}}, tau, froude_squared)));
 }
 
 constexpr double kernel_reach = 12.5;  // periods p from where the kernel 1/sinh(pi z/p) is below round-off
+
+std::shared_ptr<const SolitarySurface> solved(WaveCrest crest, double depth, double gravity, Resolution resolution) {
+  require_all_positive({{"depth", depth}, {"gravity", gravity}});
+  require_resolution(resolution);
+  if (crest.height) require_finite("amplitude", depth * *crest.height);
+  if (crest.height) require_within("amplitude/depth", *crest.height, 0.001, 0.8331);
+  if (crest.speed) require_within("crest_speed", *crest.speed, 3e-4, 0.999);
+  return std::make_shared<const SolitarySurface>(crest, resolution);
+}
 
 }  // namespace
 
 SolitarySurface::SolitarySurface(WaveCrest crest, Resolution resolution)
     : SolitarySurface(solve_solitary_wave(crest, resolution)) {}
 
-SolitarySurface::SolitarySurface(Solution solution)
-    : ConformalSurface(std::sqrt(solution.speed_squared), solution.spacing, std::numeric_limits<double>::infinity(), "",
-                       "/depth"),
-      solution_(std::move(solution)),
-      crest_speed_(crest_speed_of(solution_)),
-      decay_rate_(solitary_decay_rate(solution_.speed_squared)) {
-  const auto& [nodes, spacing, depth, potential, stretch, elevation, theta, froude_squared, correction] = solution_;
+SolitarySurface::SolitarySurface(ConformalSolution solution)
+    : ConformalSurface(std::move(solution), "", "/depth"), decay_rate_(solitary_decay_rate(solution_.speed_squared)) {
+  const auto& [nodes, tau, theta, froude_squared, correction] = solution_;
+  const double spacing = nodes->spacing();
+  const VectorXd& stretch = nodes->stretch();
+  const VectorXd elevation = -froude_squared / 2 * (2 * tau.array()).unaryExpr([](double t) { return std::expm1(t); });
   elevation_ = elevation;
   const Index count = elevation.size();
   std::vector<double> sine_integral;  // Si(pi k)/pi
@@ -289,7 +204,6 @@ SolitarySurface::SolitarySurface(Solution solution)
   const auto si = [&](Index k) {
     return k < 0 ? -sine_integral[static_cast<std::size_t>(-k)] : sine_integral[static_cast<std::size_t>(k)];
   };
-  const VectorXd tau = 0.5 * (-2 / froude_squared * elevation.array()).log1p();
   const VectorXd inverse_speed = (-tau.array()).exp();
   // dX/ds = (cos(theta)/q - 1) dphi/ds, dy/ds = sin(theta)/q dphi/ds.
   const VectorXd displacement_rate = stretch.array() * ((-tau.array()).unaryExpr([](double t) {
@@ -303,12 +217,12 @@ SolitarySurface::SolitarySurface(Solution solution)
     displacement[i] = spacing * sum;
   }
   end_displacement_ = spacing * (displacement_rate.sum() - 0.5 * displacement_rate[0]);
-  position_ = potential + displacement;
+  position_ = nodes->potential() + displacement;
   VectorXd decaying = displacement;
   for (Index i = 0; i < count; ++i) {
     decaying[i] -= end_displacement_ * std::tanh(0.5 * static_cast<double>(i) * spacing);
   }
-  interpolation_ = SincInterpolation(spacing, elevation, decaying, displacement_rate);
+  interpolation_ = nodes->between(elevation, decaying, displacement_rate);
   const VectorXd advance = stretch + displacement_rate;
   const auto line_integral = [&](const VectorXd& even) { return 2 * spacing * (even.sum() - 0.5 * even[0]); };
   integrals_.mass = line_integral(elevation.cwiseProduct(advance));
@@ -319,13 +233,10 @@ SolitarySurface::SolitarySurface(Solution solution)
   kernel_period_ = std::max(6.0, 3 / decay_rate_);
   end_ = position_[count - 1];
   reach_ = kernel_reach * kernel_period_;
-  for (Index j = 0; j < count; ++j) {
-    add_to_contour({position_[j], elevation[j]}, 0.5 * std::log1p(-2 / froude_squared * elevation[j]), theta[j],
-                   (j == 0 ? 0.5 : 1.0) * stretch[j]);
-  }
+  add_nodes_to_contour();
   for (Index j = count; contour_.back() < end_ + reach_; ++j) {
-    const double s = static_cast<double>(j) * spacing;
-    add_to_contour({static_cast<double>(nodes.potential(s)) + end_displacement_, 0}, 0, 0, nodes.stretch(s));
+    const auto node = nodes->at(static_cast<double>(j) * spacing);
+    add_to_contour({static_cast<double>(node.potential) + end_displacement_, 0}, 0, 0, node.stretch);
   }
 }
 
@@ -335,10 +246,11 @@ std::complex<double> SolitarySurface::pole(std::complex<double> z) const {
 }
 
 SolitarySurface::Point SolitarySurface::point(double label) const {
-  const SurfaceSample sample = interpolation_.at(label);
+  const SurfaceSample sample = interpolation_(label);
+  const auto node = solution_.nodes->at(label);
   const double displacement = end_displacement_ * std::tanh(0.5 * label) + sample.displacement;
-  return {label, static_cast<double>(solution_.nodes.potential(label)) + displacement, displacement, sample.elevation,
-          solution_.nodes.stretch(label) + sample.stretch};
+  return {label, static_cast<double>(node.potential) + displacement, displacement, sample.elevation,
+          node.stretch + sample.stretch};
 }
 
 double SolitarySurface::potential(double x) const {
@@ -347,27 +259,9 @@ double SolitarySurface::potential(double x) const {
 }
 
 double SolitarySurface::half_width() const {
-  const double last = static_cast<double>(position_.size() - 1) * solution_.spacing;
+  const double last = static_cast<double>(position_.size() - 1) * solution_.nodes->spacing();
   return point(root([&](double label) { return point(label).elevation - 0.5 * crest(); }, 0, last)).x;
 }
-
-double SolitarySurface::maximum_slope() const {
-  const VectorXd none = VectorXd::Zero(position_.size());
-  return steepest(solution_.inclination, SincInterpolation(solution_.spacing, none, solution_.inclination, none));
-}
-
-namespace {
-
-std::shared_ptr<const SolitarySurface> solved(WaveCrest crest, double depth, double gravity, Resolution resolution) {
-  require_all_positive({{"depth", depth}, {"gravity", gravity}});
-  require_resolution(resolution);
-  if (crest.amplitude) require_finite("amplitude", depth * *crest.amplitude);
-  if (crest.amplitude) require_within("amplitude/depth", *crest.amplitude, 0.001, 0.8331);
-  if (crest.speed) require_within("crest_speed", *crest.speed, 3e-4, 0.999);
-  return std::make_shared<const SolitarySurface>(crest, resolution);
-}
-
-}  // namespace
 
 SolitaryWave::SolitaryWave(WaveCrest crest, double depth, double gravity, Resolution resolution)
     : ScaledWave(solved(crest, depth, gravity, resolution), 1 / depth, gravity), depth_(depth) {}

@@ -8,7 +8,7 @@
 ///     y = F^2 (1 - q^2)/2                                                  (Bernoulli),
 ///     dy/dphi = sin(theta)/q                                               (the surface is a streamline),
 ///
-/// solved for y and F^2 by Newton's method on nodes clustered under the crest. Velocities inside are the quotient of
+/// solved for tau and F^2 by Newton's method on nodes clustered under the crest. Velocities inside are the quotient of
 /// two Cauchy sums along the surface and its mirror image in the bottom, accurate up to the surface.
 ///
 /// Two waves share a speed above F = 1.29089 (F is largest at amplitude 0.7959 depth), so that the amplitude, or near
@@ -30,30 +30,18 @@
 
 namespace seiche::exact {
 
-/// The solved wave in units of the depth and of sqrt(gravity depth); elevations on the nodes s_j.
+/// The solved wave in units of the depth and of sqrt(gravity depth).
 class SolitarySurface : public ConformalSurface {
  public:
-  using Solution = ConformalSolution<LineNodes>;
-
   /// Throws std::invalid_argument above the limiting wave.
   SolitarySurface(WaveCrest crest, Resolution resolution);
 
-  [[nodiscard]] double crest_speed() const { return crest_speed_; }
   [[nodiscard]] double decay_rate() const { return decay_rate_; }
   [[nodiscard]] double potential(double x) const;
   [[nodiscard]] double half_width() const;
-  [[nodiscard]] double maximum_slope() const;
-
-  struct Integrals {
-    double mass = 0;
-    double kinetic_energy = 0;
-    double potential_energy = 0;
-    double circulation = 0;
-  };
-  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
 
  private:
-  explicit SolitarySurface(Solution solution);
+  explicit SolitarySurface(ConformalSolution solution);
   [[nodiscard]] Point point(double label) const override;
   [[nodiscard]] std::complex<double> pole(std::complex<double> z) const override;
   /// Of the square of sinh without its factor 2, which cancels.
@@ -62,12 +50,9 @@ class SolitarySurface : public ConformalSurface {
            std::sinh((z + std::complex<double>(0, 1)) * (std::numbers::pi / kernel_period_));
   }
 
-  Solution solution_;
-  double crest_speed_, decay_rate_;
-  double kernel_period_ = 0;         ///< p of the kernel 1/sinh(pi z/p)
-  double end_displacement_ = 0;      ///< X(infinity) = C/(2 F)
-  SincInterpolation interpolation_;  ///< of y, X - X(infinity) tanh(s/2), dX/ds
-  Integrals integrals_;
+  double decay_rate_;
+  double kernel_period_ = 0;     ///< p of the kernel 1/sinh(pi z/p)
+  double end_displacement_ = 0;  ///< X(infinity) = C/(2 F); interpolated is X - X(infinity) tanh(s/2)
 };
 
 class SolitaryWave : public ScaledWave<SolitarySurface> {

@@ -10,33 +10,11 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
-using StokesSolution = StokesSurface::Solution;
-/// s_j of so many nodes.
-double label(Index j, Index count) {
-  return pi * static_cast<double>(j) / static_cast<double>(count - 1);
-}
+constexpr long double long_pi = std::numbers::pi_v<long double>;
 
 constexpr double round_off_exponent = 38;  // e^-38 = 3e-17
-
-/// d/ds of an even function on s_j = pi j/m, folded onto 0 <= j <= m; rows 1..m-1.
-MatrixXd even_periodic_derivative(Index count) {
-  const Index last = count - 1;
-  const auto half_cotangent = [&](Index difference) {
-    return 0.5 * (difference % 2 == 0 ? 1 : -1) /
-           std::tan(0.5 * pi * static_cast<double>(difference) / static_cast<double>(last));
-  };
-  MatrixXd matrix = MatrixXd::Zero(count, count);
-  for (Index j = 0; j < count; ++j) {
-    for (Index i = 1; i < last; ++i) {
-      if (i != j) matrix(i, j) += half_cotangent(i - j);
-      if (j > 0 && j < last) matrix(i, j) += half_cotangent(i + j);
-    }
-  }
-  return matrix;
-}
 
 /// Kernel of -i tanh(k d) on 2 pi periodic functions.
 class PeriodicKernel {
@@ -76,200 +54,180 @@ class PeriodicKernel {
   int images_ = 0;
 };
 
-StokesSolution make_grid(double speed_squared, double crest_speed, double depth, Resolution resolution) {
-  // The nearest singularity lies q^3 c^2 above the crest.
-  const double width = std::min(1.0, resolution.clustering * std::pow(crest_speed, 3) * speed_squared);
-  StokesSolution grid{.nodes = PeriodicNodes(width), .depth = depth};
-  const double quarter = grid.nodes.quarter_period();
-  // Half the number of nodes: resolution of the surface, and steps below 0.15 depth for the kernel.
-  const double half_count = std::max(56 * quarter / pi + 20, 2 * quarter / (0.15 * depth));
-  const auto count = static_cast<Index>(std::ceil(resolution.refinement * half_count)) + 1;
-  grid.spacing = pi / static_cast<double>(count - 1);
-  grid.potential.resize(count);
-  grid.stretch.resize(count);
-  for (Index j = 0; j < count; ++j) {
-    const auto node = grid.nodes.at(label(j, count));
-    grid.potential[j] = static_cast<double>(node.potential);
-    grid.stretch[j] = node.stretch;
-  }
-  return grid;
-}
-
-/// theta = T tau by the trapezoidal rule on alternate points; rows 1..m-1, theta vanishes at crest and trough.
-MatrixXd periodic_conjugate(const StokesSolution& grid) {
-  const Index count = grid.stretch.size();
-  const Index last = count - 1;
-  const double weight = 2 * pi / static_cast<double>(last);
-  const PeriodicKernel kernel(grid.depth);
-  std::vector<long double> phi;
-  for (Index j = 0; j < count; ++j) phi.push_back(grid.nodes.at(label(j, count)).potential);
-  const auto at = [&](Index j) { return phi[static_cast<std::size_t>(j)]; };
-  MatrixXd matrix = MatrixXd::Zero(count, count);
-  for (Index j = 0; j < count; ++j) {
-    for (Index i = (j + 1) % 2; i < j; i += 2) {
-      const double behind = kernel(static_cast<double>(at(j) - at(i)));
-      const double ahead = i > 0 && j < last ? kernel(static_cast<double>(at(i) + at(j))) : 0;
-      matrix(i, j) = weight * grid.stretch[j] * (ahead - behind);
-      matrix(j, i) = weight * grid.stretch[i] * (ahead + behind);
-    }
-  }
-  matrix.row(0).setZero();
-  matrix.row(last).setZero();
-  return matrix;
-}
-
-/// Unknowns tau_0..tau_m, c^2; equations: the crest, the surface at j = 1..m-1, the wavelength, no sawtooth.
-class StokesEquations {
+/// Lagrange's formula in the variable sin^2(s/2) on the nodes s_j = pi j/N, j = 0..N, of 2 pi periodic functions.
+class TrigonometricInterpolation {
  public:
-  StokesEquations(const StokesSolution& grid, WaveCrest crest)
-      : stretch_(grid.stretch),
-        derivative_(even_periodic_derivative(grid.stretch.size())),
-        conjugate_(periodic_conjugate(grid)),
-        weight_(VectorXd::Ones(grid.stretch.size())),
-        crest_(crest) {
-    weight_[0] = weight_[weight_.size() - 1] = 0.5;
-    weight_ /= static_cast<double>(weight_.size() - 1);
-  }
-
-  [[nodiscard]] bool admissible(const VectorXd& unknowns) const {
-    const Index count = stretch_.size();
-    return unknowns[count] > 0 && unknowns.head(count).lpNorm<Eigen::Infinity>() < 12;
-  }
-
-  [[nodiscard]] VectorXd inclination(const VectorXd& unknowns) const {
-    return conjugate_ * unknowns.head(stretch_.size());
-  }
-
-  [[nodiscard]] VectorXd residual(const VectorXd& unknowns) const {
-    const Index count = stretch_.size();
-    const Index last = count - 1;
-    const VectorXd tau = unknowns.head(count);
-    const double speed_squared = unknowns[count];
-    const VectorXd theta = conjugate_ * tau;
-    VectorXd result(count + 1);
-    result.head(count) = speed_squared / 2 * (derivative_ * squares(tau));
-    result.head(count).array() += stretch_.array() * theta.array().sin() * (-tau.array()).exp();
-    result[0] = crest_.amplitude
-                    ? speed_squared * (std::expm1(2 * tau[last]) - std::expm1(2 * tau[0])) / 2 - 2 * *crest_.amplitude
-                    : tau[0] - std::log(*crest_.speed);
-    // cos(theta)/q - 1
-    const VectorXd excess = (-tau.array()).unaryExpr([](double t) { return std::expm1(t); }) -
-                            2 * (0.5 * theta.array()).sin().square() * (-tau.array()).exp();
-    result[last] = weight_.cwiseProduct(stretch_).dot(excess);
-    result[count] = sawtooth().dot(tau);
-    return result;
-  }
-
-  void jacobian(const VectorXd& unknowns, MatrixXd& matrix) const {
-    const Index count = stretch_.size();
-    const Index last = count - 1;
-    const VectorXd tau = unknowns.head(count);
-    const double speed_squared = unknowns[count];
-    const VectorXd theta = conjugate_ * tau;
-    const VectorXd inverse_speed = (-tau.array()).exp();
-    const VectorXd along = stretch_.array() * theta.array().cos() * inverse_speed.array();
-    const VectorXd across = stretch_.array() * theta.array().sin() * inverse_speed.array();
-    matrix.setZero(count + 1, count + 1);
-    for (Index j = 0; j < count; ++j) {
-      matrix.col(j).head(count) =
-          speed_squared * std::exp(2 * tau[j]) * derivative_.col(j) + along.cwiseProduct(conjugate_.col(j));
-      matrix(j, j) -= across[j];
+  TrigonometricInterpolation(const VectorXd& elevation, const VectorXd& displacement, const VectorXd& stretch) {
+    const Index intervals = elevation.size() - 1;
+    for (Index j = 0; j <= intervals; ++j) {
+      const double s = std::numbers::pi * static_cast<double>(j) / static_cast<double>(intervals);
+      const double half = std::sin(0.5 * s);
+      const bool end = j == 0 || j == intervals;
+      const double weight = (j % 2 == 0 ? 1 : -1) * (end ? 0.5 : 1.0);
+      position_.push_back(half * half);
+      weight_.push_back(weight);
+      elevation_.push_back(weight * elevation[j]);
+      displacement_.push_back(end ? 0 : weight * displacement[j] * std::sin(s));
+      stretch_.push_back(weight * stretch[j]);
     }
-    matrix.col(count).head(count) = derivative_ * squares(tau) / 2;
-    matrix.row(0).setZero();
-    if (crest_.amplitude) {
-      matrix(0, 0) = -speed_squared * std::exp(2 * tau[0]);
-      matrix(0, last) = speed_squared * std::exp(2 * tau[last]);
-      matrix(0, count) = (std::expm1(2 * tau[last]) - std::expm1(2 * tau[0])) / 2;
-    } else {
-      matrix(0, 0) = 1;
+  }
+
+  /// @param s  in [0, pi]
+  [[nodiscard]] SurfaceSample operator()(double s) const {
+    const double half = std::sin(0.5 * s);
+    const double position = half * half;
+    double elevation = 0;
+    double displacement = 0;
+    double stretch = 0;
+    double total = 0;
+    double sine = std::sin(s);
+#pragma omp simd reduction(+ : elevation, displacement, stretch, total)
+    for (std::size_t j = 0; j < position_.size(); ++j) {
+      const double kernel = 1 / (position_[j] - position);
+      total += weight_[j] * kernel;
+      elevation += elevation_[j] * kernel;
+      displacement += displacement_[j] * kernel;
+      stretch += stretch_[j] * kernel;
     }
-    matrix.row(last).setZero();
-    matrix.row(last).head(count) =
-        -weight_.cwiseProduct(along).transpose() - weight_.cwiseProduct(across).transpose() * conjugate_;
-    matrix.row(count).head(count) = sawtooth().transpose();
+    if (!std::isfinite(total)) {  // a node's own place
+      std::size_t j = 0;
+      while (position_[j] != position) ++j;
+      sine = 2 * std::sqrt(position * (1 - position));
+      total = weight_[j];
+      elevation = elevation_[j];
+      displacement = displacement_[j];
+      stretch = stretch_[j];
+    }
+    return {elevation / total, sine > 0 ? displacement / (total * sine) : 0, stretch / total};
   }
 
  private:
-  /// q^2 - 1
-  static VectorXd squares(const VectorXd& tau) {
-    return (2 * tau.array()).unaryExpr([](double t) { return std::expm1(t); });
-  }
-  [[nodiscard]] VectorXd sawtooth() const {
-    VectorXd signs = weight_;
-    for (Index j = 1; j < signs.size(); j += 2) signs[j] = -signs[j];
-    return signs;
-  }
-
-  VectorXd stretch_;
-  MatrixXd derivative_;
-  MatrixXd conjugate_;
-  VectorXd weight_;
-  WaveCrest crest_;
+  std::vector<double> position_, weight_, elevation_, displacement_, stretch_;
 };
 
-double amplitude_of(const StokesSolution& wave) {
-  return 0.25 * wave.speed_squared * (std::expm1(2 * wave.values[wave.count() - 1]) - std::expm1(2 * wave.values[0]));
-}
-
-/// tau of a solution at the nodes of another grid, scaled to another crest.
-VectorXd tau_on(const StokesSolution& grid, const StokesSolution& from, double crest_log_speed) {
-  const VectorXd none = VectorXd::Zero(from.count());
-  return transfer(from, TrigonometricInterpolation(from.values, none, none), grid, crest_log_speed);
-}
-
-/// Continuation to the crest asked for on coarser nodes.
-StokesSolution approach(WaveCrest crest, double depth, Resolution resolution) {
-  constexpr double step = 0.105;  // q falls by a tenth
-  constexpr double least_speed = 1.2e-3;
-  const double linear_speed_squared = std::tanh(depth);
-  const double wanted = crest.amplitude ? *crest.amplitude / linear_speed_squared : -std::log(*crest.speed);
-  const double start = std::min({0.05, 0.5 * depth * depth, 0.8 * wanted});
-  const Resolution coarse{0.5 * resolution.refinement, resolution.clustering};
-  StokesSolution grid = make_grid(linear_speed_squared, std::exp(-start), depth, coarse);
-  StokesSolution wave = solve_on<StokesEquations>(grid, {{}, std::exp(-start)}, -start * grid.potential.array().cos(),
-                                                  linear_speed_squared);
-  const auto reached = [&] {
-    return crest.amplitude ? amplitude_of(wave) >= *crest.amplitude * (1 - 1e-9)
-                           : wave.values[0] <= std::log(*crest.speed) + 1e-12;
-  };
-  StokesSolution last = wave;
-  while (!reached()) {
-    const double slope = std::min(-1.6 * wave.values[0], step - wave.values[0]);
-    const double speed = std::max(std::exp(-slope), crest.speed.value_or(0));
-    const bool converged = wave.correction < 1e-6;
-    // a = c^2 (q_trough^2 - q^2)/4: near the limiting wave no more than about c^2 q^2/4 is left.
-    const double left = wave.speed_squared * std::exp(2 * wave.values[0]);
-    const bool beyond =
-        crest.amplitude && wave.values[0] < std::log(0.1) && *crest.amplitude > amplitude_of(wave) + left;
-    if (converged) last = wave;
-    require_that(speed >= least_speed && converged && !beyond,
-                 "k amplitude = {:.17g} is above the limiting Stokes wave for k times conformal depth = {:g}: the last "
-                 "wave that "
-                 "converged has {:.8g}, with the speed {:.3g} c at its crest",
-                 wanted * (crest.amplitude ? linear_speed_squared : 1), depth, amplitude_of(last),
-                 std::exp(last.values[0]));
-    grid = make_grid(wave.speed_squared, speed, depth, coarse);
-    wave = solve_on<StokesEquations>(grid, {{}, speed}, tau_on(grid, wave, std::log(speed)), wave.speed_squared);
+/// tan(phi/2) = k' sn(u)/cn(u), u = s K/pi, with Jacobi's functions of the complementary modulus k' (width) and its
+/// quarter period K: 2 pi periodic and odd, the identity for k' = 1.
+class PeriodicNodes : public ConformalNodes {
+ public:
+  PeriodicNodes(double speed_squared, double crest_speed, double depth, Resolution resolution)
+      : ConformalNodes(true, depth),
+        // The nearest singularity lies q^3 c^2 above the crest.
+        width_(std::min(1.0, resolution.clustering * std::pow(crest_speed, 3) * speed_squared)),
+        quarter_period_(quarter_period(width_)) {
+    const auto quarter = static_cast<double>(quarter_period_);
+    // Half the number of nodes: resolution of the surface, and steps below 0.15 depth for the kernel.
+    const double half_count = std::max(56 * quarter / pi + 20, 2 * quarter / (0.15 * depth));
+    const double intervals = std::ceil(resolution.refinement * half_count);
+    place(static_cast<Index>(intervals) + 1, pi / intervals);
   }
-  if (!crest.amplitude) return wave;
-  StokesSolution close = solve_on<StokesEquations>(grid, crest, wave.values, wave.speed_squared);
-  return close.correction < 1e-6 ? close : wave;
+
+  [[nodiscard]] Node at(double s) const override {
+    const long double u = static_cast<long double>(s) / long_pi * quarter_period_;
+    const long double scale = 2 * quarter_period_ / long_pi;
+    if (2 * u < quarter_period_) {
+      const auto [sn, cn, dn] = jacobi(u);
+      return {2 * std::atan2(width_ * sn, cn), static_cast<double>(scale * width_ / dn)};
+    }
+    // sn(u) = cn(v)/dn(v), cn(u) = k' sn(v)/dn(v), dn(u) = k'/dn(v) with v = K - u: no loss where cn(u) is small.
+    const auto [sn, cn, dn] = jacobi(std::max(quarter_period_ - u, 0.0L));
+    return {2 * std::atan2(cn, sn), static_cast<double>(scale * dn)};
+  }
+
+  [[nodiscard]] double label(double potential) const override {
+    double low = 0;
+    double high = pi;
+    double s = potential;
+    for (int step = 0; step < 60 && high - low > 1e-15; ++step) {
+      const Node node = at(s);
+      const double excess = static_cast<double>(node.potential) - potential;
+      (excess > 0 ? high : low) = s;
+      const double next = s - excess / node.stretch;
+      if (std::abs(next - s) < 1e-15) return next;
+      s = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return s;
+  }
+
+  [[nodiscard]] Matrix derivative() const override {
+    return folded([last = static_cast<long double>(count() - 1)](Index m) {
+      return (m % 2 == 0 ? 0.5L : -0.5L) / std::tan(long_pi / 2 * static_cast<long double>(m) / last);
+    });
+  }
+  [[nodiscard]] Matrix conjugate() const override { return on_alternate_points(PeriodicKernel(depth())); }
+  [[nodiscard]] Interpolation between(const VectorXd& elevation, const VectorXd& displacement,
+                                      const VectorXd& stretch) const override {
+    return TrigonometricInterpolation(elevation, displacement, stretch);
+  }
+
+ private:
+  struct Jacobi {
+    long double sn, cn, dn;
+  };
+  /// By the descending arithmetic-geometric mean from k' itself: 1 - k'^2 would lose it.
+  [[nodiscard]] Jacobi jacobi(long double u) const {
+    constexpr int levels = 12;
+    std::array<long double, levels> ratio{};
+    long double a = 1;
+    long double b = width_;
+    long double angle = u;
+    int last = 0;
+    while (last < levels && std::abs(a - b) > 1e-20L * a) {
+      const long double mean = (a + b) / 2;
+      ratio[static_cast<std::size_t>(last++)] = (a - b) / 2 / mean;
+      b = std::sqrt(a * b);
+      a = mean;
+      angle *= 2;
+    }
+    angle *= a;
+    while (last > 0) angle = (angle + std::asin(ratio[static_cast<std::size_t>(--last)] * std::sin(angle))) / 2;
+    const long double sn = std::sin(angle);
+    const long double cn = std::cos(angle);
+    return {sn, cn, std::sqrt(cn * cn + width_ * width_ * sn * sn)};
+  }
+
+  static long double quarter_period(long double width) {
+    long double a = 1;
+    long double b = width;
+    while (std::abs(a - b) > 1e-10L * a) {  // quadratic convergence: one more mean is exact
+      const long double mean = (a + b) / 2;
+      b = std::sqrt(a * b);
+      a = mean;
+    }
+    return long_pi / (a + b);
+  }
+
+  long double width_, quarter_period_;
+};
+
+/// Waves of this half height, or crest, and conformal depth.
+WaveFamily family_of(WaveCrest crest, double depth, Resolution resolution) {
+  const double amplitude = crest.height ? *crest.height / 2 : -std::log(*crest.speed);
+  return {
+      .nodes =
+          [=](double speed_squared, double crest_speed, bool fine) {
+            const double refinement = (fine ? 1 : 0.5) * resolution.refinement;
+            return std::make_shared<const PeriodicNodes>(speed_squared, crest_speed, depth,
+                                                         Resolution{refinement, resolution.clustering});
+          },
+      .least_speed = 1.2e-3,
+      .limit = fmt::format("k amplitude = {:.17g} is above the limiting Stokes wave for k times conformal depth = {:g}",
+                           amplitude, depth),
+      .described = fmt::format("k amplitude = {:.17g}, k depth = {:g}", amplitude, depth),
+      .share = 0.5};
 }
 
 /// Continuation in the crest's speed from a linear wave, or from `nearby` where one is given. Throws
 /// std::invalid_argument above the limiting wave.
-StokesSolution solve_stokes_wave(WaveCrest crest, double conformal_depth, Resolution resolution,
-                                 const StokesSolution* nearby = nullptr) {
-  const StokesSolution close = nearby ? *nearby : approach(crest, conformal_depth, resolution);
-  const StokesSolution grid = make_grid(close.speed_squared, std::exp(close.values[0]), conformal_depth, resolution);
-  StokesSolution wave =
-      solve_on<StokesEquations>(grid, crest, tau_on(grid, close, close.values[0]), close.speed_squared);
-  require_that(wave.correction < 1e-8,
-               "k amplitude = {:.17g}, k depth = {:g}: Newton's method stopped at a correction of {:.1e}; lower the "
-               "amplitude or raise the resolution",
-               crest.amplitude.value_or(amplitude_of(wave)), conformal_depth, wave.correction);
-  return wave;
+ConformalSolution solve_stokes_wave(WaveCrest crest, double depth, Resolution resolution,
+                                    const ConformalSolution* nearby = nullptr) {
+  const WaveFamily family = family_of(crest, depth, resolution);
+  if (nearby) return refined(family, crest, *nearby);
+  const double linear = std::tanh(depth);  // c^2
+  const double wanted = crest.height ? *crest.height / 2 / linear : -std::log(*crest.speed);
+  const double start = std::min({0.05, 0.5 * depth * depth, 0.8 * wanted});
+  const auto nodes = family.nodes(linear, std::exp(-start), false);
+  const VectorXd tau = -start * nodes->potential().array().cos();
+  return refined(family, crest, approach(family, crest, solve_on(nodes, {{}, std::exp(-start)}, tau, linear)));
 }
 
 /// Integral from 0 of an even periodic function on s_j = pi j/m, without the part of its mean.
@@ -288,12 +246,32 @@ VectorXd odd_integral(const VectorXd& even) {
   return result;
 }
 
+/// Wavenumber of a medium in which the wave exists.
+double checked_wavenumber(double wavelength, double depth, const char* depth_name, double gravity,
+                          Resolution resolution) {
+  require_all_positive({{"wavelength", wavelength}, {"gravity", gravity}});
+  require_resolution(resolution);
+  if (!(depth > 0)) require_positive(depth_name, depth);
+  const double wavenumber = 2 * pi / wavelength;
+  constexpr double shallowest = 0.2;
+  require_that(wavenumber * depth >= shallowest,
+               "k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer waves "
+               "are solitary waves: use SolitaryWave",
+               depth_name, wavenumber * depth, shallowest);
+  return wavenumber;
+}
+
+WaveCrest checked_crest(double amplitude, double wavenumber) {
+  require_positive("amplitude", amplitude);
+  require_within("k amplitude", wavenumber * amplitude, 1e-4, 0.4432);  // the limiting deep wave has 0.44316
+  return {2 * wavenumber * amplitude, {}};
+}
+
 }  // namespace
 
-StokesSurface::StokesSurface(Solution solution)
-    : ConformalSurface(std::sqrt(solution.speed_squared), solution.spacing, pi, "k ", ""),
-      solution_(std::move(solution)) {
-  const auto& [nodes, spacing, depth, potential, stretch, tau, theta, speed_squared, correction] = solution_;
+StokesSurface::StokesSurface(ConformalSolution solution) : ConformalSurface(std::move(solution), "k ", "") {
+  const auto& [nodes, tau, theta, speed_squared, correction] = solution_;
+  const VectorXd& stretch = nodes->stretch();
   const Index count = tau.size();
   const Index last = count - 1;
   const auto mean = [&](const VectorXd& even) {
@@ -308,16 +286,14 @@ StokesSurface::StokesSurface(Solution solution)
   bernoulli_ = 0.5 * speed_squared - mean_head;
   const VectorXd periodic = odd_integral(advance);
   position_.resize(count);
-  for (Index j = 0; j < count; ++j) position_[j] = label(j, count) + periodic[j];
-  interpolation_ = TrigonometricInterpolation(elevation_, periodic, advance);
+  for (Index j = 0; j < count; ++j) position_[j] = static_cast<double>(j) * nodes->spacing() + periodic[j];
+  interpolation_ = nodes->between(elevation_, periodic, advance);
   const double conformal_mean = mean(elevation_.cwiseProduct(stretch));
-  depth_ = depth - conformal_mean;
+  depth_ = nodes->depth() - conformal_mean;
   integrals_.impulse = -speed_ * conformal_mean;
-  integrals_.kinetic_energy = -0.5 * speed_squared * mean((position_ - potential).cwiseProduct(climb));
+  integrals_.kinetic_energy = -0.5 * speed_squared * mean((position_ - nodes->potential()).cwiseProduct(climb));
   integrals_.potential_energy = 0.5 * mean(elevation_.cwiseProduct(elevation_).cwiseProduct(advance));
-  for (Index j = 0; j <= last; ++j) {
-    add_to_contour({position_[j], elevation_[j]}, tau[j], theta[j], (j == 0 || j == last ? 0.5 : 1) * stretch[j]);
-  }
+  add_nodes_to_contour();
 }
 
 StokesSurface StokesSurface::with_mean_depth(WaveCrest crest, double mean_depth, Resolution resolution) {
@@ -329,7 +305,7 @@ StokesSurface StokesSurface::with_mean_depth(WaveCrest crest, double mean_depth,
   constexpr int most_steps = 12;
   for (int step = 0; step < most_steps && std::abs(excess) > 2e-16 * mean_depth; ++step) {
     const double change = -excess / slope;
-    const StokesSolution nearby = wave.solution();
+    const ConformalSolution nearby = wave.solution();
     wave = StokesSurface(solve_stokes_wave(crest, depth + change, resolution, &nearby));
     depth += change;
     const double next = wave.depth() - mean_depth;
@@ -347,59 +323,28 @@ std::complex<double> StokesSurface::pole(std::complex<double> z) const {
 }
 
 StokesSurface::Point StokesSurface::point(double label) const {
-  const SurfaceSample sample = interpolation_.at(label);
+  const SurfaceSample sample = interpolation_(label);
   return {label, label + sample.displacement, sample.displacement, sample.elevation, sample.stretch};
 }
 
 double StokesSurface::potential(double x) const {
   const double place = reduced(x);
   const Point surface = find(std::abs(place));
-  return std::copysign(speed_ * (surface.x - static_cast<double>(solution_.nodes.at(surface.label).potential)), place);
+  return std::copysign(speed_ * (surface.x - static_cast<double>(solution_.nodes->at(surface.label).potential)), place);
 }
-
-double StokesSurface::maximum_slope() const {
-  const VectorXd none = VectorXd::Zero(position_.size());
-  return steepest(solution_.inclination, TrigonometricInterpolation(none, solution_.inclination, none));
-}
-
-namespace {
-
-/// Wavenumber of a medium in which the wave exists.
-double checked_wavenumber(double wavelength, double depth, const char* depth_name, double gravity,
-                          Resolution resolution) {
-  require_all_positive({{"wavelength", wavelength}, {"gravity", gravity}});
-  require_resolution(resolution);
-  if (!(depth > 0)) require_positive(depth_name, depth);
-  const double wavenumber = 2 * pi / wavelength;
-  constexpr double shallowest = 0.2;
-  require_that(wavenumber * depth >= shallowest,
-               "k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer waves "
-               "are solitary waves: use SolitaryWave",
-               depth_name, wavenumber * depth, shallowest);
-  return wavenumber;
-}
-
-double checked_amplitude(double amplitude, double wavenumber) {
-  require_positive("amplitude", amplitude);
-  require_within("k amplitude", wavenumber * amplitude, 1e-4, 0.4432);  // the limiting deep wave has 0.44316
-  return wavenumber * amplitude;
-}
-
-}  // namespace
 
 StokesWave::StokesWave(double amplitude, double wavelength, double mean_depth, double gravity, Resolution resolution)
     : StokesWave(
           [&] {
             const double k = checked_wavenumber(wavelength, mean_depth, "mean_depth", gravity, resolution);
-            return StokesSurface::with_mean_depth({checked_amplitude(amplitude, k), {}}, k * mean_depth, resolution);
+            return StokesSurface::with_mean_depth(checked_crest(amplitude, k), k * mean_depth, resolution);
           }(),
           2 * pi / wavelength, gravity) {}
 
 StokesWave StokesWave::from_conformal_depth(double amplitude, double wavelength, double conformal_depth, double gravity,
                                             Resolution resolution) {
   const double k = checked_wavenumber(wavelength, conformal_depth, "conformal_depth", gravity, resolution);
-  const WaveCrest crest{checked_amplitude(amplitude, k), {}};
-  return {StokesSurface(solve_stokes_wave(crest, k * conformal_depth, resolution)), k, gravity};
+  return {StokesSurface(solve_stokes_wave(checked_crest(amplitude, k), k * conformal_depth, resolution)), k, gravity};
 }
 
 StokesWave StokesWave::from_crest_speed(double crest_speed, double wavelength, double conformal_depth, double gravity,
@@ -428,14 +373,14 @@ SelfTest StokesWave::self_test() const {
   const double level = std::max(0.5 * (surface_->trough() - deepest), -1.0 + surface_->trough());
   double mean = 0;
   for (int j = 0; j < points; ++j) mean += surface_->velocity(2 * pi * j / points, level).u / points;
-  return {{"2 T = c I", std::abs(2 * integrals.kinetic_energy - c * integrals.impulse) / scale, limit,
-           "means over the nodes of values good to the stated uncertainty; relative to 2 T or 0.001"},
-          {"volume flux through the crest section = c eta + I",
-           std::abs(crest - c * surface_->crest() - integrals.impulse) / crest, limit,
-           "280 Gauss points of velocities good to the stated uncertainty"},
-          {"mean Eulerian velocity below the troughs = 0",
-           std::abs(mean) / (c * -std::expm1(surface_->solution().values[0])), limit,
-           "64 equally spaced velocities, relative to that at the crest"}};
+  return {
+      {"2 T = c I", std::abs(2 * integrals.kinetic_energy - c * integrals.impulse) / scale, limit,
+       "means over the nodes of values good to the stated uncertainty; relative to 2 T or 0.001"},
+      {"volume flux through the crest section = c eta + I",
+       std::abs(crest - c * surface_->crest() - integrals.impulse) / crest, limit,
+       "280 Gauss points of velocities good to the stated uncertainty"},
+      {"mean Eulerian velocity below the troughs = 0", std::abs(mean) / (c * -std::expm1(surface_->solution().tau[0])),
+       limit, "64 equally spaced velocities, relative to that at the crest"}};
 }
 
 ExactSolution stokes_entry() {

@@ -27,28 +27,16 @@
 
 namespace seiche::exact {
 
-/// The solved wave in units of 1/k and sqrt(gravity/k); tau = log q on the nodes s_j = pi j/m.
+/// The solved wave in units of 1/k and sqrt(gravity/k).
 class StokesSurface : public ConformalSurface {
  public:
-  using Solution = ConformalSolution<PeriodicNodes>;
-
-  explicit StokesSurface(Solution solution);
+  explicit StokesSurface(ConformalSolution solution);
   /// With the mean depth in place of the conformal depth: secant iteration.
   static StokesSurface with_mean_depth(WaveCrest crest, double mean_depth, Resolution resolution);
 
-  [[nodiscard]] const Solution& solution() const { return solution_; }
   [[nodiscard]] double bernoulli() const { return bernoulli_; }
-  [[nodiscard]] double crest_speed() const { return std::exp(solution_.values[0]); }
   [[nodiscard]] double trough() const { return elevation_[elevation_.size() - 1]; }
   [[nodiscard]] double potential(double x) const;
-  [[nodiscard]] double maximum_slope() const;
-
-  struct Integrals {
-    double impulse = 0;
-    double kinetic_energy = 0;
-    double potential_energy = 0;
-  };
-  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
 
  private:
   [[nodiscard]] Point point(double label) const override;
@@ -59,10 +47,7 @@ class StokesSurface : public ConformalSurface {
   [[nodiscard]] double reduced(double x) const override { return std::remainder(x, 2 * std::numbers::pi); }
   [[nodiscard]] bool bottom_matters() const { return depth_ < 19; }  // exp(-2 k h) is below round-off
 
-  Solution solution_;
   double bernoulli_ = 0;
-  TrigonometricInterpolation interpolation_;  ///< of y, x - s, dx/ds
-  Integrals integrals_;
 };
 
 class StokesWave : public ScaledWave<StokesSurface> {
@@ -87,7 +72,7 @@ class StokesWave : public ScaledWave<StokesSurface> {
   [[nodiscard]] double wavenumber() const { return wavenumber_; }                         ///< [1/m]
   /// Mean and conformal depth [m], infinite in deep water.
   [[nodiscard]] double mean_depth() const { return surface_->depth() / wavenumber_; }
-  [[nodiscard]] double conformal_depth() const { return surface_->solution().depth / wavenumber_; }
+  [[nodiscard]] double conformal_depth() const { return surface_->solution().nodes->depth() / wavenumber_; }
   [[nodiscard]] double phase_speed() const { return speed(); }  ///< c [m/s]
   /// B = q^2/2 + g y on the surface, q in the frame of the wave, y from the mean level [m^2/s^2].
   [[nodiscard]] double bernoulli_constant() const { return celerity_ * celerity_ * surface_->bernoulli(); }
@@ -95,7 +80,7 @@ class StokesWave : public ScaledWave<StokesSurface> {
   [[nodiscard]] double crest_elevation() const { return surface_->crest() / wavenumber_; }    ///< [m]
   [[nodiscard]] double trough_elevation() const { return surface_->trough() / wavenumber_; }  ///< [m], negative
   /// u at the crest [m/s].
-  [[nodiscard]] double crest_velocity() const { return -phase_speed() * std::expm1(surface_->solution().values[0]); }
+  [[nodiscard]] double crest_velocity() const { return -phase_speed() * std::expm1(surface_->solution().tau[0]); }
   /// I, mean of the depth-integrated u [m^2/s].
   [[nodiscard]] double impulse() const { return celerity_ / wavenumber_ * surface_->integrals().impulse; }
   /// T, mean of the depth-integrated (u^2 + v^2)/2, and V, mean of g eta^2/2 [m^3/s^2].

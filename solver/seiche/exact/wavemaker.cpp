@@ -28,6 +28,75 @@ long modes_before_tail(double nu) {
   return 400 + std::lround(std::min(nu, 1e6));
 }
 
+using std::numbers::sqrt2;
+using Complex = std::complex<double>;
+
+constexpr Complex i_unit{0, 1};
+const Complex rising = std::polar(1.0, 0.25 * pi);
+/// Exponents below it do not show: e^{-40} = 4e-18.
+constexpr double unseen = 40;
+/// A tail beyond this many units of an integrand that falls as s^-2 does not show either.
+constexpr double far_away = 1e17;
+
+/// tanh k = 1 and 1/cosh k = 0 to round-off from here on, and the resonance k = nu is left well behind.
+double split_for(double nu) {
+  return std::max(40.0, 4 * nu);
+}
+
+/// Ahead of the fastest waves, which go at 1, the surface does not show. On the path Im k = s < pi/2 no factor of the
+/// integrand is larger than exp(-s x + t sqrt(s tan s)) times powers of 1/s; s is near the best for x next to t.
+bool ahead_of_waves(double x, double t) {
+  if (x <= t) return false;
+  const double s = std::sqrt(std::min(1.0, (x - t) / t));
+  return s * x - t * std::sqrt(s * std::tan(s)) > 1.5 * unseen;
+}
+
+double sinc(double z) {
+  return std::abs(z) < 1e-8 ? 1 : std::sin(z) / z;
+}
+
+/// int_0^length f(s) ds for f analytic that varies over `scale` near 0 and ever more slowly further on.
+template <class Function>
+Complex along_ray(Function f, double scale, double length) {
+  return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+      [&](double v) { return f(scale * std::sinh(v)) * (scale * std::cosh(v)); }, 0.0, std::asinh(length / scale), 12,
+      1e-13);
+}
+
+/// s at which linear s + square s^2 = unseen.
+double visible_length(double linear, double square) {
+  const double root = std::sqrt(linear * linear + 4 * square * unseen);
+  return root + linear > 0 ? 2 * unseen / (root + linear) : far_away;
+}
+
+/// int amplitude(p) exp(i (p^2 x + p t)) dp from p0 along p0 + s direction, s > 0, where it must decay. The phase at
+/// p0, thousands of radians, is taken out: its rounding error would look like noise to the adaptive rule.
+template <class Amplitude>
+Complex ray(Amplitude amplitude, double p0, double x, double t, Complex direction) {
+  const double linear = 2 * p0 * x + t;
+  const double length = std::min(visible_length(std::abs(linear) / sqrt2, x), far_away * p0);
+  const Complex sum = along_ray(
+      [&](double s) {
+        const Complex step = s * direction;
+        return amplitude(p0 + step) * std::exp(i_unit * step * (linear + step * x));
+      },
+      p0, length);
+  return direction * std::polar(1.0, p0 * (p0 * x + t)) * sum;
+}
+
+/// int_{p0}^inf amplitude(p) exp(i (p^2 x - p t)) dp, with stationary phase at p = t/(2x).
+template <class Amplitude>
+Complex approaching(Amplitude amplitude, double p0, double x, double t) {
+  if (t <= 2 * x * p0) return ray(amplitude, p0, x, -t, rising);
+  if (x == 0) return ray(amplitude, p0, x, -t, std::conj(rising));
+  // Down the valley on the left, then from its far end over the saddle: no pole of the amplitude lies in between.
+  const double saddle = t / (2 * x);
+  const double reach = std::sqrt(unseen / x);
+  const Complex over = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+      [&](double s) { return amplitude(saddle + s * rising) * std::exp(-x * s * s); }, -reach, reach, 12, 1e-13);
+  return ray(amplitude, p0, x, -t, -rising) + rising * std::polar(1.0, -0.5 * saddle * t) * over;
+}
+
 }  // namespace
 
 std::string_view name_of(Paddle paddle) {
@@ -167,80 +236,6 @@ SelfTest Wavemaker::self_test() const {
            fmt::format("the first {} modes are the same in both sums: additions of the {} further ones", modes,
                        modes / 2)}};
 }
-
-namespace {
-
-using std::numbers::pi;
-using std::numbers::sqrt2;
-using Complex = std::complex<double>;
-
-constexpr Complex i_unit{0, 1};
-const Complex rising = std::polar(1.0, 0.25 * pi);
-/// Exponents below it do not show: e^{-40} = 4e-18.
-constexpr double unseen = 40;
-/// A tail beyond this many units of an integrand that falls as s^-2 does not show either.
-constexpr double far_away = 1e17;
-
-/// tanh k = 1 and 1/cosh k = 0 to round-off from here on, and the resonance k = nu is left well behind.
-double split_for(double nu) {
-  return std::max(40.0, 4 * nu);
-}
-
-/// Ahead of the fastest waves, which go at 1, the surface does not show. On the path Im k = s < pi/2 no factor of the
-/// integrand is larger than exp(-s x + t sqrt(s tan s)) times powers of 1/s; s is near the best for x next to t.
-bool ahead_of_waves(double x, double t) {
-  if (x <= t) return false;
-  const double s = std::sqrt(std::min(1.0, (x - t) / t));
-  return s * x - t * std::sqrt(s * std::tan(s)) > 1.5 * unseen;
-}
-
-double sinc(double z) {
-  return std::abs(z) < 1e-8 ? 1 : std::sin(z) / z;
-}
-
-/// int_0^length f(s) ds for f analytic that varies over `scale` near 0 and ever more slowly further on.
-template <class Function>
-Complex along_ray(Function f, double scale, double length) {
-  return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
-      [&](double v) { return f(scale * std::sinh(v)) * (scale * std::cosh(v)); }, 0.0, std::asinh(length / scale), 12,
-      1e-13);
-}
-
-/// s at which linear s + square s^2 = unseen.
-double visible_length(double linear, double square) {
-  const double root = std::sqrt(linear * linear + 4 * square * unseen);
-  return root + linear > 0 ? 2 * unseen / (root + linear) : far_away;
-}
-
-/// int amplitude(p) exp(i (p^2 x + p t)) dp from p0 along p0 + s direction, s > 0, where it must decay. The phase at
-/// p0, thousands of radians, is taken out: its rounding error would look like noise to the adaptive rule.
-template <class Amplitude>
-Complex ray(Amplitude amplitude, double p0, double x, double t, Complex direction) {
-  const double linear = 2 * p0 * x + t;
-  const double length = std::min(visible_length(std::abs(linear) / sqrt2, x), far_away * p0);
-  const Complex sum = along_ray(
-      [&](double s) {
-        const Complex step = s * direction;
-        return amplitude(p0 + step) * std::exp(i_unit * step * (linear + step * x));
-      },
-      p0, length);
-  return direction * std::polar(1.0, p0 * (p0 * x + t)) * sum;
-}
-
-/// int_{p0}^inf amplitude(p) exp(i (p^2 x - p t)) dp, with stationary phase at p = t/(2x).
-template <class Amplitude>
-Complex approaching(Amplitude amplitude, double p0, double x, double t) {
-  if (t <= 2 * x * p0) return ray(amplitude, p0, x, -t, rising);
-  if (x == 0) return ray(amplitude, p0, x, -t, std::conj(rising));
-  // Down the valley on the left, then from its far end over the saddle: no pole of the amplitude lies in between.
-  const double saddle = t / (2 * x);
-  const double reach = std::sqrt(unseen / x);
-  const Complex over = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
-      [&](double s) { return amplitude(saddle + s * rising) * std::exp(-x * s * s); }, -reach, reach, 12, 1e-13);
-  return ray(amplitude, p0, x, -t, -rising) + rising * std::polar(1.0, -0.5 * saddle * t) * over;
-}
-
-}  // namespace
 
 WavemakerTransient::WavemakerTransient(Paddle paddle, const Water& water, const WaveScale& wave, double stroke)
     : steady_(paddle, water, wave, stroke),

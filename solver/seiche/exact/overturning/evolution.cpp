@@ -37,6 +37,23 @@ void extrapolate(std::span<const Moment> past, double time, Eigen::VectorXd& psi
   }
 }
 
+using Complex = std::complex<double>;
+
+/// Relative change of the energy beyond the work of a pressure, or relative size of the upper half of the spectrum, at
+/// which the surface is no longer resolved.
+constexpr double resolution_lost = 3e-3;
+/// Differences of the two orders below this are rounding errors, which shorter steps do not lower.
+constexpr double roundoff_of_step = 2e-13;
+/// Steps need not follow what the markers no longer resolve: tolerance of a step in terms of the energy error so far.
+constexpr double share_of_energy_error = 1e-4;
+/// A step this short, in units of sqrt(1/(g k)), has met a singularity: two parts of the surface touch.
+constexpr double shortest_step = 1e-6;
+constexpr double longest_step = 0.25;
+
+double damping(double wavenumber, std::size_t markers) {
+  return std::exp(-36 * std::pow(2 * std::abs(wavenumber) / static_cast<double>(markers), 28));
+}
+
 }  // namespace
 
 double energy_error(const Moment& start, const Moment& now) {
@@ -105,27 +122,6 @@ Stepper::Result Stepper::step(std::span<const Moment> past, double duration) {
   to.invariants = velocity_.invariants(view(std::as_const(to.state)), to.psi_s);
   return result;
 }
-
-namespace {
-
-using Complex = std::complex<double>;
-
-/// Relative change of the energy beyond the work of a pressure, or relative size of the upper half of the spectrum, at
-/// which the surface is no longer resolved.
-constexpr double resolution_lost = 3e-3;
-/// Differences of the two orders below this are rounding errors, which shorter steps do not lower.
-constexpr double roundoff_of_step = 2e-13;
-/// Steps need not follow what the markers no longer resolve: tolerance of a step in terms of the energy error so far.
-constexpr double share_of_energy_error = 1e-4;
-/// A step this short, in units of sqrt(1/(g k)), has met a singularity: two parts of the surface touch.
-constexpr double shortest_step = 1e-6;
-constexpr double longest_step = 0.25;
-
-double damping(double wavenumber, std::size_t markers) {
-  return std::exp(-36 * std::pow(2 * std::abs(wavenumber) / static_cast<double>(markers), 28));
-}
-
-}  // namespace
 
 Evolution::Evolution(State initial, double depth, double tolerance, SurfacePressure pressure)
     : depth_(depth),

@@ -47,36 +47,6 @@ const OverturningWave::Parameters& checked(const OverturningWave::Parameters& p)
   return p;
 }
 
-}  // namespace
-
-OverturningWave::OverturningWave(const Parameters& parameters)
-    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
-  const double depth = parameters_.depth / length();
-  const double last_time = parameters_.last_time > 0 ? parameters_.last_time
-                                                     : 2 * std::numbers::pi / std::sqrt(std::tanh(depth)) * time_unit();
-  auto motion = std::make_shared<ow::Evolution>(
-      ow::sinusoidal_wave(parameters_.markers, parameters_.amplitude / length(), depth), depth, parameters_.tolerance);
-  motion->advance_to(last_time / time_unit());
-  keep(std::move(motion), last_time, [](double tangent) { return 0.25 * tangent; });
-}
-
-double OverturningWave::uncertainty(double t) const {
-  return change_by_coarsening(*this, parameters_, t) / parameters_.amplitude;
-}
-
-SelfTest OverturningWave::self_test() const {
-  const double a = parameters_.amplitude / length();
-  const double exact = 0.5 * std::numbers::pi * a * a * gsl_sf_bessel_I0(2 * a);
-  const double start = evolution().moments().front().invariants.kinetic_energy;
-  return balances(
-      parameters_.amplitude, parameters_.tolerance,
-      Identity{"kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", departure(start, exact), 1e-13,
-               "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; sum over "
-               "the markers"});
-}
-
-namespace {
-
 /// Frank's last frame, in units of 1/sqrt(g k).
 constexpr double last_frame = 7.4;
 constexpr double switched_off = std::numbers::pi;
@@ -97,59 +67,6 @@ const PressureForcedWave::Parameters& checked(const PressureForcedWave::Paramete
 double surface_pressure(double strength, double x, double t) {
   return t <= switched_off ? -strength * std::sin(t) * std::sin(x - t) : 0;
 }
-
-}  // namespace
-
-PressureForcedWave::PressureForcedWave(const Parameters& parameters)
-    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
-  const double depth = parameters_.depth / length();
-  ow::State start = ow::still_water(parameters_.markers);
-  if (parameters_.amplitude > 0) {
-    const StokesWave wave(parameters_.amplitude / length(), 2 * std::numbers::pi, depth, 1);
-    start = ow::from_functions(
-        parameters_.markers, [&](double x) { return wave.elevation(x); },
-        [&](double x) { return wave.surface_potential(x); });
-    kinetic_energy_ = wave.kinetic_energy() * parameters_.wavelength * length() * velocity() * velocity();
-  }
-  const double strength = parameters_.pressure / (velocity() * velocity());
-  const double last_time = parameters_.last_time > 0 ? parameters_.last_time : last_frame * time_unit();
-  auto motion =
-      std::make_shared<ow::Evolution>(std::move(start), depth, parameters_.tolerance,
-                                      [strength](double x, double t) { return surface_pressure(strength, x, t); });
-  const double end = last_time / time_unit();
-  motion->advance_to(std::min(switched_off, end));
-  motion->advance_to(end);
-  keep(std::move(motion), last_time, [unit = time_unit()](double) { return 0.4 * unit; });
-}
-
-double PressureForcedWave::pressure(double x, double t) const {
-  return surface_pressure(parameters_.pressure, x / length(), t / time_unit());
-}
-
-PressureForcedWave::Action PressureForcedWave::action(double t) const {
-  const ow::Moment moment = evolution().at(scaled_time(t));
-  const auto sums = ow::by_pressure(moment.state);
-  const double area = length() * length();
-  return {area * velocity() * velocity() * sums.work, area * velocity() * sums.thrust};
-}
-
-double PressureForcedWave::uncertainty(double t) const {
-  return change_by_coarsening(*this, parameters_, t) / scale();
-}
-
-SelfTest PressureForcedWave::self_test() const {
-  std::optional<Identity> start;
-  if (kinetic_energy_) {
-    start = Identity{
-        "kinetic energy at t = 0 agrees with the Stokes wave", departure(integrals(0).kinetic_energy, *kinetic_energy_),
-        1e-13,
-        "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; Stokes wave to "
-        "1e-14"};
-  }
-  return balances(scale(), parameters_.tolerance, start);
-}
-
-namespace {
 
 const FocusedGroup::Parameters& checked(const FocusedGroup::Parameters& p) {
   require_computable(p);
@@ -185,6 +102,77 @@ FocusedGroup::Linear modes_at(int first, int last, double amplitude, double dept
 
 }  // namespace
 
+OverturningWave::OverturningWave(const Parameters& parameters)
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+  const double depth = parameters_.depth / length();
+  const double last_time = parameters_.last_time > 0 ? parameters_.last_time
+                                                     : 2 * std::numbers::pi / std::sqrt(std::tanh(depth)) * time_unit();
+  compute(ow::Evolution(ow::sinusoidal_wave(parameters_.markers, parameters_.amplitude / length(), depth), depth,
+                        parameters_.tolerance),
+          last_time, [](double tangent) { return 0.25 * tangent; });
+}
+
+double OverturningWave::uncertainty(double t) const {
+  return change_by_coarsening(*this, parameters_, t) / parameters_.amplitude;
+}
+
+SelfTest OverturningWave::self_test() const {
+  const double a = parameters_.amplitude / length();
+  const double exact = 0.5 * std::numbers::pi * a * a * gsl_sf_bessel_I0(2 * a);
+  const double start = evolution().moments().front().invariants.kinetic_energy;
+  return balances(
+      parameters_.amplitude, parameters_.tolerance,
+      Identity{"kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", departure(start, exact), 1e-13,
+               "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; sum over "
+               "the markers"});
+}
+
+PressureForcedWave::PressureForcedWave(const Parameters& parameters)
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+  const double depth = parameters_.depth / length();
+  ow::State start = ow::still_water(parameters_.markers);
+  if (parameters_.amplitude > 0) {
+    const StokesWave wave(parameters_.amplitude / length(), 2 * std::numbers::pi, depth, 1);
+    start = ow::from_functions(
+        parameters_.markers, [&](double x) { return wave.elevation(x); },
+        [&](double x) { return wave.surface_potential(x); });
+    kinetic_energy_ = wave.kinetic_energy() * parameters_.wavelength * length() * velocity() * velocity();
+  }
+  const double strength = parameters_.pressure / (velocity() * velocity());
+  const double last_time = parameters_.last_time > 0 ? parameters_.last_time : last_frame * time_unit();
+  compute(
+      ow::Evolution(std::move(start), depth, parameters_.tolerance,
+                    [strength](double x, double t) { return surface_pressure(strength, x, t); }),
+      last_time, [unit = time_unit()](double) { return 0.4 * unit; }, switched_off);
+}
+
+double PressureForcedWave::pressure(double x, double t) const {
+  return surface_pressure(parameters_.pressure, x / length(), t / time_unit());
+}
+
+PressureForcedWave::Action PressureForcedWave::action(double t) const {
+  const ow::Moment moment = evolution().at(scaled_time(t));
+  const auto sums = ow::by_pressure(moment.state);
+  const double area = length() * length();
+  return {area * velocity() * velocity() * sums.work, area * velocity() * sums.thrust};
+}
+
+double PressureForcedWave::uncertainty(double t) const {
+  return change_by_coarsening(*this, parameters_, t) / scale();
+}
+
+SelfTest PressureForcedWave::self_test() const {
+  std::optional<Identity> start;
+  if (kinetic_energy_) {
+    start = Identity{
+        "kinetic energy at t = 0 agrees with the Stokes wave", departure(integrals(0).kinetic_energy, *kinetic_energy_),
+        1e-13,
+        "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; Stokes wave to "
+        "1e-14"};
+  }
+  return balances(scale(), parameters_.tolerance, start);
+}
+
 FocusedGroup::FocusedGroup(const Parameters& parameters)
     : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
   const auto& p = parameters_;
@@ -194,13 +182,11 @@ FocusedGroup::FocusedGroup(const Parameters& parameters)
   };
   const double longest = 2 * std::numbers::pi / std::sqrt(p.first * std::tanh(p.first * depth)) * time_unit();
   const double last_time = p.last_time > 0 ? p.last_time : p.focus > 0 ? p.focus : longest;
-  auto motion =
-      std::make_shared<ow::Evolution>(ow::from_functions(
-                                          p.markers, [&](double x) { return start(x, 0).elevation; },
-                                          [&](double x) { return start(x, start(x, 0).elevation).potential; }),
-                                      depth, p.tolerance);
-  motion->advance_to(last_time / time_unit());
-  keep(std::move(motion), last_time, [](double tangent) { return 0.25 * tangent; });
+  ow::State state = ow::from_functions(
+      p.markers, [&](double x) { return start(x, 0).elevation; },
+      [&](double x) { return start(x, start(x, 0).elevation).potential; });
+  compute(ow::Evolution(std::move(state), depth, p.tolerance), last_time,
+          [](double tangent) { return 0.25 * tangent; });
 }
 
 FocusedGroup::Linear FocusedGroup::linear(double x, double y, double t) const {

@@ -34,6 +34,20 @@ double halved_at_ends(Index k, Index n) {
   return k == 0 || k == n ? 0.5 : 1;
 }
 
+/// Distance from the image over that from the next node, from where the integrals err by exp(-2 pi 5) at most.
+constexpr double near_image = 5;
+
+namespace odeint = boost::numeric::odeint;
+
+constexpr double held = 4;         // depths at the far end, over which water is let go gradually
+constexpr double shortest = 1e-6;  // step
+
+/// From 0 to 1 with three derivatives 0 at both ends.
+double smooth_step(double u) {
+  const double t = std::clamp(u, 0.0, 1.0);
+  return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t)));
+}
+
 }  // namespace
 
 Eigen::VectorXd clenshaw_curtis(std::size_t intervals) {
@@ -83,43 +97,31 @@ Eigen::MatrixXd ChebyshevLine::refinement(std::size_t times) const {
   return polynomials(n * static_cast<Index>(times), n) * coefficients();
 }
 
-namespace {
-
-/// Distance from the image over that from the next node, from where the integrals err by exp(-2 pi 5) at most.
-constexpr double near_image = 5;
-
-}  // namespace
-
 WedgeFlow::WedgeFlow(std::size_t intervals, double slope)
     : beta_(slope),
       power_(std::numbers::pi / (std::numbers::pi - slope)),
       line_(intervals),
       psi_(Eigen::VectorXd::Zero(static_cast<Index>(intervals) + 1)) {
-  for (const std::size_t times : {1, 4, 16}) {
+  for (const Index times : {1, 4, 16}) {
     curves_.push_back({.times = times,
-                       .refinement = times == 1 ? Eigen::MatrixXd() : line_.refinement(times),
-                       .weights = clenshaw_curtis(times * intervals)});
+                       .refinement = times == 1 ? Eigen::MatrixXd() : line_.refinement(static_cast<std::size_t>(times)),
+                       .weights = clenshaw_curtis(static_cast<std::size_t>(times) * intervals)});
   }
 }
 
-void WedgeFlow::map(const Eigen::VectorXcd& z, const Eigen::VectorXcd& z_s, Curve& curve) const {
-  const auto n = static_cast<std::size_t>(z.size());
-  for (std::vector<double>* part : {&curve.x, &curve.y, &curve.x_s, &curve.y_s}) part->resize(n);
-  const Complex turn = std::polar(1.0, -beta_);
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto i = static_cast<Index>(k);
-    const Complex turned = z[i] * turn;
-    const double angle = k + 1 == n ? 0 : std::arg(turned);  // the shore is on the slope
-    const Complex zeta = std::polar(std::pow(std::abs(turned), power_), power_ * angle);
-    const Complex zeta_s = power_ * zeta / z[i] * z_s[i];
-    curve.x[k] = zeta.real();
-    curve.y[k] = zeta.imag();
-    curve.x_s[k] = zeta_s.real();
-    curve.y_s[k] = zeta_s.imag();
-  }
+void WedgeFlow::map(const Eigen::ArrayXcd& z, const Eigen::ArrayXcd& z_s, Curve& curve) const {
+  const Eigen::ArrayXcd turned = z * std::polar(1.0, -beta_);
+  Eigen::ArrayXd angle = power_ * turned.arg();
+  angle[angle.size() - 1] = 0;  // the shore is on the slope
+  const Eigen::ArrayXd radius = turned.abs().pow(power_);
+  curve.x = radius * angle.cos();
+  curve.y = radius * angle.sin();
+  const Eigen::ArrayXcd rate = power_ * z_s / z;
+  curve.x_s = rate.real() * curve.x - rate.imag() * curve.y;
+  curve.y_s = rate.real() * curve.y + rate.imag() * curve.x;
 }
 
-const WedgeFlow::Curve& WedgeFlow::curve_for(std::size_t node) const {
+const WedgeFlow::Curve& WedgeFlow::curve_for(Index node) const {
   const Curve& coarse = curves_.front();
   const double next = std::hypot(coarse.x[node + 1] - coarse.x[node], coarse.y[node + 1] - coarse.y[node]);
   for (const Curve& curve : curves_) {
@@ -128,16 +130,15 @@ const WedgeFlow::Curve& WedgeFlow::curve_for(std::size_t node) const {
   return curves_.back();
 }
 
-double WedgeFlow::row(const Curve& curve, std::size_t node, double curvature, double phi_s, double* kernels) const {
+double WedgeFlow::row(const Curve& curve, Index node, double curvature, double phi_s, double* kernels) const {
   const double x = curve.x[node];
   const double y = curve.y[node];
-  const double phi = curve.phi[static_cast<Index>(node)];
+  const double phi = curve.phi[node];
   const double* const weights = curve.weights.data();
   const double* const phis = curve.phi.data();
-  const std::size_t n = curve.x.size();
   double sum = 0;
-  const auto range = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t j = begin; j < end; ++j) {
+  const auto range = [&](Index begin, Index end) {
+    for (Index j = begin; j < end; ++j) {
       const double dx = curve.x[j] - x;
       const double up = curve.y[j] - y;
       const double down = -curve.y[j] - y;
@@ -152,7 +153,7 @@ double WedgeFlow::row(const Curve& curve, std::size_t node, double curvature, do
     }
   };
   range(0, node);
-  range(node + 1, n);
+  range(node + 1, curve.x.size());
   // Here K has the limits Im(zeta_ss/zeta_s)/2 and, times phi - phi_i, phi_s; the image's is x_s/(2y).
   kernels[node] = weights[node] * (curvature + curve.x_s[node] / (2 * y));
   return sum + weights[node] * phi_s;
@@ -176,16 +177,15 @@ void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
   for (Index i = 1; i < n; ++i) {
     const Complex relative = (power_ - 1) * z_s[i] / z[i] + z_ss[i] / z_s[i];  // zeta_ss/zeta_s
     const double curvature = relative.imag() / 2;
-    const auto k = static_cast<std::size_t>(i);
-    const Curve& curve = curve_for(k);
+    const Curve& curve = curve_for(i);
     if (curve.times == 1) {
-      right_[i] = row(curve, k, curvature, phi_s[i], matrix_.col(i).data());
+      right_[i] = row(curve, i, curvature, phi_s[i], matrix_.col(i).data());
     } else {
       kernels_.resize(curve.phi.size());
-      right_[i] = row(curve, curve.times * k, curvature, phi_s[i], kernels_.data());
+      right_[i] = row(curve, curve.times * i, curvature, phi_s[i], kernels_.data());
       matrix_.col(i).noalias() = curve.refinement.transpose() * kernels_;
     }
-    const Complex zeta(surface.x[k], surface.y[k]);
+    const Complex zeta(surface.x[i], surface.y[i]);
     right_[i] -= phi[i] * std::log(std::abs((far - zeta) / (std::conj(far) - zeta)));
   }
   matrix_.diagonal().array() += std::numbers::pi;
@@ -197,21 +197,6 @@ void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
   for (Index i = 0; i <= n; ++i) velocity_[i] = Complex(phi_s[i], psi_s[i]) / z_s[i];
 }
 
-namespace {
-
-namespace odeint = boost::numeric::odeint;
-
-constexpr double held = 4;         // depths at the far end, over which water is let go gradually
-constexpr double shortest = 1e-6;  // step
-
-/// From 0 to 1 with three derivatives 0 at both ends.
-double smooth_step(double u) {
-  const double t = std::clamp(u, 0.0, 1.0);
-  return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t)));
-}
-
-}  // namespace
-
 Climb::Climb(double slope, const Eigen::VectorXcd& z, const Eigen::VectorXd& phi, double tolerance)
     : n_(static_cast<std::size_t>(z.size())),
       slope_(slope),
@@ -219,35 +204,26 @@ Climb::Climb(double slope, const Eigen::VectorXcd& z, const Eigen::VectorXd& phi
       state_(3 * n_),
       moved_(z.size()),
       stepper_(odeint::make_controlled(tolerance, 0.0, odeint::runge_kutta_dopri5<State>())) {
-  for (std::size_t k = 0; k < n_; ++k) {
-    const auto i = static_cast<Index>(k);
-    state_[k] = z[i].real();
-    state_[n_ + k] = z[i].imag();
-    state_[2 * n_ + k] = phi[i];
-    moved_[i] = smooth_step((state_[k] - state_[0]) / held);
-  }
+  part(state_, 0) = z.real();
+  part(state_, 1) = z.imag();
+  part(state_, 2) = phi;
+  moved_ = ((z.real().array() - z[0].real()) / held).unaryExpr(&smooth_step);
 }
 
 Eigen::VectorXcd Climb::nodes(const State& state) const {
-  Eigen::VectorXcd z(static_cast<Index>(n_));
-  for (std::size_t k = 0; k < n_; ++k) z[static_cast<Index>(k)] = {state[k], state[n_ + k]};
-  return z;
+  return part(state, 0) + Complex(0, 1) * part(state, 1);
 }
 
 void Climb::rate(const State& state, State& rate) {
   rate.resize(state.size());
-  flow_.solve(nodes(state), Eigen::Map<const Eigen::VectorXd>(state.data() + 2 * n_, static_cast<Index>(n_)));
-  for (std::size_t k = 0; k < n_; ++k) {
-    const auto i = static_cast<Index>(k);
-    Complex velocity = std::conj(flow_.velocity()[i]);
-    if (k + 1 == n_) {
-      const Complex up = std::polar(1.0, slope_);
-      velocity = up * (velocity * std::conj(up)).real();
-    }
-    rate[k] = moved_[i] * velocity.real();
-    rate[n_ + k] = moved_[i] * velocity.imag();
-    rate[2 * n_ + k] = moved_[i] * (std::norm(velocity) / 2 - (state[n_ + k] - 1));
-  }
+  flow_.solve(nodes(state), part(state, 2));
+  Eigen::VectorXcd velocity = flow_.velocity().conjugate();
+  Complex& shore = velocity[velocity.size() - 1];
+  const Complex up = std::polar(1.0, slope_);
+  shore = up * (shore * std::conj(up)).real();
+  part(rate, 0) = moved_.cwiseProduct(velocity.real());
+  part(rate, 1) = moved_.cwiseProduct(velocity.imag());
+  part(rate, 2) = moved_.array() * (velocity.array().abs2() / 2 - (part(state, 1).array() - 1));
 }
 
 void Climb::require_finite() const {
@@ -260,10 +236,7 @@ void Climb::require_finite() const {
 }
 
 void Climb::filter() {
-  for (std::size_t part = 0; part < 3; ++part) {
-    Eigen::Map<Eigen::VectorXd> values(state_.data() + part * n_, static_cast<Index>(n_));
-    values = flow_.line().filter() * values.eval();
-  }
+  for (const std::size_t which : {0, 1, 2}) part(state_, which) = flow_.line().filter() * part(state_, which).eval();
   const Complex up = std::polar(1.0, slope_);
   const Complex shore = up * (Complex(state_[n_ - 1], state_[2 * n_ - 1]) * std::conj(up)).real();
   state_[n_ - 1] = shore.real();
@@ -307,23 +280,16 @@ double Climb::shore_speed() {
 double Climb::energy() {
   State rates;
   rate(state_, rates);
-  const Eigen::VectorXcd z = nodes(state_);
-  const Eigen::VectorXcd z_s = flow_.line().differentiation() * z;
-  double potential = 0;
-  for (Index i = 0; i < z.size(); ++i) {
-    potential += flow_.line().weights()[i] * std::pow(z[i].imag() - 1, 2) * z_s[i].real() / 2;
-  }
-  potential -= std::cos(slope_) / std::sin(slope_) * std::pow(shore(), 3) / 6;  // the slope's side
-  return potential +
-         flow_.kinetic_energy(Eigen::Map<const Eigen::VectorXd>(state_.data() + 2 * n_, static_cast<Index>(n_)));
+  return moment(2) + flow_.kinetic_energy(part(state_, 2));
 }
 
-double Climb::volume() const {
+double Climb::moment(int power) const {
   const Eigen::VectorXcd z = nodes(state_);
-  const Eigen::VectorXcd z_s = flow_.line().differentiation() * z;
-  double sum = 0;
-  for (Index i = 0; i < z.size(); ++i) sum += flow_.line().weights()[i] * (z[i].imag() - 1) * z_s[i].real();
-  return sum - std::cos(slope_) / std::sin(slope_) * std::pow(shore(), 2) / 2;
+  const Eigen::VectorXd x_s = flow_.line().differentiation() * z.real();
+  const Eigen::ArrayXd heights = (z.imag().array() - 1).pow(power) / power;
+  const double below_surface = flow_.line().weights().dot((heights * x_s.array()).matrix());
+  // The slope's side.
+  return below_surface - std::cos(slope_) / std::sin(slope_) * std::pow(shore(), power + 1) / (power * (power + 1));
 }
 
 }  // namespace seiche::exact::slope_climb

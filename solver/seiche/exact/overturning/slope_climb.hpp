@@ -34,6 +34,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -88,18 +89,18 @@ class WedgeFlow {
  private:
   /// The surface in the plane of zeta, on so many times as many intervals.
   struct Curve {
-    std::size_t times;
+    Eigen::Index times;
     Eigen::MatrixXd refinement;  ///< empty where times is 1
     Eigen::VectorXd weights;
-    std::vector<double> x, y;      ///< zeta
-    std::vector<double> x_s, y_s;  ///< d zeta/ds
+    Eigen::ArrayXd x, y;      ///< zeta
+    Eigen::ArrayXd x_s, y_s;  ///< d zeta/ds
     Eigen::VectorXd phi;
   };
-  void map(const Eigen::VectorXcd& z, const Eigen::VectorXcd& z_s, Curve& curve) const;
+  void map(const Eigen::ArrayXcd& z, const Eigen::ArrayXcd& z_s, Curve& curve) const;
   /// The coarsest curve over which the integrals for a node of the coarse one are good.
-  [[nodiscard]] const Curve& curve_for(std::size_t node) const;
+  [[nodiscard]] const Curve& curve_for(Eigen::Index node) const;
   /// Fills a row of weighted kernels for a node of the curve and returns the first part of the right-hand side.
-  double row(const Curve& curve, std::size_t node, double curvature, double phi_s, double* kernels) const;
+  double row(const Curve& curve, Eigen::Index node, double curvature, double phi_s, double* kernels) const;
 
   double beta_, power_;
   ChebyshevLine line_;
@@ -130,7 +131,7 @@ class Climb {
   /// T + V, V = int int y above still water less what is missing below; slope and bottom taken as they are.
   [[nodiscard]] double energy();
   /// Of the water, above that at rest.
-  [[nodiscard]] double volume() const;
+  [[nodiscard]] double volume() const { return moment(1); }
 
  private:
   using State = std::vector<double>;  ///< x, y and phi of all nodes
@@ -141,6 +142,14 @@ class Climb {
   void filter();
   void require_finite() const;
   [[nodiscard]] Eigen::VectorXcd nodes(const State& state) const;
+  /// x, y or phi of all nodes.
+  template <class S>
+  [[nodiscard]] auto part(S& state, std::size_t which) const {
+    using Vector = std::conditional_t<std::is_const_v<S>, const Eigen::VectorXd, Eigen::VectorXd>;
+    return Eigen::Map<Vector>(state.data() + which * n_, static_cast<Eigen::Index>(n_));
+  }
+  /// int int y^(power - 1) over the water above still water less that over what is missing below, power 1 or 2.
+  [[nodiscard]] double moment(int power) const;
 
   std::size_t n_;  ///< nodes
   double slope_;

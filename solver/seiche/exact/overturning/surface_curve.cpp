@@ -27,6 +27,22 @@ SurfaceCurve curve(const Moment& moment) {
   return SurfaceCurve(displacements);
 }
 
+constexpr std::size_t nodes_per_marker = 16;
+
+/// Largest value of periodic samples, by the parabola through the largest three.
+template <class Value>
+double maximum(std::size_t n, const Value& value) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (value(i) > value(largest)) largest = i;
+  }
+  const double middle = value(largest);
+  const double before = value((largest + n - 1) % n) - middle;
+  const double after = value((largest + 1) % n) - middle;
+  const double curvature = before + after;
+  return curvature < 0 ? middle - (after - before) * (after - before) / (8 * curvature) : middle;
+}
+
 }  // namespace
 
 TrigonometricInterpolant::TrigonometricInterpolant(std::span<const Complex> samples)
@@ -64,26 +80,6 @@ std::vector<Complex> TrigonometricInterpolant::refined(std::size_t refinement) c
   linear::Fourier(n).samples(values, values);
   return values;
 }
-
-namespace {
-
-constexpr std::size_t nodes_per_marker = 16;
-
-/// Largest value of periodic samples, by the parabola through the largest three.
-template <class Value>
-double maximum(std::size_t n, const Value& value) {
-  std::size_t largest = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    if (value(i) > value(largest)) largest = i;
-  }
-  const double middle = value(largest);
-  const double before = value((largest + n - 1) % n) - middle;
-  const double after = value((largest + 1) % n) - middle;
-  const double curvature = before + after;
-  return curvature < 0 ? middle - (after - before) * (after - before) / (8 * curvature) : middle;
-}
-
-}  // namespace
 
 SurfaceCurve::SurfaceCurve(std::span<const Complex> displacements)
     : periodic_((require_at_least("points", static_cast<long>(displacements.size()), 8), displacements)),
@@ -218,9 +214,11 @@ MovingSurface::MovingSurface(double wavelength, double gravity)
       time_(std::sqrt(length_ / gravity)),
       velocity_(std::sqrt(length_ * gravity)) {}
 
-void MovingSurface::keep(std::shared_ptr<const Evolution> evolution, double last_time,
-                         const std::function<double(double tangent)>& jet_time) {
-  evolution_ = std::move(evolution);
+void MovingSurface::compute(Evolution motion, double last_time, const std::function<double(double tangent)>& jet_time,
+                            double kink) {
+  motion.advance_to(std::min(kink, last_time / time_));
+  motion.advance_to(last_time / time_);
+  evolution_ = std::make_shared<const Evolution>(std::move(motion));
   last_time_ = last_time;
   const auto tangent = evolution_->first_zero([](const Moment& moment) { return curve(moment).least_advance(); }, 1e-9);
   if (tangent) vertical_tangent_time_ = *tangent * time_;

@@ -144,11 +144,11 @@ class MovingSurface {
  protected:
   MovingSurface(double wavelength, double gravity);
 
-  /// Takes over a motion that is complete, in scaled units. @param last_time  asked for [s]
+  /// Computes a motion from its start in scaled units. @param last_time  until then [s]
   /// @param jet_time  for how long after the first vertical tangent the surface is well resolved, from the time of that
-  ///                  tangent [s]
-  void keep(std::shared_ptr<const Evolution> evolution, double last_time,
-            const std::function<double(double tangent)>& jet_time);
+  ///                  tangent [s];  @param kink  scaled time at which a pressure is not smooth
+  void compute(Evolution motion, double last_time, const std::function<double(double tangent)>& jet_time,
+               double kink = 0);
 
   [[nodiscard]] const Evolution& evolution() const { return *evolution_; }
   [[nodiscard]] double length() const { return length_; }      ///< 1/k [m]

@@ -28,11 +28,11 @@ constexpr double negligible = 1e-13;
 /// Of a collision, about.
 constexpr double steps_of_collision = 300;
 
-std::size_t checked(std::size_t markers, double tolerance) {
-  require_at_least("markers", static_cast<long>(markers), 128);
-  require_positive("tolerance", tolerance);
-  require_within("markers modulo 2", static_cast<double>(markers % 2), 0, 0);
-  return markers;
+/// amplitude/depth of a wave that the method resolves. Throws std::invalid_argument.
+double checked_ratio(double amplitude, double depth) {
+  require_all_positive({{"depth", depth}, {"amplitude", amplitude}});
+  require_within("amplitude/depth", amplitude / depth, 0.05, 0.6 * (1 + 1e-12));
+  return amplitude / depth;
 }
 
 /// The waves a quarter of the channel from the wall. Units of depth and sqrt(depth/g) for the wave, of period/2 pi for
@@ -48,61 +48,52 @@ ow::State start(std::size_t markers, const SolitaryWave& wave, double distance, 
                             sum_of_waves([&](double x) { return std::pow(k, 1.5) * wave.surface_potential(x); }));
 }
 
+const std::vector<Parameter> wall_parameters{
+    {"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
+    depth_parameter(1, 1e6),
+    {"markers", "1", 384, 128, 4096, "markers of the computation, even"}};
+
 }  // namespace
 
-double WallCollision::checked_ratio(double amplitude, double depth) {
-  require_all_positive({{"depth", depth}, {"amplitude", amplitude}});
-  require_within("amplitude/depth", amplitude / depth, 0.05, 0.6 * (1 + 1e-12));
-  return amplitude / depth;
-}
-
-WallCollision::WallCollision(double amplitude, double depth, std::size_t markers, double tolerance)
-    : WallCollision(SolitaryWave(checked_ratio(amplitude, depth)), depth, checked(markers, tolerance), tolerance) {}
-
-WallCollision::WallCollision(const SolitaryWave& wave, double depth, std::size_t markers, double tolerance)
-    : depth_(depth),
-      separation_(-0.5 * std::log(negligible) / wave.decay_rate()),
-      k_(2 * std::numbers::pi / (4 * separation_)),
-      crossing_(std::sqrt(k_) * separation_ / wave.speed()),
-      wall_(markers / 2),
-      motion_(start(markers, wave, separation_, k_), k_, k_ * tolerance) {
-  separation_ *= depth;
-  motion_.advance_to(0.9 * crossing_);
-  while (motion_.ending() == ow::Ending::none && rise(motion_.now()) > 0 && motion_.now().time < 2 * crossing_) {
-    motion_.advance_to(motion_.now().time + 0.1 * crossing_);
-  }
-  require_resolved();
-  highest_ = motion_.at(motion_.first_zero([&](const ow::Moment& moment) { return rise(moment); }, 1e-10).value());
-}
-
-void WallCollision::require_resolved() const {
-  if (motion_.ending() == ow::Ending::none) return;
-  throw Divergence(fmt::format("{} (markers = {} are too few, or the wave breaks)", motion_.ending_reason(), 2 * wall_),
-                   motion_.now().time / std::sqrt(k_), static_cast<long>(motion_.moments().size() - 1),
-                   motion_.ending_place() / k_ * depth_);
-}
-
-void WallCollision::advance_until_below(double level) {
-  while (motion_.ending() == ow::Ending::none && ow::view(motion_.now().state).y[wall_] > level / length()) {
-    motion_.advance_to(motion_.now().time + 0.02 * crossing_);
-  }
-  require_resolved();
-}
-
 WallRunup::WallRunup(double amplitude, double depth, std::size_t markers, double tolerance, double fall)
-    : amplitude_(amplitude), depth_(depth), markers_(markers), tolerance_(tolerance) {
-  const auto collision = std::make_shared<WallCollision>(amplitude, depth, markers, tolerance);
-  if (fall < 1) collision->advance_until_below(fall * collision->runup());
-  collision_ = collision;
+    : amplitude_(amplitude), depth_(depth), markers_(markers), wall_(markers / 2), tolerance_(tolerance) {
+  const SolitaryWave wave(checked_ratio(amplitude, depth));
+  require_at_least("markers", static_cast<long>(markers), 128);
+  require_positive("tolerance", tolerance);
+  require_within("markers modulo 2", static_cast<double>(markers % 2), 0, 0);
+  const double distance = -0.5 * std::log(negligible) / wave.decay_rate();
+  k_ = 2 * std::numbers::pi / (4 * distance);
+  separation_ = distance * depth;
+  crossing_ = std::sqrt(k_) * distance / wave.speed();
+  auto motion = std::make_shared<ow::Evolution>(start(markers, wave, distance, k_), k_, k_ * tolerance);
+  motion_ = motion;
+  // Moves the waves on, by shares of the crossing, for as long as the condition holds at the wall.
+  const auto advance_while = [&](double share, const auto& condition) {
+    while (motion->ending() == ow::Ending::none && condition(motion->now())) {
+      motion->advance_to(motion->now().time + share * crossing_);
+    }
+    if (motion->ending() == ow::Ending::none) return;
+    throw Divergence(fmt::format("{} (markers = {} are too few, or the wave breaks)", motion->ending_reason(), markers),
+                     motion->now().time / std::sqrt(k_), static_cast<long>(motion->moments().size() - 1),
+                     motion->ending_place() / k_ * depth_);
+  };
+  const auto rise = [&](const ow::Moment& moment) {
+    return moment.time < 0.5 * crossing_ ? 1.0 : ow::view(moment.rate).y[wall_];
+  };
+  motion->advance_to(0.9 * crossing_);
+  advance_while(0.1, [&](const ow::Moment& now) { return rise(now) > 0 && now.time < 2 * crossing_; });
+  highest_ = motion->at(motion->first_zero(rise, 1e-10).value());
+  if (fall == 1) return;
+  advance_while(0.02, [&](const ow::Moment& now) { return ow::view(now.state).y[wall_] * length() > fall * runup(); });
 }
 
 double WallRunup::su_mirie(double amplitude, double depth) {
-  const double a = WallCollision::checked_ratio(amplitude, depth);
+  const double a = checked_ratio(amplitude, depth);
   return depth * (2 * a + a * a / 2 + 3 * a * a * a / 4);
 }
 
 double WallRunup::byatt_smith(double amplitude, double depth) {
-  const double a = WallCollision::checked_ratio(amplitude, depth);
+  const double a = checked_ratio(amplitude, depth);
   return depth * (2 * a + a * a / 2);
 }
 
@@ -127,26 +118,22 @@ SelfTest WallRunup::identities(double ratio, std::size_t markers, double toleran
 }
 
 SelfTest WallRunup::self_test() const {
-  const ow::Moment& start = collision_->motion().moments().front();
-  const ow::Moment& highest = collision_->highest();
-  const auto y = ow::view(highest.state).y;
-  const std::size_t wall = collision_->wall();
+  const ow::Invariants& start = motion_->moments().front().invariants;
+  const auto y = ow::view(highest_.state).y;
   Worst asymmetry;
-  for (std::size_t j = 1; j < wall; ++j) {
-    asymmetry.add((y[wall + j] - y[wall - j]) / collision_->wavenumber() * depth_ / runup());
-  }
+  for (std::size_t j = 1; j < wall_; ++j) asymmetry.add((y[wall_ + j] - y[wall_ - j]) * length() / runup());
   SelfTest test = identities(amplitude_ / depth_, markers_, tolerance_);
-  test[0].defect = departure(highest.invariants.volume, start.invariants.volume);
-  test[1].defect = departure(highest.invariants.energy(), start.invariants.energy());
+  test[0].defect = departure(highest_.invariants.volume, start.volume);
+  test[1].defect = departure(highest_.invariants.energy(), start.energy());
   test[2].defect = asymmetry.value();
   return test;
 }
 
 WallLoad::WallLoad(double amplitude, double depth, std::size_t markers, double tolerance)
     : WallRunup(amplitude, depth, markers, tolerance, 0.5) {
-  ow::SurfaceVelocity equation(markers, collision().wavenumber());
-  for (const ow::Moment& moment : collision().motion().moments()) {
-    if (moment.time > 0.5 * collision().crossing()) history_.push_back(load(moment, equation));
+  ow::SurfaceVelocity equation(markers, k_);
+  for (const ow::Moment& moment : motion_->moments()) {
+    if (moment.time > 0.5 * crossing_) history_.push_back(load(moment, equation));
   }
   still_ = largest(&Load::still);
   bottom_ = largest(&Load::bottom);
@@ -154,23 +141,22 @@ WallLoad::WallLoad(double amplitude, double depth, std::size_t markers, double t
 }
 
 WallLoad::Load WallLoad::load(const ow::Moment& moment, ow::SurfaceVelocity& equation) const {
-  const double length = collision().length();
-  const ow::WallColumn water(moment, collision().wavenumber(), equation);
-  return {.time = moment.time / std::sqrt(collision().wavenumber()),
-          .level = water.level() * length,
-          .still = water.level() > 0 ? water.pressure(0) * length : 0,
-          .bottom = water.pressure(-collision().wavenumber()) * length,
-          .force = water.force() * length * length};
+  const ow::WallColumn water(moment, k_, equation);
+  return {.time = moment.time / std::sqrt(k_),
+          .level = water.level() * length(),
+          .still = water.level() > 0 ? water.pressure(0) * length() : 0,
+          .bottom = water.pressure(-k_) * length(),
+          .force = water.force() * length() * length()};
 }
 
 WallLoad::Load WallLoad::at(double time) const {
-  const double last = collision().motion().now().time / std::sqrt(collision().wavenumber());
+  const double last = motion_->now().time / std::sqrt(k_);
   require_that<std::out_of_range>(time >= 0 && time <= last,
                                   "t = {:.17g} is outside [0, {:.6g}], until the water at the wall has fallen to half "
                                   "its height",
                                   time, last);
-  ow::SurfaceVelocity equation(2 * collision().wall(), collision().wavenumber());
-  return load(collision().motion().at(time * std::sqrt(collision().wavenumber())), equation);
+  ow::SurfaceVelocity equation(markers_, k_);
+  return load(motion_->at(time * std::sqrt(k_)), equation);
 }
 
 WallLoad::Peak WallLoad::largest(double Load::*member) const {
@@ -189,12 +175,12 @@ double WallLoad::still_series(double amplitude, double depth) {
 }
 
 double WallLoad::bottom_series(double amplitude, double depth) {
-  const double a = WallCollision::checked_ratio(amplitude, depth);
+  const double a = checked_ratio(amplitude, depth);
   return depth * (1 + 2 * a - a * a);
 }
 
 double WallLoad::force_series(double amplitude, double depth) {
-  const double a = WallCollision::checked_ratio(amplitude, depth);
+  const double a = checked_ratio(amplitude, depth);
   return depth * depth * (0.5 + 2 * a + 1.5 * a * a);
 }
 
@@ -206,25 +192,23 @@ double WallLoad::uncertainty() const {
 
 SelfTest WallLoad::self_test() const {
   using Rule = boost::math::quadrature::gauss<double, 10>;
-  const ow::Evolution& motion = collision().motion();
-  const ow::Moment& highest = collision().highest();
-  const double k = collision().wavenumber();
-  ow::SurfaceVelocity equation(2 * collision().wall(), k);
-  const double begin = 0.5 * collision().crossing();
-  const ow::WallColumn before(motion.at(begin), k, equation);
-  const ow::WallColumn after(highest, k, equation);
+  ow::SurfaceVelocity equation(markers_, k_);
+  const double begin = 0.5 * crossing_;
+  const ow::WallColumn before(motion_->at(begin), k_, equation);
+  const ow::WallColumn after(highest_, k_, equation);
   // Over the time: of the force on the wall less that on the opposite one, and of the pressure at the foot without its
   // value at rest.
   double thrust = 0;
   double foot = 0;
   constexpr int parts = 10;
-  const double half = 0.5 * (highest.time - begin) / parts;
+  const double half = 0.5 * (highest_.time - begin) / parts;
   for (int part = 0; part < parts; ++part) {
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
       for (const double side : {-1.0, 1.0}) {
-        const ow::WallColumn water(motion.at(begin + half * (2 * part + 1 + side * Rule::abscissa()[i])), k, equation);
+        const ow::WallColumn water(motion_->at(begin + half * (2 * part + 1 + side * Rule::abscissa()[i])), k_,
+                                   equation);
         thrust += half * Rule::weights()[i] * (water.force() - water.opposite_force());
-        foot += half * Rule::weights()[i] * (water.pressure(-k) - k);
+        foot += half * Rule::weights()[i] * (water.pressure(-k_) - k_);
       }
     }
   }
@@ -234,15 +218,6 @@ SelfTest WallLoad::self_test() const {
                        std::abs(foot + after.foot_potential() - before.foot_potential()) / std::abs(foot)),
           WallRunup::self_test()[1]};
 }
-
-namespace {
-
-const std::vector<Parameter> wall_parameters{
-    {"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
-    depth_parameter(1, 1e6),
-    {"markers", "1", 384, 128, 4096, "markers of the computation, even"}};
-
-}  // namespace
 
 ExactSolution wall_load_entry() {
   return Entry<WallLoad>{

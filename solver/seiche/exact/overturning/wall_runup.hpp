@@ -1,15 +1,10 @@
-/// Two equal solitary waves of the Euler equations that collide head-on: one wave and its image in a vertical wall.
-///
-/// They move in a periodic channel, so far apart at the start that less than 1e-13 of each is left under the other, by
-/// Cauchy's integral (overturning/evolution.hpp). The wall is at the label in the middle; the other end of the channel
-/// is the image of a second wall, which both waves leave.
-///
 /// Run-up of a solitary wave on a vertical wall: fully nonlinear potential flow.
 ///
 /// The wave and its mirror image in the wall collide head-on: two solitary waves of the full Euler equations in a
-/// periodic channel, so far apart that less than 1e-12 of each is left under the other, moved by Cauchy's integral
-/// (overturning/evolution.hpp). Run-up R is the highest elevation of the marker at the wall above the undisturbed
-/// level. In units of the depth, for small a:
+/// periodic channel, so far apart at the start that less than 1e-13 of each is left under the other, moved by Cauchy's
+/// integral (overturning/evolution.hpp). The wall is at the label in the middle; the other end of the channel is the
+/// image of a second wall, which both waves leave. Run-up R is the highest elevation of the marker at the wall above
+/// the undisturbed level. In units of the depth, for small a:
 ///
 ///     R = 2a + a^2/2 + 3a^3/4 + O(a^4)   (Su & Mirie),   R = 2a + a^2/2 + O(a^3)   (Byatt-Smith).
 ///
@@ -55,51 +50,6 @@
 
 namespace seiche::exact {
 
-class WallCollision {
- public:
-  /// Moves the waves until the water at the wall falls.
-  ///
-  /// @param amplitude  of the incident wave [m], amplitude/depth in [0.05, 0.6];  @param depth  undisturbed [m]
-  /// @param markers    even, at least 128;  @param tolerance  of a time step, in units of the depth
-  /// Throws std::invalid_argument, and Divergence if the collision is not resolved.
-  WallCollision(double amplitude, double depth, std::size_t markers, double tolerance);
-
-  /// amplitude/depth of a wave that the method resolves. Throws std::invalid_argument.
-  static double checked_ratio(double amplitude, double depth);
-
-  /// In units of period/2 pi, the wall at x = pi.
-  [[nodiscard]] const overturning::Evolution& motion() const { return motion_; }
-  /// The moment at which the marker at the wall is highest.
-  [[nodiscard]] const overturning::Moment& highest() const { return highest_; }
-  /// Moves the waves on until the marker at the wall is lower than `level` [m].
-  /// Throws Divergence if the water is not resolved so long.
-  void advance_until_below(double level);
-
-  /// Highest elevation at the wall [m].
-  [[nodiscard]] double runup() const { return overturning::view(highest_.state).y[wall_] / k_ * depth_; }
-  [[nodiscard]] std::size_t wall() const { return wall_; }         ///< its marker
-  [[nodiscard]] double wavenumber() const { return k_; }           ///< 2 pi/period, in units of 1/depth
-  [[nodiscard]] double length() const { return depth_ / k_; }      ///< unit of the motion [m]
-  [[nodiscard]] double separation() const { return separation_; }  ///< of the crests from the wall at the start [m]
-  /// When the wave would be at the wall if it went on alone, in units of the motion.
-  [[nodiscard]] double crossing() const { return crossing_; }
-
- private:
-  /// @param wave  in units of the depth
-  WallCollision(const SolitaryWave& wave, double depth, std::size_t markers, double tolerance);
-
-  /// Of the marker at the wall.
-  [[nodiscard]] double rise(const overturning::Moment& moment) const {
-    return moment.time < 0.5 * crossing_ ? 1.0 : overturning::view(moment.rate).y[wall_];
-  }
-  void require_resolved() const;
-
-  double depth_, separation_, k_, crossing_;
-  std::size_t wall_;
-  overturning::Evolution motion_;
-  overturning::Moment highest_;
-};
-
 class WallRunup {
  public:
   /// @param amplitude  of the incident wave [m], amplitude/depth in [0.05, 0.6];  @param depth  undisturbed [m]
@@ -108,12 +58,12 @@ class WallRunup {
   explicit WallRunup(double amplitude, double depth = 1, std::size_t markers = 384, double tolerance = 1e-11)
       : WallRunup(amplitude, depth, markers, tolerance, 1) {}
 
-  [[nodiscard]] double runup() const { return collision_->runup(); }  ///< R [m]
-  [[nodiscard]] double wave_amplitude() const { return amplitude_; }  ///< a [m]
-  [[nodiscard]] double depth() const { return depth_; }               ///< [m]
+  [[nodiscard]] double runup() const { return overturning::view(highest_.state).y[wall_] * length(); }  ///< R [m]
+  [[nodiscard]] double wave_amplitude() const { return amplitude_; }                                    ///< a [m]
+  [[nodiscard]] double depth() const { return depth_; }                                                 ///< [m]
   /// Time from the start, when the crests are separation() from the wall, to the largest run-up, times sqrt(g/depth).
-  [[nodiscard]] double runup_time() const { return collision_->highest().time / std::sqrt(collision_->wavenumber()); }
-  [[nodiscard]] double separation() const { return collision_->separation(); }  ///< [m]
+  [[nodiscard]] double runup_time() const { return highest_.time / std::sqrt(k_); }
+  [[nodiscard]] double separation() const { return separation_; }  ///< [m]
 
   /// Series in a/depth [m], with amplitude and depth [m].
   static double su_mirie(double amplitude, double depth = 1);
@@ -130,7 +80,7 @@ class WallRunup {
   /// @param fall  the motion is followed until the water at the wall is lower than this part of its run-up
   WallRunup(double amplitude, double depth, std::size_t markers, double tolerance, double fall);
 
-  [[nodiscard]] const WallCollision& collision() const { return *collision_; }
+  [[nodiscard]] double length() const { return depth_ / k_; }  ///< unit of the motion [m]
   /// The second computation.
   template <class Solution>
   [[nodiscard]] Solution coarser() const {
@@ -139,11 +89,17 @@ class WallRunup {
   /// The identity of a square that the errors of the time steps limit.
   [[nodiscard]] Identity within_steps(const std::string& name, double defect) const;
 
- private:
   double amplitude_, depth_;
-  std::size_t markers_;
+  std::size_t markers_, wall_;  ///< and the marker at the wall
+  double k_ = 0;                ///< 2 pi/period, in units of 1/depth
+  double separation_ = 0;       ///< of the crests from the wall at the start [m]
+  double crossing_ = 0;         ///< when the wave would be at the wall if it went on alone, in units of the motion
+  /// In units of period/2 pi, the wall at x = pi.
+  std::shared_ptr<const overturning::Evolution> motion_;
+  overturning::Moment highest_;  ///< when the marker at the wall is highest
+
+ private:
   double tolerance_;
-  std::shared_ptr<const WallCollision> collision_;
 };
 
 /// The load of the same wave, followed until the water at the wall has fallen to half of its height, long after the

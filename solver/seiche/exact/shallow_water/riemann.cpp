@@ -142,6 +142,15 @@ double below(double downstream, double upstream) {
   return downstream;
 }
 
+double checked_wall(const Bore& incident, double wall) {
+  require_finite("wall", wall);
+  require_that(incident.ahead().velocity == 0,
+               "velocity ahead of the bore = {:.17g} is out of range: must be 0 at a wall", incident.ahead().velocity);
+  require_that(wall > incident.position(0), "wall = {:.17g} is out of range: must lie beyond the bore's start = {:g}",
+               wall, incident.position(0));
+  return wall;
+}
+
 }  // namespace
 
 Ritter::Ritter(double gravity, double depth, double dam)
@@ -228,19 +237,6 @@ std::vector<double> CollidingBores::breakpoints(double t) const {
   if (t >= time_) return after_.breakpoints(t - time_);
   return {left_.position(t), -right_.position(t)};
 }
-
-namespace {
-
-double checked_wall(const Bore& incident, double wall) {
-  require_finite("wall", wall);
-  require_that(incident.ahead().velocity == 0,
-               "velocity ahead of the bore = {:.17g} is out of range: must be 0 at a wall", incident.ahead().velocity);
-  require_that(wall > incident.position(0), "wall = {:.17g} is out of range: must lie beyond the bore's start = {:g}",
-               wall, incident.position(0));
-  return wall;
-}
-
-}  // namespace
 
 BoreReflection::BoreReflection(const Bore& incident, double wall)
     : wall_(checked_wall(incident, wall)),

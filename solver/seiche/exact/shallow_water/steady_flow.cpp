@@ -20,10 +20,20 @@
 namespace seiche::exact {
 
 namespace sw = shallow_water;
+namespace quadrature = boost::math::quadrature;
 
 namespace {
 
 constexpr double smallest_share = 1e-6;  // of the crest's position, which its half-width may be
+
+constexpr std::size_t panels = 64;
+using GaussRule = quadrature::gauss<double, 15>;
+
+/// Boost integrates from the lower to the upper limit only; left of the channel the sign is turned by hand.
+template <class Function>
+double from_to(const Function& f, double from, double to) {
+  return to >= from ? GaussRule::integrate(f, from, to) : -GaussRule::integrate(f, to, from);
+}
 
 }  // namespace
 
@@ -156,21 +166,6 @@ SelfTest SteadyBump::self_test() const {
   }
   return tests;
 }
-
-namespace quadrature = boost::math::quadrature;
-
-namespace {
-
-constexpr std::size_t panels = 64;
-using GaussRule = quadrature::gauss<double, 15>;
-
-/// Boost integrates from the lower to the upper limit only; left of the channel the sign is turned by hand.
-template <class Function>
-double from_to(const Function& f, double from, double to) {
-  return to >= from ? GaussRule::integrate(f, from, to) : -GaussRule::integrate(f, to, from);
-}
-
-}  // namespace
 
 MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::function<double(double)> slope,
                      double discharge, double manning, double length)

@@ -18,6 +18,10 @@ namespace {
 /// Of the length of the channel: smaller bowls have too few digits of x.
 constexpr double least_radius = 1e-6;
 
+using std::numbers::pi;
+constexpr int instants = 12;
+constexpr double smallest_start = 1e-6;  // of the radius: 1 - A is then 2e-12, and known to 1e-4
+
 }  // namespace
 
 Thacker::Thacker(double gravity, double radius, double depth, double length, std::optional<double> displacement)
@@ -69,14 +73,6 @@ SelfTest Thacker::self_test() const {
           {"xi'^2 + w^2 xi^2 is constant", departure(swing, velocity_amplitude()), 32 * epsilon,
            "sine and cosine of the same phase"}};
 }
-
-namespace {
-
-using std::numbers::pi;
-constexpr int instants = 12;
-constexpr double smallest_start = 1e-6;  // of the radius: 1 - A is then 2e-12, and known to 1e-4
-
-}  // namespace
 
 ThackerBowl::ThackerBowl(double gravity, double radius, double depth, double factor)
     : gravity_(gravity), radius_(radius), depth_(depth), frequency_(std::sqrt(factor * gravity * depth) / radius) {
