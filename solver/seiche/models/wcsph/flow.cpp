@@ -184,9 +184,8 @@ void Flow::sort(double reserve) {
   }
 }
 
-void Flow::fill_level() {
-  const double used = stage_.fill(particles_);
-  if (used + half_travel_ > reserve_) sort(reserve_);
+void Flow::refresh_lists() {
+  if (stage_.used() + half_travel_ > reserve_) sort(reserve_);
 }
 
 void Flow::evaluate(double time, bool limited) {
@@ -226,7 +225,7 @@ void Flow::evaluate_level(bool limited) {
 }
 
 Rates Flow::rates() {
-  fill_level();
+  refresh_lists();
   evaluate_level(false);
   return rates_.rates();
 }

@@ -125,7 +125,8 @@ class Flow {
   void sort(double reserve);
   /// Lists of particles that are in their order, of whose reserve so much is used up.
   void list(double reserve, double used);
-  void fill_level();
+  /// Records are those of the particles, here and between all steps.
+  void refresh_lists();
   void evaluate(double time, bool limited);
   void evaluate_level(bool limited);
   /// Where paddles are at one instant.
