@@ -31,11 +31,9 @@ struct Blob {
         sound_scale(std::holds_alternative<ArtificialViscosity>(settings.viscosity)
                         ? -0.5 * std::get<ArtificialViscosity>(settings.viscosity).alpha
                         : 1),
-        mass(particles.mass),
         records(count + most_lanes,
-                Record{.x = 1e30, .z = 1e30, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0}) {
+                Record{.x = 1e30, .z = 1e30, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .mass = 0}) {
     const TaitFluid water(settings.density, settings.sound_speed);
-    mass.resize(records.size());
     for (std::size_t a = 0; a < count; ++a) {
       const double density = particles.density[a];
       records[a] = {.x = particles.x[a],
@@ -45,7 +43,7 @@ struct Blob {
                     .density = density,
                     .pressure = water.pressure(density) / (density * density),
                     .smoothing = settings.smoothing * spacing * std::sqrt(settings.density / density),
-                    .sound = sound_scale * water.sound_speed(density)};
+                    .mass = particles.mass[a]};
     }
     // Filled up with a record that is nobody's neighbour.
     list.assign(count + abreast + candidates_ahead, static_cast<std::int32_t>(count));
@@ -57,14 +55,11 @@ struct Blob {
                           .end = list.data() + count});
     }
   }
-  [[nodiscard]] double volume(std::size_t a) const { return mass[a] / records[a].density; }
-  [[nodiscard]] PairWork work() const {
-    return {.records = records.data(), .mass = mass.data(), .clusters = clusters.data()};
-  }
+  [[nodiscard]] double volume(std::size_t a) const { return records[a].mass / records[a].density; }
+  [[nodiscard]] PairWork work() const { return {.records = records.data(), .clusters = clusters.data()}; }
 
   std::size_t count;
   double sound_scale;
-  std::vector<double> mass;
   std::vector<Record> records;
   std::vector<std::int32_t> list;
   std::vector<Cluster> clusters;
@@ -92,6 +87,8 @@ Rates rates_by(const PairLoops& loops, const Particles& particles, const Setting
   work.gravity = settings.gravity;
   work.xsph = settings.xsph;
   work.sound_scale = blob.sound_scale;
+  work.sound_speed = blob.sound_scale * settings.sound_speed;
+  work.inverse_density = 1 / settings.density;
   if (eddies != nullptr) {
     work.kinematic_viscosity = eddies->kinematic_viscosity;
     work.eddy_factor = std::pow(eddies->smagorinsky * spacing, 2);
@@ -231,7 +228,7 @@ TEST_CASE("every width of registers gives the sums of the density filter and of 
           lever += other.density * z * w;
           volumes += blob.volume(b) * w;
           cross += blob.volume(b) * x * z * w;
-          heavy += blob.mass[b] * x * w;
+          heavy += blob.records[b].mass * x * w;
           neighbours += 1;
         }
         const FilterMoments& moments = found.moments[a];

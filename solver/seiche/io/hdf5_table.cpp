@@ -29,44 +29,28 @@ namespace {
 constexpr hsize_t longest_file = 50'000'000;  // [number], in all datasets that are read; kilobytes may declare more
 constexpr std::size_t most_datasets = 1000;
 
-/// The table as bytes and back, to pass it from one process to the other.
-class Bytes {
- public:
-  Bytes() = default;
-  explicit Bytes(std::string content) : content_(std::move(content)) {}
+/// Numbers or a text as bytes and back, to pass them from one process to the other.
+template <class Sequence>
+void put(std::string& bytes, const Sequence& items) {
+  const std::size_t count = items.size();
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  bytes.append(reinterpret_cast<const char*>(items.data()), count * sizeof items[0]);
+}
 
-  template <class Item>
-  void put(const Item* items, std::size_t count) {
-    content_.append(reinterpret_cast<const char*>(&count), sizeof count);
-    if (count > 0) content_.append(reinterpret_cast<const char*>(items), count * sizeof(Item));
-  }
-  template <class Sequence>
-  Sequence take() {
-    using Item = typename Sequence::value_type;
-    std::size_t count = 0;
-    copy(&count, sizeof count);
-    require_that(count <= (content_.size() - position_) / sizeof(Item), "incomplete answer");
-    Sequence sequence(count, Item{});
-    copy(sequence.data(), count * sizeof(Item));
-    return sequence;
-  }
-  [[nodiscard]] bool more() const { return position_ < content_.size(); }
-  [[nodiscard]] const std::string& content() const { return content_; }
-
- private:
-  void copy(void* target, std::size_t size) {
-    require_that(size <= content_.size() - position_, "incomplete answer");
-    if (size == 0) return;  // an empty sequence may have no address
-    std::memcpy(target, content_.data() + position_, size);
-    position_ += size;
-  }
-
-  std::string content_;
-  std::size_t position_ = 0;
-};
-
-void put(Bytes& bytes, const std::string& text) {
-  bytes.put(text.data(), text.size());
+template <class Sequence>
+Sequence take(std::string_view& bytes) {
+  const auto cut = [&](void* target, std::size_t count, std::size_t size) {
+    require_that(count <= bytes.size() / size, "incomplete answer");
+    std::copy_n(bytes.data(), count * size, static_cast<char*>(target));
+    bytes.remove_prefix(count * size);
+  };
+  constexpr std::size_t size = sizeof(typename Sequence::value_type);
+  std::size_t count = 0;
+  cut(&count, 1, sizeof count);
+  require_that(count <= bytes.size() / size, "incomplete answer");
+  Sequence sequence(count, {});
+  cut(sequence.data(), count, size);
+  return sequence;
 }
 
 /// Names and reasons come from the file: whatever is no text must not reach the terminal.
@@ -140,11 +124,11 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
 /// Per dataset: name, reason why it is unusable or nothing, unit, values.
 std::string datasets(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
   H5::Exception::dontPrint();
-  Bytes bytes;
+  std::string bytes;
   const auto put_dataset = [&](const std::string& name, const std::string& reason, const std::string& unit,
                                const std::vector<double>& values) {
     for (const std::string& text : {name, reason, unit}) put(bytes, one_line(text));
-    bytes.put(values.data(), values.size());
+    put(bytes, values);
   };
   try {
     const H5::H5File file(path.string(), H5F_ACC_RDONLY);
@@ -177,17 +161,17 @@ std::string datasets(const std::filesystem::path& path, const std::vector<std::s
   } catch (const H5::Exception&) {
     throw std::invalid_argument("damaged: the HDF5 library cannot open it");
   }
-  return bytes.content();
+  return bytes;
 }
 
-Table table_from(Bytes bytes, const std::string& source) {
+Table table_from(std::string_view bytes, const std::string& source) {
   Table table;
   table.source = source;
-  while (bytes.more()) {
-    const auto name = bytes.take<std::string>();
-    const auto reason = bytes.take<std::string>();
-    auto unit = bytes.take<std::string>();
-    auto values = bytes.take<std::vector<double>>();
+  while (!bytes.empty()) {
+    const auto name = take<std::string>(bytes);
+    const auto reason = take<std::string>(bytes);
+    auto unit = take<std::string>(bytes);
+    auto values = take<std::vector<double>>(bytes);
     if (!reason.empty()) {
       table.unusable[name] = reason;
     } else if (!table.has(name)) {
@@ -289,10 +273,8 @@ bool has_checksums(const std::filesystem::path& file) {
 }
 
 Table read_hdf5(const std::filesystem::path& file, const std::vector<std::string>& wanted, unsigned seconds) {
-  std::string answer;
   try {
-    answer = isolated([&] { return datasets(file, wanted); }, seconds);
-    return table_from(Bytes(std::move(answer)), file.string());
+    return table_from(isolated([&] { return datasets(file, wanted); }, seconds), file.string());
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", file.string(), wrong.what()));
   } catch (const std::runtime_error& broken) {

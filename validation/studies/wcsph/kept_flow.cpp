@@ -11,8 +11,8 @@ void exchange(Tape& tape, wcsph::Particles& p) {
 void exchange(Tape& tape, wcsph::Flow& flow) {
   wcsph::FlowState state;
   if (!tape.reading()) state = flow.state();
-  tape(state.parameters, state.particles, state.reference_x, state.reference_z, state.listed.x, state.listed.z,
-       state.listed.density, state.listed.reserve, state.half_travel, state.time, state.steps, state.extremes);
+  tape(state.parameters, state.particles, state.reference_x, state.reference_z, state.listed, state.half_travel,
+       state.time, state.steps, state.extremes);
   if (tape.reading()) flow.resume(state);
 }
 

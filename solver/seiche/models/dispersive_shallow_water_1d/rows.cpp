@@ -5,6 +5,9 @@
 
 #include "seiche/simd_clones.hpp"
 
+// Like SEICHE_INLINE, behind the parameters of a lambda.
+#define SEICHE_INLINE_LAMBDA __attribute__((always_inline))
+
 namespace seiche::dispersive_shallow_water_1d {
 
 Frame frame_on(Kinetics kinetics, double alpha, double slope) {
@@ -55,8 +58,9 @@ Frame Bed::frame(std::ptrdiff_t marker) const {
 namespace {
 
 /// Frames of a block: the identity, or read.
-template <bool level>
+template <bool is_level>
 struct Frames {
+  static constexpr bool level = is_level;
   const double *xp, *xr, *yp, *yr;
   explicit Frames(const Bed& bed) : xp(bed.xp.row()), xr(bed.xr.row()), yp(bed.yp.row()), yr(bed.yr.row()) {}
   [[nodiscard]] Frame at(std::ptrdiff_t i) const {
@@ -68,128 +72,44 @@ struct Frames {
   }
 };
 
+/// What the loops read besides.
+struct Given {
+  const double *width, *mean, *bed, *wp, *wr;
+  explicit Given(const Rows& rows)
+      : width(rows.width.row()),
+        mean(rows.mean.row()),
+        bed(rows.bed.elevation.row()),
+        wp(rows.mobility_p.row()),
+        wr(rows.mobility_r.row()) {}
+};
+
 /// S W S^T of a marker, symmetric.
 struct Mobility {
   double xx, xy, yy;
 };
 
 template <bool level>
-struct Mobilities {
-  Frames<level> frames;
-  const double *wp, *wr;
-  explicit Mobilities(const Rows& rows) : frames(rows.bed), wp(rows.mobility_p.row()), wr(rows.mobility_r.row()) {}
-  [[nodiscard]] Mobility at(std::ptrdiff_t i) const {
-    if constexpr (level) {
-      return {wp[i], 0, wr[i]};
-    } else {
-      const Frame f = frames.at(i);
-      return {wp[i] * f.xp * f.xp + wr[i] * f.xr * f.xr, wp[i] * f.xp * f.yp + wr[i] * f.xr * f.yr,
-              wp[i] * f.yp * f.yp + wr[i] * f.yr * f.yr};
-    }
-  }
-};
-
-template <bool level>
-[[gnu::always_inline]] inline void assemble_body(Rows& rows, Range cells) {
-  const Mobilities<level> mobility(rows);
-  const double* const width = rows.width.row();
-  const double* const mean = rows.mean.row();
-  const double* const bed = rows.bed.elevation.row();
-  double* const diagonal = rows.diagonal.row();
-#pragma omp simd
-  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) {
-    const Mobility a = mobility.at(j);
-    const Mobility b = mobility.at(j + 1);
-    const double left = bed[j] - mean[j];       // dV/dx of the left marker
-    const double right = mean[j] - bed[j + 1];  // and of the right one
-    const double up = 0.5 * width[j];           // dV/dy of both
-    diagonal[j] = left * left * a.xx + right * right * b.xx + up * up * (a.yy + b.yy);
-    if constexpr (!level) diagonal[j] += 2 * up * (left * a.xy + right * b.xy);
-  }
-}
-
-template <bool level>
-[[gnu::always_inline]] inline void couple_body(Rows& rows, Range markers) {
-  const Mobilities<level> mobility(rows);
-  const double* const width = rows.width.row();
-  const double* const mean = rows.mean.row();
-  const double* const bed = rows.bed.elevation.row();
-  double* const coupling = rows.coupling.row();
-#pragma omp simd
-  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
-    const Mobility k = mobility.at(i);
-    const double before = mean[i - 1] - bed[i];  // dV/dx of the cell before the marker, and of the one after it
-    const double after = bed[i] - mean[i];
-    coupling[i - 1] = before * after * k.xx + 0.25 * width[i - 1] * width[i] * k.yy;
-    if constexpr (!level) coupling[i - 1] += 0.5 * (before * width[i] + after * width[i - 1]) * k.xy;
-  }
-}
-
-template <bool level>
-[[gnu::always_inline]] inline void rates_body(const Rows& rows, Range cells, const double* p, const double* r,
-                                              double* w) {
-  const Frames<level> frames(rows.bed);
-  const double* const width = rows.width.row();
-  const double* const mean = rows.mean.row();
-  const double* const bed = rows.bed.elevation.row();
-#pragma omp simd
-  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) {
-    const Frame a = frames.at(j);
-    const Frame b = frames.at(j + 1);
-    const double u_a = a.xp * p[j] + a.xr * r[j];
-    const double v_a = a.yp * p[j] + a.yr * r[j];
-    const double u_b = b.xp * p[j + 1] + b.xr * r[j + 1];
-    const double v_b = b.yp * p[j + 1] + b.yr * r[j + 1];
-    w[j] = (mean[j] - bed[j + 1]) * u_b - (mean[j] - bed[j]) * u_a + 0.5 * width[j] * (v_a + v_b);
-  }
-}
-
-template <bool level>
-[[gnu::always_inline]] inline void kick_body(const Rows& rows, Range markers, GivenForces forces, double h, double* p,
-                                             double* r) {
-  const Frames<level> frames(rows.bed);
-  const double* const wp = rows.mobility_p.row();
-  const double* const wr = rows.mobility_r.row();
-#pragma omp simd
-  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+SEICHE_INLINE Mobility mobility_at(const Frames<level>& frames, const Given& at, std::ptrdiff_t i) {
+  if constexpr (level) {
+    return {at.wp[i], 0, at.wr[i]};
+  } else {
     const Frame f = frames.at(i);
-    const double fx = forces.x[i - markers.first];
-    const double fy = forces.y[i - markers.first];
-    p[i] += h * wp[i] * (f.xp * fx + f.yp * fy);
-    r[i] += h * wr[i] * (f.xr * fx + f.yr * fy);
+    return {at.wp[i] * f.xp * f.xp + at.wr[i] * f.xr * f.xr, at.wp[i] * f.xp * f.yp + at.wr[i] * f.xr * f.yr,
+            at.wp[i] * f.yp * f.yp + at.wr[i] * f.yr * f.yr};
   }
 }
 
-template <bool level>
-[[gnu::always_inline]] inline void react_body(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
-  const Frames<level> frames(rows.bed);
-  const double* const width = rows.width.row();
-  const double* const mean = rows.mean.row();
-  const double* const bed = rows.bed.elevation.row();
-  const double* const wp = rows.mobility_p.row();
-  const double* const wr = rows.mobility_r.row();
+/// loop(k, frames) over a range, compiled for blocks that are level and for those that are not.
+template <class Loop>
+SEICHE_INLINE void over(Range range, bool level, const Bed& bed, const Loop& loop) {
+  const Frames<true> identity(bed);
+  const Frames<false> tilted(bed);
+  if (level) {
 #pragma omp simd
-  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
-    const Frame f = frames.at(i);
-    const double ix = mu[i - 1] * (mean[i - 1] - bed[i]) - mu[i] * (mean[i] - bed[i]);
-    const double iy = 0.5 * (mu[i - 1] * width[i - 1] + mu[i] * width[i]);
-    p[i] += wp[i] * (f.xp * ix + f.yp * iy);
-    r[i] += wr[i] * (f.xr * ix + f.yr * iy);
-  }
-}
-
-template <bool level>
-[[gnu::always_inline]] inline void advance_body(const Bed& bed, Range markers, const double* x, const double* y,
-                                                const double* p, const double* r, double h, double* to_x,
-                                                double* to_y) {
-  const Frames<level> frames(bed);
+    for (std::ptrdiff_t k = range.first; k < range.last; ++k) loop(k, identity);
+  } else {
 #pragma omp simd
-  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
-    const Frame f = frames.at(i);
-    const double u = f.xp * p[i] + f.xr * r[i];
-    const double v = f.yp * p[i] + f.yr * r[i];
-    to_x[i] = x[i] + h * u;
-    to_y[i] = y[i] + h * v;
+    for (std::ptrdiff_t k = range.first; k < range.last; ++k) loop(k, tilted);
   }
 }
 
@@ -226,32 +146,76 @@ SEICHE_SIMD_CLONES void gravity_forces(const Rows& rows, Range markers, Weights 
 }
 
 SEICHE_SIMD_CLONES void assemble(Rows& rows, bool level, Range cells) {
-  level ? assemble_body<true>(rows, cells) : assemble_body<false>(rows, cells);
+  const Given at(rows);
+  double* const diagonal = rows.diagonal.row();
+  over(cells, level, rows.bed, [=](std::ptrdiff_t j, auto frames) SEICHE_INLINE_LAMBDA {
+    const Mobility a = mobility_at(frames, at, j);
+    const Mobility b = mobility_at(frames, at, j + 1);
+    const double left = at.bed[j] - at.mean[j];       // dV/dx of the left marker
+    const double right = at.mean[j] - at.bed[j + 1];  // and of the right one
+    const double up = 0.5 * at.width[j];              // dV/dy of both
+    diagonal[j] = left * left * a.xx + right * right * b.xx + up * up * (a.yy + b.yy);
+    if constexpr (!frames.level) diagonal[j] += 2 * up * (left * a.xy + right * b.xy);
+  });
 }
 
 SEICHE_SIMD_CLONES void couple(Rows& rows, bool level, Range markers) {
-  level ? couple_body<true>(rows, markers) : couple_body<false>(rows, markers);
+  const Given at(rows);
+  double* const coupling = rows.coupling.row();
+  over(markers, level, rows.bed, [=](std::ptrdiff_t i, auto frames) SEICHE_INLINE_LAMBDA {
+    const Mobility k = mobility_at(frames, at, i);
+    const double before = at.mean[i - 1] - at.bed[i];  // dV/dx of the cell before the marker, and of the one after it
+    const double after = at.bed[i] - at.mean[i];
+    coupling[i - 1] = before * after * k.xx + 0.25 * at.width[i - 1] * at.width[i] * k.yy;
+    if constexpr (!frames.level) coupling[i - 1] += 0.5 * (before * at.width[i] + after * at.width[i - 1]) * k.xy;
+  });
 }
 
 SEICHE_SIMD_CLONES void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r,
                                        double* w) {
-  level ? rates_body<true>(rows, cells, p, r, w) : rates_body<false>(rows, cells, p, r, w);
+  const Given at(rows);
+  over(cells, level, rows.bed, [=](std::ptrdiff_t j, auto frames) SEICHE_INLINE_LAMBDA {
+    const Frame a = frames.at(j);
+    const Frame b = frames.at(j + 1);
+    const double u_a = a.xp * p[j] + a.xr * r[j];
+    const double v_a = a.yp * p[j] + a.yr * r[j];
+    const double u_b = b.xp * p[j + 1] + b.xr * r[j + 1];
+    const double v_b = b.yp * p[j + 1] + b.yr * r[j + 1];
+    w[j] = (at.mean[j] - at.bed[j + 1]) * u_b - (at.mean[j] - at.bed[j]) * u_a + 0.5 * at.width[j] * (v_a + v_b);
+  });
 }
 
 SEICHE_SIMD_CLONES void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p,
                                   double* r) {
-  level ? kick_body<true>(rows, markers, forces, h, p, r) : kick_body<false>(rows, markers, forces, h, p, r);
+  const Given at(rows);
+  over(markers, level, rows.bed, [=](std::ptrdiff_t i, auto frames) SEICHE_INLINE_LAMBDA {
+    const Frame f = frames.at(i);
+    p[i] += h * at.wp[i] * (f.xp * forces.x[i - markers.first] + f.yp * forces.y[i - markers.first]);
+    r[i] += h * at.wr[i] * (f.xr * forces.x[i - markers.first] + f.yr * forces.y[i - markers.first]);
+  });
 }
 
 SEICHE_SIMD_CLONES void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p,
                                    double* r) {
-  level ? react_body<true>(rows, markers, mu, p, r) : react_body<false>(rows, markers, mu, p, r);
+  const Given at(rows);
+  over(markers, level, rows.bed, [=](std::ptrdiff_t i, auto frames) SEICHE_INLINE_LAMBDA {
+    const Frame f = frames.at(i);
+    const double ix = mu[i - 1] * (at.mean[i - 1] - at.bed[i]) - mu[i] * (at.mean[i] - at.bed[i]);
+    const double iy = 0.5 * (mu[i - 1] * at.width[i - 1] + mu[i] * at.width[i]);
+    p[i] += at.wp[i] * (f.xp * ix + f.yp * iy);
+    r[i] += at.wr[i] * (f.xr * ix + f.yr * iy);
+  });
 }
 
 SEICHE_SIMD_CLONES void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y,
                                      const double* p, const double* r, double h, double* to_x, double* to_y) {
-  level ? advance_body<true>(bed, markers, x, y, p, r, h, to_x, to_y)
-        : advance_body<false>(bed, markers, x, y, p, r, h, to_x, to_y);
+  over(markers, level, bed, [=](std::ptrdiff_t i, auto frames) SEICHE_INLINE_LAMBDA {
+    const Frame f = frames.at(i);
+    const double u = f.xp * p[i] + f.xr * r[i];
+    const double v = f.yp * p[i] + f.yr * r[i];
+    to_x[i] = x[i] + h * u;
+    to_y[i] = y[i] + h * v;
+  });
 }
 
 SEICHE_SIMD_CLONES Smallest smallest(const Rows& rows, Range cells, Range markers) {
@@ -271,13 +235,8 @@ SEICHE_SIMD_CLONES Smallest smallest(const Rows& rows, Range cells, Range marker
 }
 
 SEICHE_SIMD_CLONES void aim(Range cells, const double* target, double* w) {
-  if (target == nullptr) {
 #pragma omp simd
-    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) w[j] = -w[j];
-  } else {
-#pragma omp simd
-    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) w[j] = target[j] - w[j];
-  }
+  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) w[j] = (target == nullptr ? -0.0 : target[j]) - w[j];
 }
 
 SEICHE_SIMD_CLONES void add_increment_forces(const Rows& rows, Range markers, Weights weights, Forces forces) {

@@ -6,30 +6,17 @@
 
 #include <cstddef>
 #include <functional>
-#include <new>
 #include <span>
 #include <vector>
+
+#include <boost/align/aligned_allocator.hpp>
 
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_particles {
 
-/// std::vector whose data start on a cache line, for full-width vector loads.
-template <class T>
-struct CacheLineAllocator {
-  using value_type = T;
-  CacheLineAllocator() = default;
-  template <class U>
-  explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}
-  T* allocate(std::size_t count) { return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64})); }
-  void deallocate(T* data, std::size_t /*count*/) { ::operator delete (data, std::align_val_t{64}); }
-  template <class U>
-  bool operator==(const CacheLineAllocator<U>& /*other*/) const {
-    return true;
-  }
-};
-
-using Array = std::vector<double, CacheLineAllocator<double>>;
+/// Its data start on a cache line, for full-width vector loads.
+using Array = std::vector<double, boost::alignment::aligned_allocator<double, 64>>;
 
 /// State of the row at one instant.
 struct Particles {

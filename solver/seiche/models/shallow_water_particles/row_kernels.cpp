@@ -24,17 +24,7 @@ SEICHE_INLINE double limited(double backward, double central, double forward, do
 
 SEICHE_SIMD_CLONES
 void predict_row(const PredictionRow& row, std::size_t count) {
-  const double* __restrict x = row.edge;
-  const double* __restrict h = row.depth;
-  const double* __restrict u = row.velocity;
-  const double* __restrict inv_mass = row.inv_mass;
-  double* __restrict hl = row.left_depth;
-  double* __restrict hr = row.right_depth;
-  double* __restrict ul = row.left_velocity;
-  double* __restrict ur = row.right_velocity;
-  const double g = row.gravity;
-  const double theta = row.theta;
-  const double half = row.half_step;
+  const auto [x, h, u, inv_mass, hl, hr, ul, ur, g, theta, half] = row;
   const auto particles = static_cast<std::ptrdiff_t>(count);
 #pragma GCC ivdep
   for (std::ptrdiff_t i = 0; i < particles; ++i) {
@@ -70,18 +60,13 @@ void predict_row(const PredictionRow& row, std::size_t count) {
 
 SEICHE_SIMD_CLONES
 void solve_row(const EdgeRow& row, std::size_t count) {
-  const double* __restrict hl = row.depth_before;
-  const double* __restrict ul = row.velocity_before;
-  const double* __restrict hr = row.depth_behind;
-  const double* __restrict ur = row.velocity_behind;
-  double* __restrict us = row.edge_velocity;
-  double* __restrict ps = row.edge_thrust;
-  const double g = row.gravity;
+  const auto [hl, ul, hr, ur, us, ps, g] = row;
   const double half_inv_g = 0.5 / g;
   constexpr double half_small = 0.5e-4;
   for (std::size_t start = 0; start < count; start += block) {
     const std::size_t stop = std::min(start + block, count);
     int sharp = 0;  // set where an edge needs the iteration, or is not a number
+#pragma GCC ivdep
     for (std::size_t k = start; k < stop; ++k) {
       const double c_left = std::sqrt(g * hl[k]);
       const double c_right = std::sqrt(g * hr[k]);
@@ -105,16 +90,12 @@ void solve_row(const EdgeRow& row, std::size_t count) {
 SEICHE_SIMD_CLONES
 void move_row(double* edge, double* velocity, const double* inv_mass, const double* edge_velocity,
               const double* edge_thrust, double tau, std::size_t count, bool closes) {
-  double* __restrict x = edge;
-  double* __restrict u = velocity;
-  const double* __restrict im = inv_mass;
-  const double* __restrict us = edge_velocity;
-  const double* __restrict ps = edge_thrust;
+#pragma GCC ivdep
   for (std::size_t i = 0; i < count; ++i) {
-    x[i] += tau * us[i];
-    u[i] += tau * im[i] * (ps[i] - ps[i + 1]);
+    edge[i] += tau * edge_velocity[i];
+    velocity[i] += tau * inv_mass[i] * (edge_thrust[i] - edge_thrust[i + 1]);
   }
-  if (closes) x[count] += tau * us[count];
+  if (closes) edge[count] += tau * edge_velocity[count];
 }
 
 void RowLimits::add(const RowLimits& other) {
@@ -124,12 +105,8 @@ void RowLimits::add(const RowLimits& other) {
 }
 
 SEICHE_SIMD_CLONES
-RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* depth, double gravity,
-                      std::size_t count, bool goes_on) {
-  const double* __restrict x = edge;
-  const double* __restrict u = velocity;
-  const double* __restrict m = mass;
-  double* __restrict h = depth;
+RowLimits measure_row(const double* __restrict x, const double* __restrict u, const double* __restrict mass,
+                      double* __restrict h, double gravity, std::size_t count, bool goes_on) {
   constexpr double huge = std::numeric_limits<double>::max();
   // Maxima of separate lanes: a single running maximum could not be reordered because of NaN.
   constexpr std::size_t lanes = 8;
@@ -139,7 +116,7 @@ RowLimits measure_row(const double* edge, const double* velocity, const double* 
   const auto one = [&](std::size_t i, double next_velocity, std::size_t lane) {
     const double width = x[i + 1] - x[i];
     const double inverse = 1 / width;
-    h[i] = m[i] * inverse;
+    h[i] = mass[i] * inverse;
     const double rate = h[i] * inverse * inverse;
     const double approach = (u[i] - next_velocity) * inverse;
     const double fault = (width > 0) & (std::abs(u[i]) <= huge) ? 0.0 : 1.0;
@@ -158,9 +135,7 @@ RowLimits measure_row(const double* edge, const double* velocity, const double* 
 }
 
 SEICHE_SIMD_CLONES
-bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t count) {
-  const double* __restrict h = depth;
-  const double* __restrict u = velocity;
+bool may_hold_jump(const double* h, const double* u, double gravity, double threshold, std::size_t count) {
   // The two-wave depth exceeds (1 + threshold) of the lower depth only if the depths do, or if the velocity difference
   // exceeds 2 (sqrt(1 + threshold) - 1) celerities: either half of the rise must come from one of the two.
   const double s = std::sqrt(1 + threshold) - 1;

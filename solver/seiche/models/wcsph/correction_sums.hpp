@@ -75,10 +75,10 @@ struct CorrectionSums {
   static void filter_moments(const PairWork& work, std::size_t c) {
     const Block<Lanes> a(work.records, work.clusters[c]);
     Pack a00{}, ax{}, az{}, axx{}, axz{}, azz{}, m0{}, mx{}, mz{}, within{};
-    visit<Kernel, Distance>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+    visit<Kernel, Distance>(work, a, [&](const auto*, const auto& b, const auto& pair, const auto& shape) {
       const auto weight = pair.inverse_width * pair.inverse_width * shape.weight;
       for (int k = 0; k < abreast; ++k) {
-        const double mass = work.mass[candidate[k]];
+        const double mass = b[k]->mass;
         const Pack x = pair.x.at[k];
         const Pack z = pair.z.at[k];
         const Pack heavy = mass * weight.at[k];
@@ -103,11 +103,11 @@ struct CorrectionSums {
   static void find_surface(const PairWork& work, std::size_t c) {
     const Block<Lanes> a(work.records, work.clusters[c]);
     Pack divergence{};
-    visit<Kernel, Distance>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+    visit<Kernel, Distance>(work, a, [&](const auto*, const auto& b, const auto& pair, const auto& shape) {
       const Values square = pair.x * pair.x + pair.z * pair.z;
       const Values weight = square * (pair.inverse_width * pair.inverse_width) * shape.slope;
       for (int k = 0; k < abreast; ++k) {
-        divergence -= (work.mass[candidate[k]] / b[k]->density) * weight.at[k];
+        divergence -= (b[k]->mass / b[k]->density) * weight.at[k];
       }
     });
     divergence *= Shape::slope_factor;
@@ -131,7 +131,7 @@ struct CorrectionSums {
       const Values squared = pair.inverse_width * pair.inverse_width;
       const Values weight = squared * shape.weight;
       for (int k = 0; k < abreast; ++k) {
-        const Pack volume_slope = (work.mass[candidate[k]] / b[k]->density) * squared.at[k] * shape.slope.at[k];
+        const Pack volume_slope = (b[k]->mass / b[k]->density) * squared.at[k] * shape.slope.at[k];
         const Pack x = volume_slope * pair.x.at[k];
         const Pack z = volume_slope * pair.z.at[k];
         const Pack close = weight.at[k] * per_usual;
@@ -172,18 +172,17 @@ struct CorrectionSums {
   static void wall_pressure(const PairWork& work, std::size_t c) {
     const Block<Lanes> a(work.records, work.clusters[c]);
     Pack pressure{}, lever_x{}, lever_z{}, weights{};
-    visit<Kernel, Distance>(work, a,
-                            [&](const auto* /*candidate*/, const auto& b, const auto& pair, const auto& shape) {
-                              const auto weight = pair.inverse_width * pair.inverse_width * shape.weight;
-                              for (int k = 0; k < abreast; ++k) {
-                                const double density = b[k]->density;
-                                const Pack heavy = density * weight.at[k];
-                                pressure += (b[k]->pressure * density) * heavy;
-                                lever_x += pair.x.at[k] * heavy;
-                                lever_z += pair.z.at[k] * heavy;
-                                weights += weight.at[k];
-                              }
-                            });
+    visit<Kernel, Distance>(work, a, [&](const auto*, const auto& b, const auto& pair, const auto& shape) {
+      const auto weight = pair.inverse_width * pair.inverse_width * shape.weight;
+      for (int k = 0; k < abreast; ++k) {
+        const double density = b[k]->density;
+        const Pack heavy = density * weight.at[k];
+        pressure += (b[k]->pressure * density) * heavy;
+        lever_x += pair.x.at[k] * heavy;
+        lever_z += pair.z.at[k] * heavy;
+        weights += weight.at[k];
+      }
+    });
     for (int l = 0; l < a.count; ++l) {
       const double per_weight = weights[l] > 0 ? 1 / weights[l] : 0;
       work.means[a.first + l - work.first_wall] = {pressure[l] * per_weight, lever_x[l] * per_weight,

@@ -127,7 +127,7 @@ Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<P
       mean_spacing_(mean_spacing(particles_, settings.density)),
       rates_(settings, spacing),
       corrections_(settings, spacing),
-      stage_(fluid_, smoothing_, rates_.sound_scale(), rates_.turbulent()),
+      stage_(fluid_, smoothing_, rates_.turbulent()),
       neighbours_(mean_spacing_, expected_box(particles_), settings.period, pair_loops(settings.kernel).lanes),
       reserve_(skin * support * smoothing_),
       listed_reserve_(reserve_) {
@@ -157,22 +157,23 @@ void Flow::check_start() const {
   check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }
 
-bool Flow::sort(double reserve) {
+void Flow::list(double reserve, double used) {
   const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
-  const double widest = smoothing_ * std::max(1.0, std::sqrt(settings_.density / lowest));
-  neighbours_.sort(particles_, widest, reserve);
-  const bool in_order = std::is_sorted(neighbours_.order().begin(), neighbours_.order().end());
+  neighbours_.arrange(particles_, smoothing_ * std::max(1.0, std::sqrt(settings_.density / lowest)), reserve);
+  stage_.adopt(particles_, neighbours_.images(), used);
+  neighbours_.list(stage_.records(), pair_loops(settings_.kernel).search, reserve);
+  listed_reserve_ = reserve;
+  listed_pairs_ = neighbours_.pairs();
+}
+
+void Flow::sort(double reserve) {
+  neighbours_.sort(particles_);
   if (!paddles_.empty()) {
     std::vector<double> scratch;
     neighbours_.reorder(reference_x_, scratch);
     neighbours_.reorder(reference_z_, scratch);
   }
-  stage_.adopt(particles_, neighbours_.images());
-  const CandidateSearch search = pair_loops(settings_.kernel).search;
-  neighbours_.list(particles_, [&](const Cluster& cluster, std::span<const IndexRange> ranges, std::int32_t* to) {
-    return search(stage_.records().data(), reserve, cluster, ranges.data(), ranges.size(), to);
-  });
-  listed_reserve_ = reserve;
+  list(reserve, 0);
   ++extremes_.rebuilds;
 
   const double usual = std::numbers::pi * std::pow(support * smoothing_ / mean_spacing_, 2);
@@ -181,12 +182,10 @@ bool Flow::sort(double reserve) {
         fmt::format("{:.0f} neighbours of a particle, {:.0f} are usual", neighbours_.most_neighbours(), usual), time_,
         steps_, particles_.x[neighbours_.most_crowded()]);
   }
-  return in_order;
 }
 
-void Flow::fill_level() {
-  const double used = stage_.fill(particles_);
-  if (used + half_travel_ > reserve_) sort(reserve_);
+void Flow::refresh_lists() {
+  if (stage_.used() + half_travel_ > reserve_) sort(reserve_);
 }
 
 void Flow::evaluate(double time, bool limited) {
@@ -214,7 +213,7 @@ void Flow::evaluate(double time, bool limited) {
     std::fill(ddensity.begin() + static_cast<std::ptrdiff_t>(neighbours_.fluid()), ddensity.end(), 0.0);
   }
   corrections_.add_diffusion(stage_, neighbours_, ddensity);
-  extremes_.interactions += neighbours_.pairs();
+  extremes_.interactions += listed_pairs_;
 }
 
 void Flow::evaluate_level(bool limited) {
@@ -226,7 +225,7 @@ void Flow::evaluate_level(bool limited) {
 }
 
 Rates Flow::rates() {
-  fill_level();
+  refresh_lists();
   evaluate_level(false);
   return rates_.rates();
 }
@@ -326,7 +325,7 @@ FlowState Flow::state() const {
           .particles = particles_,
           .reference_x = reference_x_,
           .reference_z = reference_z_,
-          .listed = {stage_.base().x, stage_.base().z, stage_.base().density, listed_reserve_},
+          .listed = {listed_reserve_, stage_.used(), listed_pairs_},
           .half_travel = half_travel_,
           .time = time_,
           .steps = steps_,
@@ -347,10 +346,11 @@ void Flow::check_state(const FlowState& state) const {
   const std::size_t n = particles_.size();
   require_that(lasting(state.particles) == lasting(particles_),
                "state of {} particles: must be the {} of this flow, of their kind and mass", state.particles.size(), n);
-  const auto& [x, z, density, reserve] = state.listed;
-  require_that(x.size() == n && z.size() == n && density.size() == n &&
-                   state.reference_x.size() == reference_x_.size() && state.reference_z.size() == reference_z_.size(),
+  require_that(state.reference_x.size() == reference_x_.size() && state.reference_z.size() == reference_z_.size(),
                "state with other arrays than of {} particles: must be as state() gave it", n);
+  const auto& kinds = state.particles.kind;
+  require_that(std::is_partitioned(kinds.begin(), kinds.end(), [](Kind kind) { return kind == Kind::fluid; }),
+               "state with its particles in another order than state() gave: fluid must come first");
 }
 
 void Flow::resume(const FlowState& state) {
@@ -370,14 +370,9 @@ void Flow::adopt(const FlowState& state) {
   reference_z_ = state.reference_z;
   time_ = state.time;
   steps_ = state.steps;
-  // Lists as they were, of the places then; what is in order stays in order.
-  particles_.x = state.listed.x;
-  particles_.z = state.listed.z;
-  particles_.density = state.listed.density;
-  require_that(sort(state.listed.reserve), "state of a flow of other settings: its particles are in another order");
-  particles_.x = state.particles.x;
-  particles_.z = state.particles.z;
-  particles_.density = state.particles.density;
+  // Lists may be made of later places than at the last sorting: sums run in the order of the particles all the same.
+  list(state.listed.reserve, state.listed.used);
+  listed_pairs_ = state.listed.pairs;
   level_known_ = false;
   half_travel_ = state.half_travel;
   extremes_ = state.extremes;

@@ -122,9 +122,11 @@ class Flow {
   [[nodiscard]] std::vector<double> parameters(double time) const;
   void check_state(const FlowState& state) const;
   void adopt(const FlowState& state);
-  /// Returns whether the particles were in their order already.
-  bool sort(double reserve);
-  void fill_level();
+  void sort(double reserve);
+  /// Lists of particles that are in their order, of whose reserve so much is used up.
+  void list(double reserve, double used);
+  /// Records are those of the particles, here and between all steps.
+  void refresh_lists();
   void evaluate(double time, bool limited);
   void evaluate_level(bool limited);
   /// Where paddles are at one instant.
@@ -152,8 +154,9 @@ class Flow {
   Corrections corrections_;
   Stage stage_;
   Neighbours neighbours_;
-  double reserve_;          ///< of the lists [m]
-  double listed_reserve_;   ///< of the present lists
+  double reserve_;         ///< of the lists [m]
+  double listed_reserve_;  ///< of the present lists
+  long long listed_pairs_ = 0;
   double half_travel_ = 0;  ///< what half a step is going to use, by the last one
   Extremes extremes_;
   double time_ = 0;
@@ -169,11 +172,10 @@ struct FlowState {
   std::vector<double> parameters;
   Particles particles;                           ///< in the order of the last sorting
   std::vector<double> reference_x, reference_z;  ///< of what paddles carry, in the pose {0, 0}; empty without paddles
-  /// What the candidate lists were made of at the last sorting. Sums run in the order of the lists: made of later
-  /// places they would differ by rounding.
+  /// Of the candidate lists, which decide when particles are sorted next.
   struct Listed {
-    std::vector<double> x, z, density;
-    double reserve = 0;  ///< [m]
+    double reserve = 0, used = 0;  ///< [m]
+    long long pairs = 0;           ///< within the support when they were made
   } listed;
   double half_travel = 0;  ///< what half a step is going to use of the reserve, by the last one [m]
   double time = 0;

@@ -58,28 +58,35 @@ SEICHE_SIMD_CLONES Survey survey(const StateBlock& state, std::size_t count, dou
 void Flow::advance(double tau) {
   require_positive("tau", tau);
   if (!level_known_) {
-    fill_level();
+    refresh_lists();
     evaluate_level(false);
   }
   level_known_ = false;
-  // Rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)). What is in the middle of the step is
-  // in the records alone.
-  // Step 1: to the middle. Lists that do not last so far are made anew, wide enough.
-  double used = fill_moved(0.5 * tau);
-  if (used > reserve_) {
-    sort(std::max(reserve_, 1.5 * (used + used)));
-    evaluate_level(false);
-    fill_moved(0.5 * tau);
+  double level_used = stage_.used();
+  try {
+    // Rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)). What is in the middle of the step
+    // is in the records alone. Step 1: to the middle. Lists that do not last so far are made anew, wide enough.
+    const double used = fill_moved(0.5 * tau);
+    if (used > reserve_) {
+      sort(std::max(reserve_, 1.5 * (used + used)));
+      evaluate_level(false);
+      level_used = stage_.used();
+      fill_moved(0.5 * tau);
+    }
+    // Step 2: rates there, from level n with them.
+    evaluate(time_ + 0.5 * tau, false);
+    commit(tau);
+  } catch (...) {
+    stage_.adopt(particles_, neighbours_.images(), level_used);
+    throw;
   }
-  // Step 2: rates there, from level n with them.
-  evaluate(time_ + 0.5 * tau, false);
-  commit(tau);
+  stage_.fill(particles_);
   // Step 3: what is done now and then.
   rearrange(tau);
 }
 
 double Flow::stable_step() {
-  fill_level();
+  refresh_lists();
   evaluate_level(true);
   level_known_ = true;
   double tau = settings_.courant / rates_.largest_limit();
@@ -156,9 +163,10 @@ void Flow::commit(double tau) {
 void Flow::rearrange(double tau) {
   const bool filter = settings_.filter_every > 0 && steps_ % settings_.filter_every == 0;
   if (!filter && !settings_.particle_shifting) return;
-  fill_level();
+  refresh_lists();
   if (filter) corrections_.filter(stage_, neighbours_, particles_.density);
   if (settings_.particle_shifting) corrections_.shift(tau, stage_, neighbours_, particles_);
+  stage_.fill(particles_);
 }
 
 void Flow::report_bad_state(double tau, const PaddlePoses& poses) const {

@@ -103,7 +103,7 @@ struct LaneKernel<Values, WendlandC2> {
 template <class Lanes>
 struct Block : Cluster {
   using Pack = typename Lanes::Pack;
-  Pack x, z, u, w, density, pressure, smoothing, sound;
+  Pack x, z, u, w, density, pressure, smoothing;
 
   SEICHE_INLINE Block(const Record* records, const Cluster& cluster) : Cluster(cluster) {
     for (int l = 0; l < Lanes::width; ++l) {
@@ -115,7 +115,6 @@ struct Block : Cluster {
       density[l] = record.density;
       pressure[l] = record.pressure;
       smoothing[l] = record.smoothing;
-      sound[l] = record.sound;
     }
   }
   SEICHE_INLINE void store(Pack values, double* to) const {

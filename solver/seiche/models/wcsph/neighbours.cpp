@@ -23,48 +23,154 @@ void wrap(std::vector<double>& values, double period) {
   }
 }
 
-/// Beyond it the rest counts to the edge; keeps indices within 32 bits.
-constexpr double most_bins_across = 20000;
+/// Order of particles in the plane: tiles of strips of bins.
+///
+/// A strip is a few particle spacings high, a bin one spacing wide. Within a strip particles go by x, in every second
+/// strip backwards, so that consecutive ones stay near each other across its ends; strips are cut into tiles, so that
+/// neighbours above and below stay in cache however long the tank. What lies outside the box counts to its edge:
+/// neighbouring places stay neighbours.
+class TileGrid {
+ public:
+  TileGrid(const Box& box, double spacing)
+      : left_(box.left), bottom_(box.bottom), per_bin_(1 / spacing), per_strip_(1 / (strip_height * spacing)) {
+    const double columns = std::min((box.right - box.left) * per_bin_, most_bins_across);
+    const double rows = std::min((box.top - box.bottom) * per_strip_, most_bins_across);
+    tiles_ = 1 + static_cast<std::int32_t>(columns) / bins_per_tile;
+    strips_ = 1 + static_cast<std::int32_t>(rows);
+  }
 
-std::int32_t clamped(double place, std::int32_t count) {
-  return static_cast<std::int32_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
-}
+  /// Appends `members` in their new order, and takes them away. Stable: particles in the same place keep theirs.
+  void sort(std::span<const double> x, std::span<const double> z, std::vector<std::int32_t>& members,
+            std::vector<std::int32_t>& order) const {
+    std::vector<std::int32_t> ends(static_cast<std::size_t>(tiles_ * strips_ * bins_per_tile), 0);
+    std::vector<std::int32_t> bins;
+    for (const std::int32_t i : members) {
+      bins.push_back(bin(x[static_cast<std::size_t>(i)], z[static_cast<std::size_t>(i)]));
+      ++ends[static_cast<std::size_t>(bins.back())];
+    }
+    // Placing from the back turns the ends of bins into their beginnings.
+    std::inclusive_scan(ends.begin(), ends.end(), ends.begin());
+    const auto first = static_cast<std::ptrdiff_t>(order.size());
+    order.resize(order.size() + members.size());
+    for (std::size_t k = members.size(); k-- > 0;) {
+      order[static_cast<std::size_t>(first + --ends[static_cast<std::size_t>(bins[k])])] = members[k];
+    }
+    for (std::size_t bin = 0; bin < ends.size(); ++bin) {
+      const std::int32_t end = bin + 1 < ends.size() ? ends[bin + 1] : static_cast<std::int32_t>(members.size());
+      const bool backwards = static_cast<std::int32_t>(bin) / bins_per_tile % strips_ % 2 != 0;
+      std::sort(order.begin() + first + ends[bin], order.begin() + first + end, [&](std::int32_t a, std::int32_t b) {
+        const double place = x[static_cast<std::size_t>(a)];
+        const double other = x[static_cast<std::size_t>(b)];
+        return place == other ? a < b : (place < other) != backwards;
+      });
+    }
+    members.clear();
+  }
+
+ private:
+  static constexpr std::int32_t bins_per_tile = 64;
+  /// In spacings: eight particles fill about a square.
+  static constexpr double strip_height = 3;
+  /// Beyond it the rest counts to the edge; keeps indices within 32 bits.
+  static constexpr double most_bins_across = 20000;
+
+  [[nodiscard]] std::int32_t bin(double x, double z) const {
+    const auto clamped = [](double place, std::int32_t count) {
+      return static_cast<std::int32_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
+    };
+    const std::int32_t column = clamped((x - left_) * per_bin_, tiles_ * bins_per_tile);
+    const std::int32_t strip = clamped((z - bottom_) * per_strip_, strips_);
+    const std::int32_t tile = column / bins_per_tile;
+    const std::int32_t within = column - tile * bins_per_tile;
+    return (tile * strips_ + strip) * bins_per_tile + (strip % 2 == 0 ? within : bins_per_tile - 1 - within);
+  }
+
+  double left_, bottom_, per_bin_, per_strip_;
+  std::int32_t tiles_, strips_;
+};
 
 }  // namespace
+
+/// Boxes around runs of consecutive records, and around runs of those, and so on: what is near a box is found in any
+/// order of the records, the sooner the nearer consecutive ones are to each other.
+class Neighbours::Boxes {
+ public:
+  explicit Boxes(std::span<const Record> records) : count_(records.size()), levels_(1) {
+    for (std::size_t first = 0; first < count_; first += run) {
+      Box box = nothing;
+      for (const Record& record : records.subspan(first, std::min(run, count_ - first))) {
+        extend(box, {record.x, record.x, record.z, record.z});
+      }
+      levels_.front().push_back(box);
+    }
+    while (levels_.back().size() > run) {
+      std::vector<Box> above((levels_.back().size() + run - 1) / run, nothing);
+      for (std::size_t k = 0; k < levels_.back().size(); ++k) extend(above[k / run], levels_.back()[k]);
+      levels_.push_back(std::move(above));
+    }
+  }
+
+  static constexpr Box nothing{unbounded.right, unbounded.left, unbounded.top, unbounded.bottom};
+  static void extend(Box& box, const Box& other) {
+    box.left = std::min(box.left, other.left);
+    box.right = std::max(box.right, other.right);
+    box.bottom = std::min(box.bottom, other.bottom);
+    box.top = std::max(box.top, other.top);
+  }
+
+  /// Appends the runs of records of `among` that have some in the box, going up.
+  void collect(const Box& box, IndexRange among, std::vector<IndexRange>& ranges) const {
+    collect(box, among, ranges, levels_.size() - 1, 0, levels_.back().size());
+  }
+
+ private:
+  static constexpr std::size_t run = 8;
+
+  void collect(const Box& box, IndexRange among, std::vector<IndexRange>& ranges, std::size_t level, std::size_t first,
+               std::size_t last) const {
+    for (std::size_t k = first; k < last; ++k) {
+      const Box& other = levels_[level][k];
+      if (other.left > box.right || other.right < box.left || other.bottom > box.top || other.top < box.bottom)
+        continue;
+      const std::size_t end = std::min((k + 1) * run, level > 0 ? levels_[level - 1].size() : count_);
+      if (level > 0) {
+        collect(box, among, ranges, level - 1, k * run, end);
+        continue;
+      }
+      const IndexRange range{std::max(static_cast<std::int32_t>(k * run), among.begin),
+                             std::min(static_cast<std::int32_t>(end), among.end)};
+      if (range.begin >= range.end) continue;
+      if (!ranges.empty() && ranges.back().end == range.begin) {
+        ranges.back().end = range.end;
+      } else {
+        ranges.push_back(range);
+      }
+    }
+  }
+
+  std::size_t count_;
+  std::vector<std::vector<Box>> levels_;
+};
 
 Neighbours::Neighbours(double spacing, const Box& box, Period period, std::size_t lanes)
     : spacing_(spacing), expected_(box), period_(period), lanes_(lanes) {}
 
-Box Neighbours::box_of(const Particles& particles) const {
-  const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
-  const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
-  // Only periodic boxes have images, which reach outside.
-  const double margin_x = std::isinf(period_.x) ? 0 : reach_;
-  const double margin_z = std::isinf(period_.z) ? 0 : reach_;
-  return {std::max(*left, expected_.left) - margin_x, std::min(*right, expected_.right) + margin_x,
-          std::max(*bottom, expected_.bottom) - margin_z, std::min(*top, expected_.top) + margin_z};
-}
-
-void Neighbours::sort(Particles& particles, double widest, double reserve) {
-  reach_ = 2 * widest + reserve;
+void Neighbours::sort(Particles& particles) {
   wrap(particles.x, period_.x);
   wrap(particles.z, period_.z);
-  grid_ = TileGrid(box_of(particles), spacing_);
-
-  const std::size_t n = particles.size();
-  count_ = n;
-  order_.resize(n);
+  const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
+  const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
+  const TileGrid grid({std::max(*left, expected_.left), std::min(*right, expected_.right),
+                       std::max(*bottom, expected_.bottom), std::min(*top, expected_.top)},
+                      spacing_);
   // Sorting is done once in many steps: nothing of it is kept in between.
+  order_.clear();
   std::vector<std::int32_t> members;
-  members.reserve(n);
   for (const bool fluid : {true, false}) {
-    members.clear();
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < particles.size(); ++i) {
       if ((particles.kind[i] == Kind::fluid) == fluid) members.push_back(static_cast<std::int32_t>(i));
     }
-    if (fluid) fluid_count_ = members.size();
-    (fluid ? fluid_ : walls_)
-        .sort(grid_, particles.x, particles.z, members, std::span(order_).subspan(fluid ? 0 : fluid_count_));
+    grid.sort(particles.x, particles.z, members, order_);
   }
   std::vector<double> scratch;
   for (std::vector<double>* const values :
@@ -75,17 +181,23 @@ void Neighbours::sort(Particles& particles, double widest, double reserve) {
   reorder(particles.kind, kinds);
   reorder(particles.body, members);
   reorder(particles.identity, members);
+}
 
+void Neighbours::arrange(const Particles& particles, double widest, double reserve) {
+  reach_ = 2 * widest + reserve;
+  count_ = particles.size();
+  fluid_count_ = particles.count(Kind::fluid);
   make_images(particles);
   clusters_.clear();
-  clusters_.reserve(n / lanes_ + 2);
+  clusters_.reserve(count_ / lanes_ + 2);
   make_clusters(0, fluid_count_);
   fluid_clusters_ = clusters_.size();
-  make_clusters(fluid_count_, n);
+  make_clusters(fluid_count_, count_);
 }
 
 void Neighbours::make_images(const Particles& particles) {
   images_.clear();
+  fluid_images_ = 0;
   if (std::isinf(period_.x) && std::isinf(period_.z)) return;
   const auto shifts = [this](double place, double period, double(&found)[2]) {
     int count = 0;
@@ -98,27 +210,15 @@ void Neighbours::make_images(const Particles& particles) {
     }
     return count;
   };
-  const std::size_t n = particles.size();
-  for (const bool fluid : {true, false}) {
-    std::vector<Image> unsorted;
-    std::vector<double> image_x;
-    std::vector<double> image_z;
-    for (std::size_t i = fluid ? 0 : fluid_count_; i < (fluid ? fluid_count_ : n); ++i) {
-      double shift_x[2];
-      double shift_z[2];
-      const int along = shifts(particles.x[i], period_.x, shift_x);
-      const int up = shifts(particles.z[i], period_.z, shift_z);
-      for (int k = 1; k < along * up; ++k) {
-        unsorted.push_back({static_cast<std::int32_t>(i), shift_x[k % along], shift_z[k / along]});
-        image_x.push_back(particles.x[i] + unsorted.back().shift_x);
-        image_z.push_back(particles.z[i] + unsorted.back().shift_z);
-      }
+  for (std::size_t i = 0; i < count_; ++i) {
+    double shift_x[2];
+    double shift_z[2];
+    const int along = shifts(particles.x[i], period_.x, shift_x);
+    const int up = shifts(particles.z[i], period_.z, shift_z);
+    for (int k = 1; k < along * up; ++k) {
+      images_.push_back({static_cast<std::int32_t>(i), shift_x[k % along], shift_z[k / along]});
+      if (i < fluid_count_) ++fluid_images_;
     }
-    std::vector<std::int32_t> members(unsorted.size());
-    std::vector<std::int32_t> order(unsorted.size());
-    std::iota(members.begin(), members.end(), 0);
-    (fluid ? fluid_images_ : wall_images_).sort(grid_, image_x, image_z, members, order);
-    for (const std::int32_t k : order) images_.push_back(unsorted[static_cast<std::size_t>(k)]);
   }
 }
 
@@ -126,21 +226,6 @@ void Neighbours::make_clusters(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; i += lanes_) {
     clusters_.push_back(
         {.first = static_cast<std::int32_t>(i), .count = static_cast<std::int32_t>(std::min(lanes_, last - i))});
-  }
-}
-
-void Neighbours::collect_ranges(const Box& box, bool walls_too, std::vector<IndexRange>& ranges) const {
-  ranges.clear();
-  auto offset = std::int32_t{0};
-  for (const BinnedOrder* binned : {&fluid_, &walls_, &fluid_images_, &wall_images_}) {
-    const bool walls = binned == &walls_ || binned == &wall_images_;
-    if (binned->size() > 0 && (walls_too || !walls)) {
-      grid_.visit_runs(box, [&](std::int32_t first, std::int32_t last) {
-        const IndexRange range{offset + binned->begin(first), offset + binned->begin(last + 1)};
-        if (range.begin < range.end) ranges.push_back(range);
-      });
-    }
-    offset += static_cast<std::int32_t>(binned->size());
   }
 }
 
@@ -154,32 +239,37 @@ void Neighbours::make_room(std::vector<std::int32_t>& list, std::size_t room, st
   list.resize(list.capacity());
 }
 
-void Neighbours::list_share(const Particles& particles, const Search& search, std::size_t thread, std::size_t threads) {
+void Neighbours::list_share(const Listing& listing, std::size_t thread, std::size_t threads) {
   const std::size_t first = clusters_.size() * thread / threads;
   const std::size_t last = clusters_.size() * (thread + 1) / threads;
-  std::vector<std::int32_t>& list = lists_[thread];
-  std::vector<IndexRange>& ranges = ranges_[thread];
-  Tally& tally = tallies_[thread];
+  const auto first_image = static_cast<std::int32_t>(count_);
   const auto nobody = static_cast<std::int32_t>(count_ + images_.size());
+  std::vector<std::int32_t>& list = lists_[thread];
+  std::vector<IndexRange> ranges;
+  Tally& tally = tallies_[thread];
   tally = {};
   std::size_t used = 0;
   for (std::size_t c = first; c < last; ++c) {
     Cluster& cluster = clusters_[c];
     const auto a = static_cast<std::size_t>(cluster.first);
-    Box box{particles.x[a], particles.x[a], particles.z[a], particles.z[a]};
-    for (std::size_t i = a + 1; i < a + static_cast<std::size_t>(cluster.count); ++i) {
-      box.left = std::min(box.left, particles.x[i]);
-      box.right = std::max(box.right, particles.x[i]);
-      box.bottom = std::min(box.bottom, particles.z[i]);
-      box.top = std::max(box.top, particles.z[i]);
+    Box box = Boxes::nothing;
+    for (const Record& record : listing.records.subspan(a, static_cast<std::size_t>(cluster.count))) {
+      Boxes::extend(box, {record.x - reach_, record.x + reach_, record.z - reach_, record.z + reach_});
     }
     const bool fluid = c < fluid_clusters_;
-    collect_ranges({box.left - reach_, box.right + reach_, box.bottom - reach_, box.top + reach_}, fluid, ranges);
+    ranges.clear();
+    if (fluid) {
+      listing.boxes.collect(box, {0, nobody}, ranges);
+    } else {
+      listing.boxes.collect(box, {0, static_cast<std::int32_t>(fluid_count_)}, ranges);
+      listing.boxes.collect(box, {first_image, first_image + static_cast<std::int32_t>(fluid_images_)}, ranges);
+    }
     // The search writes before it decides, and lists are filled up to whole groups.
     std::size_t room = used + group + candidates_ahead;
     for (const IndexRange& range : ranges) room += static_cast<std::size_t>(range.end - range.begin);
     if (list.size() < room) make_room(list, room, first, c, last);
-    const Found found = search(cluster, ranges, list.data() + used);
+    const Found found = listing.search(listing.records.data(), listing.reserve, cluster, ranges.data(), ranges.size(),
+                                       list.data() + used);
     used += static_cast<std::size_t>(found.candidates);
     while (used % group != 0) list[used++] = nobody;
     work_before_[c + 1] = static_cast<std::size_t>(found.candidates);
@@ -201,15 +291,15 @@ void Neighbours::list_share(const Particles& particles, const Search& search, st
   }
 }
 
-void Neighbours::list(const Particles& particles, const Search& search) {
+void Neighbours::list(std::span<const Record> records, CandidateSearch search, double reserve) {
   const auto threads = clusters_.size() > worth_threads ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
   lists_.resize(std::max(lists_.size(), threads));
-  ranges_.resize(lists_.size());
   tallies_.resize(lists_.size());
   work_before_.resize(clusters_.size() + 1);
+  const Boxes boxes(records.first(count_ + images_.size()));
+  const Listing listing{records, boxes, search, reserve};
 #pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
-  for (std::size_t thread = 0; thread < threads; ++thread) list_share(particles, search, thread, threads);
-  for (BinnedOrder* const binned : {&fluid_, &walls_, &fluid_images_, &wall_images_}) binned->release();
+  for (std::size_t thread = 0; thread < threads; ++thread) list_share(listing, thread, threads);
   std::vector<std::int32_t>().swap(order_);
   pairs_ = 0;
   most_ = {};
@@ -229,60 +319,6 @@ std::size_t Neighbours::boundary(std::size_t begin, std::size_t end, std::size_t
       std::lower_bound(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
                        work_before_[begin] + work * share / shares);
   return static_cast<std::size_t>(found - first);
-}
-
-TileGrid::TileGrid(const Box& box, double spacing)
-    : left_(box.left), bottom_(box.bottom), per_bin_(1 / spacing), per_strip_(1 / (strip_height * spacing)) {
-  const double columns = std::min((box.right - box.left) * per_bin_, most_bins_across);
-  const double rows = std::min((box.top - box.bottom) * per_strip_, most_bins_across);
-  tiles_ = 1 + static_cast<std::int32_t>(columns) / bins_per_tile;
-  strips_ = 1 + static_cast<std::int32_t>(rows);
-}
-
-std::int32_t TileGrid::column(double x) const {
-  return clamped((x - left_) * per_bin_, tiles_ * bins_per_tile);
-}
-
-std::int32_t TileGrid::strip(double z) const {
-  return clamped((z - bottom_) * per_strip_, strips_);
-}
-
-std::int32_t TileGrid::bin(double x, double z) const {
-  const std::int32_t c = column(x);
-  const std::int32_t k = strip(z);
-  const std::int32_t tile = c / bins_per_tile;
-  const std::int32_t within = c - tile * bins_per_tile;
-  return (tile * strips_ + k) * bins_per_tile + (k % 2 == 0 ? within : bins_per_tile - 1 - within);
-}
-
-void BinnedOrder::sort(const TileGrid& grid, std::span<const double> x, std::span<const double> z,
-                       std::span<const std::int32_t> members, std::span<std::int32_t> order) {
-  size_ = members.size();
-  begin_.clear();
-  if (size_ == 0) return;
-  begin_.assign(static_cast<std::size_t>(grid.size()) + 1, 0);
-  std::vector<std::int32_t> bins(size_);
-  for (std::size_t k = 0; k < size_; ++k) {
-    const auto i = static_cast<std::size_t>(members[k]);
-    bins[k] = grid.bin(x[i], z[i]);
-    ++begin_[static_cast<std::size_t>(bins[k])];
-  }
-  // Ends of bins; placing from the back turns them into beginnings.
-  std::int32_t total = 0;
-  for (std::int32_t& bin : begin_) bin = total += bin;
-  for (std::size_t k = size_; k-- > 0;) {
-    order[static_cast<std::size_t>(--begin_[static_cast<std::size_t>(bins[k])])] = members[k];
-  }
-  for (std::int32_t bin = 0; bin < grid.size(); ++bin) {
-    const auto first = begin_[static_cast<std::size_t>(bin)];
-    const auto last = begin_[static_cast<std::size_t>(bin) + 1];
-    const double sign = grid.backwards(bin) ? -1 : 1;
-    std::sort(order.begin() + first, order.begin() + last, [&](std::int32_t a, std::int32_t b) {
-      const double place = sign * x[static_cast<std::size_t>(a)];
-      const double other = sign * x[static_cast<std::size_t>(b)];
-      return place < other || (place == other && a < b);
-    });
-  }
 }
 
 }  // namespace seiche::wcsph

@@ -31,7 +31,7 @@ struct alignas(64) Record {
   double x, z, u, w, density;
   double pressure;   ///< P/rho^2
   double smoothing;  ///< h
-  double sound;      ///< c times PairWork::sound_scale
+  double mass;
 };
 
 /// Stress of unresolved eddies over rho^2, and the volume m/rho.
@@ -68,7 +68,6 @@ struct FilterMoments {
 /// density_gradient and diffusion, surface and shift) it is to be copied to images.
 struct PairWork {
   const Record* records = nullptr;
-  const double* mass = nullptr;
   const Cluster* clusters = nullptr;
   // Rates of change.
   double *dx = nullptr, *dz = nullptr, *du = nullptr, *dw = nullptr, *ddensity = nullptr;
@@ -76,6 +75,8 @@ struct PairWork {
   Stress* stress = nullptr;
   double gravity = 0;
   double xsph = 0;
+  double inverse_density = 0;      ///< 1/rho_0
+  double sound_speed = 0;          ///< c_0 times sound_scale: c = c_0 (rho/rho_0)^3
   double sound_scale = 1;          ///< -alpha/2 with artificial viscosity, 1 otherwise: saves a product per pair
   double kinematic_viscosity = 0;  ///< nu_0
   double eddy_factor = 0;          ///< (C_S Delta)^2

@@ -56,6 +56,13 @@ struct RateSums {
     for (int k = 0; k < abreast; ++k) sum -= a.at[k] * b.at[k];
   }
 
+  /// c of (5) for gamma = 7 without powers, times sound_scale.
+  template <class Value>
+  SEICHE_INLINE static Value sound(const PairWork& work, Value density) {
+    const Value s = density * work.inverse_density;
+    return work.sound_speed * (s * s * s);
+  }
+
   /// Takes sigma of the next candidates into account: a pair counts within its support.
   template <class Records>
   SEICHE_INLINE static void add_limit(Pack& sigma, const Block<Lanes>& a, const Records& b,
@@ -70,7 +77,7 @@ struct RateSums {
   /// Largest (c + sigma)/h of the particles of a cluster, sigma of its pairs given.
   SEICHE_INLINE static double largest_limit(const PairWork& work, const Block<Lanes>& a, Pack sigma) {
     const double per_scale = 1 / work.sound_scale;
-    const Pack limit = (a.sound * per_scale + 0.5 * sigma) / a.smoothing;
+    const Pack limit = (sound(work, a.density) * per_scale + 0.5 * sigma) / a.smoothing;
     double largest = 0;
     for (int l = 0; l < a.count; ++l) {
       if (limit[l] > largest) largest = limit[l];
@@ -90,19 +97,20 @@ struct RateSums {
         zz[l] = stress.zz;
       }
     }
+    const Pack own_sound = sound(work, a.density);
     Pack du{}, dw{}, ddensity{}, smooth_u{}, smooth_w{}, sigma{};
     visit<Kernel, Separation>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
       const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
       const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
       const Values approach = pair.x * u + pair.z * w;
       const Values squared = pair.inverse_width * pair.inverse_width;
-      const Values scaled_mass = Values::of([&](int k) { return work.mass[candidate[k]] * squared.at[k]; });
+      const Values scaled_mass = Values::of([&](int k) { return b[k]->mass * squared.at[k]; });
       const Values slope = scaled_mass * shape.slope;
       const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
       Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
       if constexpr (friction == Friction::artificial) {
-        const Values sound = Values::of([&](int k) { return a.sound + b[k]->sound; });
-        pressures = pressures + sound * negative(approach) * pair.viscous;
+        const Values sounds = Values::of([&](int k) { return own_sound + sound(work, b[k]->density); });
+        pressures = pressures + sounds * negative(approach) * pair.viscous;
       }
       const Values push = pressures * slope;
       add(ddensity, slope, approach);
@@ -142,12 +150,12 @@ struct RateSums {
   static void wall_rates(const PairWork& work, std::size_t c) {
     Pack ddensity{}, sigma{};
     const Block<Lanes> a(work.records, work.clusters[c]);
-    visit<Kernel, Separation>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+    visit<Kernel, Separation>(work, a, [&](const auto*, const auto& b, const auto& pair, const auto& shape) {
       const Values approach =
           Values::of([&](int k) { return pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w); });
       const Values slope = Values::of([&](int k) {
         const Pack inverse_width = pair.inverse_width.at[k];
-        return work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k];
+        return b[k]->mass * (inverse_width * inverse_width) * shape.slope.at[k];
       });
       add(ddensity, slope, approach);
       if constexpr (limited) add_limit(sigma, a, b, pair, approach);

@@ -18,6 +18,8 @@ RightHandSide::RightHandSide(const Settings& settings, double spacing)
     constants_.eddy_factor = sps->smagorinsky * spacing * sps->smagorinsky * spacing;
     constants_.isotropic_factor = 2.0 / 3 * sps->isotropic * spacing * spacing;
   }
+  constants_.inverse_density = 1 / settings.density;
+  constants_.sound_speed = constants_.sound_scale * settings.sound_speed;
 }
 
 void RightHandSide::resize(std::size_t particles) {
@@ -94,7 +96,7 @@ void Corrections::add_diffusion(const Stage& stage, const Neighbours& neighbours
   gradients_.resize(records);
 #pragma omp parallel for schedule(static) if (records > 2048)
   for (std::size_t i = 0; i < records; ++i) {
-    gradients_[i] = {0, 0, neighbours.is_fluid(i) ? stage.mass()[i] / stage.records()[i].density : 0};
+    gradients_[i] = {0, 0, neighbours.is_fluid(i) ? stage.records()[i].mass / stage.records()[i].density : 0};
   }
   PairWork work = stage.work(neighbours);
   work.gradients = gradients_.data();
@@ -145,20 +147,27 @@ void Corrections::extrapolate(const std::function<std::array<double, 2>(std::siz
   PairWork work = stage.work(neighbours);
   work.means = means_.data();
   work.first_wall = static_cast<std::int32_t>(fluid);
-  // Walls list fluid only, so no wall density that is being set is read.
-  neighbours.share(neighbours.fluid_clusters(), neighbours.clusters().size(), [&](std::size_t first, std::size_t last) {
-    loops_->wall_pressure(work, first, last);
-    const Cluster& end = neighbours.clusters()[last - 1];
-    const auto behind = static_cast<std::size_t>(end.first + end.count);
-    for (auto i = static_cast<std::size_t>(neighbours.clusters()[first].first); i < behind; ++i) {
-      const auto [gravity_x, gravity_z] = gravity(i);
-      const WallMeans& mean = means_[i - fluid];
-      const double extrapolated = mean.pressure + gravity_x * mean.lever_x + gravity_z * mean.lever_z;
-      // Beyond it Tait's law has no density; a run that comes there stops by its own checks.
-      stage.set_density(i, fluid_.density_at(std::max(extrapolated, -0.99 * fluid_.stiffness())));
-    }
-  });
-  stage.refresh_images();
+  neighbours.share(neighbours.fluid_clusters(), neighbours.clusters().size(),
+                   [&](std::size_t first, std::size_t last) { loops_->wall_pressure(work, first, last); });
+  const auto extrapolated = [&](std::size_t i) {
+    const auto [gravity_x, gravity_z] = gravity(i);
+    const WallMeans& mean = means_[i - fluid];
+    const double pressure = mean.pressure + gravity_x * mean.lever_x + gravity_z * mean.lever_z;
+    // Beyond it Tait's law has no density; a run that comes there stops by its own checks.
+    return fluid_.density_at(std::max(pressure, -0.99 * fluid_.stiffness()));
+  };
+  stage.fill(
+      [&](std::size_t first, std::size_t count, StateBlock& block) {
+        for (std::size_t k = 0; k < count; ++k) {
+          const Record& wall = stage.records()[first + k];
+          block.x[k] = wall.x;
+          block.z[k] = wall.z;
+          block.u[k] = wall.u;
+          block.w[k] = wall.w;
+          block.density[k] = extrapolated(first + k);
+        }
+      },
+      fluid);
 }
 
 }  // namespace seiche::wcsph

@@ -35,8 +35,6 @@ class RightHandSide {
   [[nodiscard]] double largest_limit() const { return largest_limit_; }
   /// A particle beside it: the first of the cluster that has it.
   [[nodiscard]] std::size_t most_limited() const { return most_limited_; }
-  /// Factor of the sound speed in records.
-  [[nodiscard]] double sound_scale() const { return constants_.sound_scale; }
   /// Whether stresses of unresolved eddies are among the forces.
   [[nodiscard]] bool turbulent() const { return friction_ == Friction::turbulent; }
 
@@ -99,7 +97,7 @@ class Corrections {
   void filter(const Stage& stage, const Neighbours& neighbours, std::vector<double>& density) const;
   /// @param stage  filled with the particles as they are
   void shift(double tau, const Stage& stage, const Neighbours& neighbours, Particles& particles);
-  /// Sets the density of wall records.
+  /// Sets the density of wall records. Walls list fluid only: that of other walls is not read.
   /// @param gravity  g - a_w felt at wall particle i
   void extrapolate(const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
                    const Neighbours& neighbours);

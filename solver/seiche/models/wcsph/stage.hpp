@@ -49,64 +49,45 @@ Found over_blocks(std::size_t first, std::size_t last, const Work& work) {
   return all;
 }
 
-/// What the lists were made of.
-struct Base {
-  std::vector<double> x, z, density;
-};
-
 class Stage {
  public:
   /// The state of particles first, ..., first + count - 1.
   using Source = std::function<void(std::size_t first, std::size_t count, StateBlock& block)>;
 
   /// @param smoothing  h_0; @param stresses  of eddies are asked for
-  Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses);
+  Stage(const TaitFluid& fluid, double smoothing, bool stresses)
+      : fluid_(fluid), smoothing_(smoothing), stresses_(stresses) {}
 
-  /// After a sorting: records of the particles and their images, new masses; what displacements are measured from.
-  void adopt(const Particles& particles, std::span<const Image> images);
-  /// Returns how much of the reserve of the lists is used up: twice the largest displacement and growth of h since
-  /// adopt().
+  /// Records of the particles and their images, whose lists are going to be made.
+  /// @param used  of their reserve, see fill()
+  void adopt(const Particles& particles, std::span<const Image> images, double used);
+  /// Returns how much of the reserve of the lists is used up: twice what has been the largest displacement and growth
+  /// of h from one filling to the next, summed since adopt(). What is longest in one place is hardly ever so in
+  /// another: the sum is little more than the largest of sums, for which places of all particles would have to be kept.
   double fill(const Particles& particles);
-  double fill(const Source& source);
-  /// Density of one particle, and what follows from it.
-  void set_density(std::size_t i, double density);
-  /// Copies what changed since fill() to the images.
-  void refresh_images();
+  double fill(const Source& source, std::size_t begin = 0);
+  [[nodiscard]] double used() const { return used_; }
   void refresh_volumes();
 
   /// Of particles and images, padded for loops that load whole blocks.
   [[nodiscard]] std::span<const Record> records() const { return records_; }
-  [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
   [[nodiscard]] std::vector<Stress>& stress() { return stress_; }  ///< empty where stresses were not asked for
   /// With what all loops read.
   [[nodiscard]] PairWork work(const Neighbours& neighbours, PairWork work = {}) const {
     work.records = records_.data();
-    work.mass = mass_.data();
     work.clusters = neighbours.clusters().data();
     return work;
   }
-  /// Of adopt().
-  [[nodiscard]] const Base& base() const { return base_; }
 
  private:
-  /// What follows from the densities of a block.
-  struct Derived;
-  [[nodiscard]] Derived derived(const double* density, std::size_t count) const;
-  void smoothing_of(const double* density, std::size_t count, double* smoothing) const;
-  void write_records(const StateBlock& state, const Derived& derived, std::size_t first, std::size_t count);
-  [[nodiscard]] double used(const StateBlock& state, const Derived& derived, std::size_t first,
-                            std::size_t count) const;
-
   TaitFluid fluid_;
   double smoothing_;
-  double sound_scale_;
   bool stresses_;
   std::size_t count_ = 0;
   std::span<const Image> images_;
   std::vector<Record> records_;
-  std::vector<double> mass_;
   std::vector<Stress> stress_;
-  Base base_;
+  double used_ = 0;
 };
 
 }  // namespace seiche::wcsph
