@@ -43,6 +43,7 @@ spacings.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/checkpoints.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/sph_free_surface.hpp"
 #include "validation/instruments/particles/sph_front.hpp"
@@ -72,12 +73,12 @@ struct SphPlunged {
   long steps = 0;
   long lost = 0;  ///< particles outside the flume at the end
   std::vector<wcsph::Particles> frames;
-  std::vector<double> crest;  ///< highest connected water in the window at the frames [m]
-  std::vector<double> speed;  ///< largest of the water at the frames [m/s]
-  double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< t/T, by two spacings
-  double touches = std::numeric_limits<double>::quiet_NaN();     ///< t/T, with a cavity of at least 4 dx^2
-  Largest cavity;                                                ///< area of the air that is enclosed [m^2]
-  std::vector<double> jet_time, jet_x, jet_z;                    ///< tip of the jet before it touches
+  std::vector<double> crest;                   ///< highest connected water in the window at the frames [m]
+  std::vector<double> speed;                   ///< largest of the water at the frames [m/s]
+  double hangs_over = nan;                     ///< t/T, by two spacings
+  double touches = nan;                        ///< t/T, with a cavity of at least 4 dx^2
+  Largest cavity;                              ///< area of the air that is enclosed [m^2]
+  std::vector<double> jet_time, jet_x, jet_z;  ///< tip of the jet before it touches
   wcsph::Extremes extremes;
 
   [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
@@ -170,7 +171,7 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
   return result;
 }
 
-const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 6";
+const std::string publication = literature::plunging_sph + ", figure 6";
 constexpr double gravity = 9.81;
 constexpr double depth = 0.013;
 constexpr double height = 0.013;
@@ -381,10 +382,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case flap_plunging_sph() {
-  Case c;
+void flap_plunging_sph(Case& c) {
   c.title = "The second wave of a flap plunges: weakly compressible SPH";
-  c.source = "Plunging breaking waves by weakly compressible smoothed particles, figures 4 and 6";
+  c.source = literature::plunging_sph + ", figures 4 and 6";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
       {real("period", 0.308, "s", {0.01, 10}, "period T of the flap"),
@@ -403,7 +403,6 @@ Case flap_plunging_sph() {
                              "shifting", "smagorinsky", "smoothing", "walls", "xsph", "layers"},
                   .different = {{"stroke", "0.305, a misprint of 0.0305"}, {"sound", "ten times the largest speed"}}}};
   c.study = Study(claims, compute, show, publication);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::flap_plunging_sph

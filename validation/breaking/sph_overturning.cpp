@@ -38,10 +38,7 @@ std::vector<Contour> surface_of(const wcsph::Flow& flow, const SphOverturning& s
 }
 
 double mean_level(const wcsph::Flow& flow, const SphOverturning& setup) {
-  return fraction_of(flow, setup)
-             .mean_elevation(0, setup.wave.wavelength)
-             .value_or(std::numeric_limits<double>::quiet_NaN()) -
-         setup.wave.depth;
+  return fraction_of(flow, setup).mean_elevation(0, setup.wave.wavelength).value_or(nan) - setup.wave.depth;
 }
 
 double fastest(const wcsph::Particles& particles) {
@@ -188,7 +185,7 @@ double exact_overhang_time(const exact::OverturningWave& wave, double overhang, 
   };
   double before = 0;
   double after = end;
-  if (!hangs(after)) return std::numeric_limits<double>::quiet_NaN();
+  if (!hangs(after)) return nan;
   for (int halving = 0; halving < 24; ++halving) {
     const double middle = 0.5 * (before + after);
     (hangs(middle) ? after : before) = middle;

@@ -79,6 +79,10 @@ Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std
           .choices = std::move(choices)};
 }
 
+Parameter choice(std::string name, const char* standard, std::vector<std::string> choices, std::string meaning) {
+  return choice(std::move(name), std::string(standard), std::move(choices), std::move(meaning));
+}
+
 Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning) {
   return {.name = std::move(name),
           .unit = "1",

@@ -211,13 +211,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dam_pressure_dirichlet() {
-  Case c;
+void dam_pressure_dirichlet(Case& c) {
   c.title = "Pressure at the release of a column of water, on the Dirichlet mesh";
   c.source =
       "Series for the initial pressure (Pohle 1950; Stoker, Water Waves, 12.1); model: A. M. Frank, doctoral thesis "
       "(1994), section 5.2";
-  c.tiers = {Tier::quick};
   c.parameters = {
       real("length", 2.0, "m", {0.5, 4}, "of the column"),
       real("height", 1.0, "m", {0.5, 2}, "of the column"),
@@ -226,7 +224,6 @@ Case dam_pressure_dirichlet() {
   };
   c.published = {{.tiles = {"frank-dirichlet"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_pressure_dirichlet

@@ -29,7 +29,7 @@ SphCollapse collapse(const SphDam& dam, const Watch& watch, const std::vector<do
   SphCollapse result{.spacing = scene.spacing,
                      .sound_speed = dam.settings.sound_speed,
                      .particles = flow.particles().size(),
-                     .reaches_wall = std::numeric_limits<double>::quiet_NaN()};
+                     .reaches_wall = nan};
   const double a = dam.geometry.width;
   const double first_energy = flow.totals().energy();
   const double h = flow.smoothing_length();
@@ -80,7 +80,7 @@ constexpr double enough = 12.5;
 }  // namespace
 
 Parameter sound_rule(const std::string& given) {
-  return choice("sound_from", std::string("largest_speed"), {"largest_speed", given},
+  return choice("sound_from", "largest_speed", {"largest_speed", given},
                 fmt::format("largest_speed: 12.5 times the largest speed of a first run with the sound speed of {0}; "
                             "{0}: given by the parameter sound",
                             given));

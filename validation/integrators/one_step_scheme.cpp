@@ -23,7 +23,6 @@ short time, methods of high order are far cheaper than either.
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -37,6 +36,7 @@ short time, methods of high order are far cheaper than either.
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "validation/instruments/processor_time.hpp"
@@ -148,10 +148,9 @@ Role role_of(Integrator integrator) {
 }
 
 ChainProblem pendulum(const Values& values) {
-  rigid_chain::RigidChain chain(
-      {.masses = rigid_chain::alternating_masses(static_cast<std::size_t>(values.integer("links"))),
-       .pinned = true,
-       .gravity = values.real("gravity")});
+  rigid_chain::RigidChain chain({.masses = rigid_chain::alternating_masses(values.count("links")),
+                                 .pinned = true,
+                                 .gravity = values.real("gravity")});
   mechanics::State start = spiral_start(chain);
   return {std::move(chain), std::move(start)};
 }
@@ -293,22 +292,19 @@ void show(const Curves& curves, const Values& values, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case one_step_scheme() {
-  Case c;
+void one_step_scheme(Case& c) {
   c.title = "The one-step scheme for constrained systems against Runge-Kutta";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 1.2";
+  c.source = literature::frank + ", section 1.2";
   c.parameters = {
       integer("links", 2L, {1, 1000}, "links of the pendulum"),
       real("gravity", 1.0, "l/t^2", {0, 1e3}, "gravity on the pendulum"),
-      choice("scheme", std::string("one_step"),
-             {"one_step", "triple_jump", "suzuki", "conservative", "conservative_suzuki"},
+      choice("scheme", "one_step", {"one_step", "triple_jump", "suzuki", "conservative", "conservative_suzuki"},
              "the scheme that is evaluated; all are drawn"),
       real("time", 5.0, "t", {1e-3, 1e3}, "when the error is taken"),
       real("tau", 0.0125, "t", {1e-6, 10}, "middle one of the steps for accuracy: 8 tau to tau/4"),
   };
   c.published = {{.tiles = {"frank-integrator"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::one_step_scheme

@@ -120,14 +120,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case breaking_on_slope() {
-  Case c;
+void breaking_on_slope(Case& c) {
   c.title = "Regular waves shoal and break on a slope";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {real("spacing", {0.1, 0.06, 0.06}, "m", {0.01, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breaking_on_slope

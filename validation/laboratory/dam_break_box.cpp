@@ -47,12 +47,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case dam_break_box() {
-  Case c;
+void dam_break_box(Case& c) {
   c.title = "A broken dam against a box";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_box

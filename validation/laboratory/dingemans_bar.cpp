@@ -79,13 +79,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case dingemans_bar() {
-  Case c;
+void dingemans_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Dingemans";
   c.source = source;
   c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dingemans_bar

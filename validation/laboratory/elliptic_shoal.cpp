@@ -110,14 +110,12 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case elliptic_shoal() {
-  Case c;
+void elliptic_shoal(Case& c) {
   c.title = "Regular waves on an elliptic shoal";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::elliptic_shoal

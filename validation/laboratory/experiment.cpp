@@ -162,7 +162,7 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
       if (!std::filesystem::is_regular_file(folder / "gauges.csv")) return places;
       const io::Table gauges = io::read_csv(folder / "gauges.csv");
       for (std::size_t k = 0; k < gauges.rows(); ++k) {
-        const double y = gauges.has("y") ? gauges.column("y")[k] : std::numeric_limits<double>::quiet_NaN();
+        const double y = gauges.has("y") ? gauges.column("y")[k] : nan;
         places[gauges.column("gauge")[k]] = {gauges.column("x")[k], y};
       }
       return places;

@@ -38,12 +38,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case fission_on_shelf() {
-  Case c;
+void fission_on_shelf(Case& c) {
   c.title = "A long wave splits into solitons on a shelf";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::fission_on_shelf

@@ -83,13 +83,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case henderson_collision() {
-  Case c;
+void henderson_collision(Case& c) {
   c.title = "Head-on collision of two solitary waves: profiles of the laboratory";
   c.source = source;
   c.parameters = {real("spacing", 0.005, "m", {0.001, 0.02}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::henderson_collision

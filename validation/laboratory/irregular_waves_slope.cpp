@@ -130,15 +130,13 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case irregular_waves_slope() {
-  Case c;
+void irregular_waves_slope(Case& c) {
   c.title = "Irregular waves shoal and break on a slope";
   c.source = source;
   c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the markers"),
                   real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};
   c.tiers = {Tier::quick, Tier::full};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::irregular_waves_slope

@@ -148,16 +148,14 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case island_gauges() {
-  Case c;
+void island_gauges(Case& c) {
   c.title = "A solitary wave around a conical island: gauges and run-up";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      choice("wave", std::string("A"), {"A", "B", "C"}, "the wave: 0.0445, 0.0872 or 0.179 depths high"),
+      choice("wave", "A", {"A", "B", "C"}, "the wave: 0.0445, 0.0872 or 0.179 depths high"),
       real("spacing", 0.25, "m", {0.2, 0.5}, "of the columns along the walls of the basin, where the model computes")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::island_gauges

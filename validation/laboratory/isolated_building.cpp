@@ -51,12 +51,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case isolated_building() {
-  Case c;
+void isolated_building(Case& c) {
   c.title = "A broken dam against an oblique building";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::isolated_building

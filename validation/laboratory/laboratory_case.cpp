@@ -185,7 +185,7 @@ void show_experiment(const Experiment& experiment, const Computed& computed, con
   for (const auto& [part, shift] : computed.shifts) exhibit.measure(part + "_time_shift", shift);
   const std::vector<Question> all = questions(experiment, values);
   if (computed.grids.empty()) {
-    const std::vector<double> none(all.size(), std::numeric_limits<double>::quiet_NaN());
+    const std::vector<double> none(all.size(), nan);
     show_readings(all, {}, none, none, "", exhibit);
   } else {
     const Sources sources = sources_of(all, experiment, computed);

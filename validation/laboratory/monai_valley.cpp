@@ -48,12 +48,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case monai_valley() {
-  Case c;
+void monai_valley(Case& c) {
   c.title = "The tsunami of 1993 in the valley of Monai";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::monai_valley

@@ -13,8 +13,6 @@
 namespace seiche::validation::laboratory {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 struct Cut {
   std::vector<double> x, y;
   [[nodiscard]] Curve curve() const { return {x, y}; }

@@ -78,7 +78,7 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& values) {
-  const auto period = static_cast<double>(values.integer("period"));
+  const auto period = values.number("period");
   Series part{.name = "harmonics",
               .table = "whalin_1971_semicircular_shoal",
               .kind = WantedTable::Kind::profile,
@@ -110,15 +110,12 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case semicircular_shoal() {
-  Case c;
+void semicircular_shoal(Case& c) {
   c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
                   real("spacing", 0.06, "m", {0.05, 0.15}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::semicircular_shoal

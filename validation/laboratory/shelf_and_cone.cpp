@@ -55,12 +55,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case shelf_and_cone() {
-  Case c;
+void shelf_and_cone(Case& c) {
   c.title = "A solitary wave on a shelf with a conical island";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::shelf_and_cone

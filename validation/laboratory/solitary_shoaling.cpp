@@ -67,13 +67,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case solitary_shoaling() {
-  Case c;
+void solitary_shoaling(Case& c) {
   c.title = "A solitary wave shoals until it breaks";
   c.source = source;
   c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_shoaling

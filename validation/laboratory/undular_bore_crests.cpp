@@ -67,14 +67,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case undular_bore_crests() {
-  Case c;
+void undular_bore_crests(Case& c) {
   c.title = "The first crest of an undular bore";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::undular_bore_crests

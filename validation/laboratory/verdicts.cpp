@@ -16,7 +16,7 @@
 namespace seiche::validation::laboratory {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = nan;
 
 /// For ids: no points, and a word for a minus.
 std::string plain(std::string text, const char* minus) {

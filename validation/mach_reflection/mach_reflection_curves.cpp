@@ -30,6 +30,7 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
@@ -334,12 +335,10 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
 
 }  // namespace
 
-Case mach_reflection_curves() {
-  Case c;
+void mach_reflection_curves(Case& c) {
   c.title = "Reflected and wall amplitudes of solitary waves against the angle";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3, figures 7 and 8; J. "
-      "W. Miles, J. Fluid Mech. 79 (1977) 171; M. Tanaka, J. Fluid Mech. 248 (1993) 637";
+  c.source = literature::frank + ", section 4.3, figures 7 and 8; " + literature::miles +
+             "; M. Tanaka, J. Fluid Mech. 248 (1993) 637";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", {0.3, 0, 0}, "depth", {0, 0.55}, "of the only series; 0 for 0.05, 0.097, 0.186 and 0.3"),
@@ -348,7 +347,6 @@ Case mach_reflection_curves() {
   };
   c.published = {{.tiles = {"frank-fig-7", "frank-fig-8", "frank-ar-law"}, .tier = Tier::full}};
   c.study = Study(claims, compute, show, "Frank (1994), section 4.3");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_reflection_curves

@@ -20,6 +20,7 @@ one does.
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases::moving_pressure_regimes {
@@ -157,12 +158,9 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case moving_pressure_regimes() {
-  Case c;
+void moving_pressure_regimes(Case& c) {
   c.title = "Pressure and suction at the critical speed: solitons ahead, or none";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 3.3; T. Y. Wu, J. Fluid "
-      "Mech. 184 (1987) 75";
+  c.source = literature::frank + ", section 3.3; T. Y. Wu, J. Fluid Mech. 184 (1987) 75";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("h", 0.25, "H", {0.05, 0.5}, "distance of markers at rest"),
@@ -170,7 +168,6 @@ Case moving_pressure_regimes() {
   };
   c.published = {{.tiles = {"frank-pressure"}}};
   c.study = Study(claims, compute, show, "the scheme is of second order");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::moving_pressure_regimes

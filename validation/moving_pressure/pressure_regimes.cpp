@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -17,7 +16,7 @@ namespace {
 
 namespace model = dispersive_shallow_water_1d;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = nan;
 constexpr double behind = 250;     // length of the channel behind the start of the source
 constexpr double room_ahead = 90;  // and beyond where the fastest soliton gets
 constexpr double fastest_soliton = 1.25;

@@ -34,6 +34,7 @@ SPH does not. A longer wave has less dispersion, and the dispersive model less e
 
 #include "reports/evidence/claim.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
@@ -297,11 +298,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case stokes_models() {
-  Case c;
+void stokes_models(Case& c) {
   c.title = "Model comparison: a steep periodic wave";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 2, 3 and 6";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapters 2, 3 and 6";
   c.parameters = {
       real("height", 0.2, "depth", {0.05, 0.4}, "from trough to crest"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
@@ -311,7 +310,6 @@ Case stokes_models() {
       integer("sph_rows", {16, 32, 48}, {12, 96}, "of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::stokes_models

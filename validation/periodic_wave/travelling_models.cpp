@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -27,7 +26,7 @@ Point velocity_at(const StokesWave& wave, double x, double y) {
   return {v.u, v.v};
 }
 
-constexpr double not_counted = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_counted = nan;
 
 /// Exact path of a particle from where it is at the beginning.
 class Path {

@@ -35,12 +35,12 @@ it.
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
@@ -208,14 +208,14 @@ void claim_particles(const Claims<Results>& claims, const Values& values) {
       .check(
           "particles-energy", "Over all periods the free particles keep their energy to round-off.",
           "change over the kinetic energy", [](const Results& r) { return finest(r, "particles").energy_change; },
-          Roundoff{.operations = steps * static_cast<double>(values.integer("periods")),
+          Roundoff{.operations = steps * values.number("periods"),
                    .scale = 2,
                    .reason = "one rounding per step of the kinetic and of the potential energy"});
 }
 
 void claim_sph(const Claims<Results>& claims, const Values& values) {
   const double length = values.real("length");
-  const double spacing = length / std::round(length * static_cast<double>(values.integer("sph_rows")));
+  const double spacing = length / std::round(length * values.number("sph_rows"));
   const double viscous = viscous_decay(wave_of(values.real("height"), length), spacing);
   const auto decay = [](const Results& r) { return finest(r, "sph").rates.decay; };
   claims.from(attenuation_source)
@@ -329,17 +329,13 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case wave_attenuation() {
-  Case c;
+void wave_attenuation(Case& c) {
   c.title = "Attenuation and phase lag of waves over many wavelengths";
-  c.source =
-      "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; A. M. Frank, Discrete models of incompressible fluid, doctoral "
-      "thesis (1994)";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; " + literature::frank;
   c.parameters = {
       real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
-      choice("tank", std::string("box"), {"box", "flume"},
+      choice("tank", "box", {"box", "flume"},
              "what a submitted wave travels in: a periodic box, or a flume with gauges"),
       integer("periods", 10, {2, 100}, "that it is followed"),
       integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
@@ -351,7 +347,6 @@ Case wave_attenuation() {
   };
   c.study = Study(claims, compute, show, "Frank (1994), chapter 6");
   c.submission = {.tables = wanted_waves, .judge = judge_waves};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wave_attenuation

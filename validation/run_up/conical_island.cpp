@@ -370,8 +370,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case conical_island() {
-  Case c;
+void conical_island(Case& c) {
   c.title = "A solitary wave around a conical island";
   c.source =
       "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Laboratory experiments of tsunami runup on a "
@@ -381,7 +380,6 @@ Case conical_island() {
                   real("depth", 0.32, "m", {0.25, 0.45}, "of the water"),
                   real("spacing", {0.45, 0.5, 0.5}, "m", {0.2, 1}, "of the columns along the walls of the basin")};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::conical_island

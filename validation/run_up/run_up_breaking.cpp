@@ -16,7 +16,6 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ranges>
 #include <span>
 #include <string>
@@ -26,6 +25,7 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include "seiche/divergence.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/peak.hpp"
@@ -38,7 +38,7 @@ namespace {
 // fails.
 
 struct RunDown {
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double none = nan;
 
   double runup = none;         ///< first maximum; NaN where it was not passed
   double runup_time = none;    ///< of the highest shoreline, since the start
@@ -100,7 +100,7 @@ RunDown run_down(const SolitaryClimb& climb) {
   return fate;
 }
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = nan;
 const std::string source = "Synolakis (1987); Frank (1994), chapter 3";
 
 struct Wave {
@@ -314,16 +314,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case run_up_breaking() {
-  Case c;
+void run_up_breaking(Case& c) {
   c.title = "Breaking in run-down: limit of the dispersive model";
-  c.source =
-      "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; A. M. Frank, Discrete models of "
-      "incompressible fluid, doctoral thesis (1994), chapter 3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::synolakis + "; " + literature::frank + ", chapter 3";
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.125}), slope_parameters()});
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::run_up_breaking

@@ -22,7 +22,6 @@ and flow without friction part. Elsewhere the model is nearer to the measurement
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -31,6 +30,7 @@ and flow without friction part. Elsewhere the model is nearer to the measurement
 
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/run_up/beach_profiles.hpp"
@@ -45,7 +45,7 @@ constexpr double cot_slope = beach_cot_slope;
 constexpr double laboratory_amplitude = 0.0185;
 constexpr double theory_amplitude = beach_theory_amplitude;
 constexpr double breaking_amplitude = 0.3;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = nan;
 const std::string source = "Synolakis (1987)";
 
 /// The model's surfaces at the times of a table of profiles, as far as it gets.
@@ -322,18 +322,13 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case synolakis_beach() {
-  Case c;
+void synolakis_beach(Case& c) {
   c.title = "Solitary waves climb a beach 1 : 19.85: profiles against Synolakis' laboratory and theory";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), figure 5; C. E. Synolakis, The "
-      "runup of solitary waves, J. Fluid Mech. 185 (1987) 523";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", figure 5; " + literature::synolakis;
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.0625}), slope_parameters()});
   c.published = {{.tiles = {"frank-fig-5"}, .stated = {"kinetics", "scheme"}}};
   c.study = Study(claims, compute, show, source);
   c.submission = beach_submission();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::synolakis_beach

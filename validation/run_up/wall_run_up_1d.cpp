@@ -23,6 +23,7 @@ a velocity that is uniform over the depth knows nothing.
 #include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
@@ -162,17 +163,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case wall_run_up_1d() {
-  Case c;
+void wall_run_up_1d(Case& c) {
   c.title = "A solitary wave climbs a vertical wall: Serre's equations against Euler's";
-  c.source =
-      "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; F. Serre, La Houille Blanche 8 (1953) 374; A. M. Frank, "
-      "Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::su_mirie + "; F. Serre, La Houille Blanche 8 (1953) 374; " + literature::frank + ", chapter 3";
   c.parameters = joined({{real("amplitude", 0.4, "depth", {0.05, 0.6}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_run_up_1d

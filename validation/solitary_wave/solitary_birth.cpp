@@ -43,6 +43,7 @@ left.
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
@@ -431,12 +432,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case solitary_birth() {
-  Case c;
+void solitary_birth(Case& c) {
   c.title = "A local elevation gives birth to a solitary wave";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2, figure 1 and table; E. "
-      "V. Laitone, J. Fluid Mech. 9 (1960) 430";
+  c.source = literature::frank + ", chapter 2, figure 1 and table; E. V. Laitone, J. Fluid Mech. 9 (1960) 430";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("elevation", 0.56, "depth", {0.05, 1.2}, "of the water at the wall"),
@@ -448,7 +446,6 @@ Case solitary_birth() {
   };
   c.published = {{.tiles = {"frank-table-celerity", "frank-fig-1"}, .stated = {"h1", "rows"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_birth

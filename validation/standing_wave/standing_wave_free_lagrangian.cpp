@@ -21,7 +21,6 @@ ten periods.
 */
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -33,6 +32,7 @@ ten periods.
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/refinement.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
@@ -346,8 +346,7 @@ Results compute(const Run& run) {
     const double tau = 0.4 / static_cast<double>(n);
     for (const Kind& kind : kinds) {
       const Wave wave = run_wave(kind, small_amplitude, n, tau, small_periods, control);
-      const double found = wave.broke ? std::numeric_limits<double>::quiet_NaN()
-                                      : fit_oscillation(wave.amplitude, tau, {1, 3}).frequency;
+      const double found = wave.broke ? nan : fit_oscillation(wave.amplitude, tau, {1, 3}).frequency;
       periods.push_back(std::abs(frequency() / found - 1));
       noises.push_back(largest(wave.noise));
     }
@@ -391,23 +390,19 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case standing_wave_free_lagrangian() {
-  Case c;
+void standing_wave_free_lagrangian(Case& c) {
   c.title = "A standing wave in three free-Lagrangian models";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 2, 5.2 and 5.3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapters 2, 5.2 and 5.3";
   c.parameters = {
       integer("ny", {16, 24, 24}, {16, 24}, "rows of the finest mesh: 16 or 24; 4, 8, 12, ... up to it"),
       real("amplitude", 0.1, "depth", {0.02, 0.2}, "of the high wave"),
       real("periods", {4.0, 10.0, 10.0}, "1", {1, 50}, "of the high wave"),
-      choice("control", std::string("mapped"), {"none", "centroid", "mapped", "fixed_x"},
-             "of the nodes of variable mass"),
+      choice("control", "mapped", {"none", "centroid", "mapped", "fixed_x"}, "of the nodes of variable mass"),
       real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
       real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
   };
   c.published = {{.tiles = {"frank-dirichlet"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_wave_free_lagrangian

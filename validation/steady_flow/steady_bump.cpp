@@ -359,13 +359,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case steady_bump() {
-  Case c;
+void steady_bump(Case& c) {
   c.title = "Steady flow over a bump";
   c.source =
       "O. Delestre et al., SWASHES: a compilation of shallow water analytic solutions, Int. J. Numer. Meth. Fluids 72 "
       "(2013) 269, section 3.1";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       choice("regime", {"smooth", "all", "all"}, {"all", "smooth", "subcritical", "transcritical", "jump"},
              "which steady states; smooth: those without a jump"),
@@ -378,7 +376,6 @@ Case steady_bump() {
   };
   c.study = Study(claims, compute, show, "conservation law of mass");
   c.submission = submission();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::steady_bump

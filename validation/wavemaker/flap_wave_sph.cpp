@@ -26,7 +26,6 @@ linear waves are 25.9 m long and, for this stroke, 1.08 m high.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -34,6 +33,7 @@ linear waves are 25.9 m long and, for this stroke, 1.08 m high.
 #include "seiche/exact/wavemaker.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
@@ -43,7 +43,7 @@ linear waves are 25.9 m long and, for this stroke, 1.08 m high.
 namespace seiche::validation::cases::flap_wave_sph {
 namespace {
 
-const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 5";
+const std::string publication = literature::plunging_sph + ", figure 5";
 const std::string theory = "Kennard (1949); Dean and Dalrymple (1991), chapter 6";
 const FlapScheme as_set{"as set", [](wcsph::Settings&) {}};
 const FlapScheme more_neighbours{"Wendland kernel, h = 1.7 dx", [](wcsph::Settings& s) {
@@ -396,12 +396,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case flap_wave_sph() {
-  Case c;
+void flap_wave_sph(Case& c) {
   c.title = "A flap makes a regular wave: weakly compressible SPH";
-  c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figure 5; E. H. Kennard, Quart. Appl. Math. "
-      "7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave mechanics (1991), chapter 6";
+  c.source = literature::plunging_sph +
+             ", figure 5; E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave "
+             "mechanics (1991), chapter 6";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with({real("depth", 4.0, "m", {1e-3, 1e3}, "still-water depth"),
                        real("period", 4.7, "s", {1e-3, 1e3}, "period of the flap"),
@@ -415,7 +414,6 @@ Case flap_wave_sph() {
                   .stated = {"alpha", "depth", "period", "stroke", "gauge", "sound", "courant", "diffusion", "filter",
                              "isotropic", "kernel", "nu0", "shifting", "smagorinsky", "smoothing", "walls", "xsph"}}};
   c.study = Study(claims, compute, show, theory);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::flap_wave_sph

@@ -66,7 +66,7 @@ Channel Flume::channel() const {
 }
 
 Parameter dispersion_parameter() {
-  return choice("dispersion", std::string("one-parameter"), {"improved", "one-parameter", "serre"},
+  return choice("dispersion", "one-parameter", {"improved", "one-parameter", "serre"},
                 "law of the model's linear waves");
 }
 

@@ -18,8 +18,6 @@
 namespace seiche::validation {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Standard error of the rms of so many points.
 double standard_error(const std::vector<double>& off) {
   const auto squares = over<Mean>(off, [](double one) { return one * one; });

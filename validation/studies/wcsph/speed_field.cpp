@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -44,7 +43,7 @@ SpeedField speed_field(const wcsph::Particles& particles, double spacing, const 
       const auto node = static_cast<std::size_t>(j * (columns + 1) + i);
       field.x.push_back(frame.left + static_cast<double>(i) * step);
       field.z.push_back(frame.bottom + static_cast<double>(j) * step);
-      field.speed.push_back(near[node] ? sum[node] / weight[node] : std::numeric_limits<double>::quiet_NaN());
+      field.speed.push_back(near[node] ? sum[node] / weight[node] : nan);
     }
   }
   return field;
