@@ -155,7 +155,7 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
 
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < options.size(); ++k) {
-    claim_rest(claims.of([k](const Results& r) -> const Rest& { return r.fine.at(k); }).at([](const Rest& rest) {
+    claim_rest(claims.of(&Results::fine).entry(k).at([](const Rest& rest) {
       return sph_resolution(rest.spacing, rest.particles);
     }),
                options[k], values);

@@ -83,10 +83,9 @@ Motion by_particles(const exact::Thacker& bowl, double gravity, long n, double e
 
 /// From the first to the last cell that is deeper than this; NaN if there is none, or if a depth is not a number.
 std::pair<double, double> wet_stretch(std::span<const double> edges, std::span<const double> depth, double wet_depth) {
-  constexpr double nothing = nan;
-  std::pair<double, double> stretch{nothing, nothing};
+  std::pair<double, double> stretch{nan, nan};
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (std::isnan(depth[i])) return {nothing, nothing};
+    if (std::isnan(depth[i])) return {nan, nan};
     if (depth[i] <= wet_depth) continue;
     if (std::isnan(stretch.first)) stretch.first = edges[i];
     stretch.second = edges[i + 1];

@@ -158,11 +158,7 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
     result.crest.push_back(wcsph::column_height(p, flow.smoothing_length(), first_seen * setup.wavelength,
                                                 (frames[next - 1] - behind_first) * setup.wavelength) -
                            scene.bottom);
-    Largest fastest;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p.kind[i] == wcsph::Kind::fluid) fastest.add(std::hypot(p.u[i], p.w[i]));
-    }
-    result.speed.push_back(fastest.value());
+    result.speed.push_back(fastest(p));
   }
   result.steps = flow.steps();
   result.lost =
@@ -236,8 +232,7 @@ Results compute(const Run& run) {
 }
 
 void claim_model(const Claims<Runs>& claims, const Model& model) {
-  const auto on_finest =
-      claims.of([](const Runs& runs) -> const SphPlunged& { return runs.back(); }).at(&SphPlunged::resolution);
+  const auto on_finest = claims.last().at(&SphPlunged::resolution);
   on_finest.check(
       "plunges-" + model.id, fmt::format("The second wave behind the flap overturns ({}).", model.name), "it does",
       [](const SphPlunged& run) { return !std::isnan(run.hangs_over); },
@@ -252,7 +247,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at([](const Results& r) { return r.runs.front().back().resolution(); });
   const std::vector<Model> models = models_of(values);
   for (std::size_t m = 0; m < models.size(); ++m) {
-    claim_model(claims.of([m](const Results& r) -> const Runs& { return r.runs.at(m); }), models[m]);
+    claim_model(claims.of(&Results::runs).entry(m), models[m]);
   }
   const auto more = [](auto number) {
     return [number](const Results& r) {

@@ -75,17 +75,17 @@ double largest_distance(const OverturningWave& exact, double time, double cell) 
 /// One model on one lattice.
 struct Computed {
   std::string model;
-  double size = 0;                          ///< of a cell, or spacing of the particles
-  double seconds = 0;                       ///< of the processor
-  std::vector<Polylines> surfaces;          ///< at the instants
-  std::vector<PolylineDistance> distances;  ///< there
+  double size = 0;                               ///< of a cell, or spacing of the particles
+  double seconds = 0;                            ///< of the processor
+  std::vector<Polylines> surfaces;               ///< at the instants
+  std::vector<PolylineDistance> distances = {};  ///< there
 };
 
 struct Results {
-  std::vector<double> times, limits;  ///< of the instants; of the finest lattice
-  std::vector<Polylines> exact;       ///< there
-  std::vector<Computed> particles;    ///< coarse, fine
-  Computed sph;
+  std::vector<double> times, limits = {};  ///< of the instants; of the finest lattice
+  std::vector<Polylines> exact = {};       ///< there
+  std::vector<Computed> particles = {};    ///< coarse, fine
+  Computed sph = {};
   double vertical = 0;  ///< when the exact front is
   double turned = nan;  ///< first time with the markers' front past it
   double energy = 0;    ///< largest defect over the kinetic energy
@@ -157,11 +157,7 @@ Computed turned_sph(const Run& run, const SteepWave& wave, const std::vector<dou
                                           .sound_speed = 10 * std::sqrt(wave.gravity * wave.depth),
                                           .viscosity = wcsph::ArtificialViscosity{0.01}}};
   const SphOverturned turned = overturn(setup, times, 0.01 * wavelength, 1, run.part("SPH"));
-  return {.model = "SPH",
-          .size = turned.spacing,
-          .seconds = processor_seconds() - began,
-          .surfaces = turned.surfaces,
-          .distances = {}};
+  return {.model = "SPH", .size = turned.spacing, .seconds = processor_seconds() - began, .surfaces = turned.surfaces};
 }
 
 Results compute(const Run& run) {
@@ -169,7 +165,7 @@ Results compute(const Run& run) {
   const OverturningWave exact = wave.exact(256, last_phase);
   run.progress(0.1);
   const long cells = run.integer("cells");
-  Results r{.times = times_of(exact), .limits = {}, .exact = {}, .particles = {}, .sph = {}};
+  Results r{.times = times_of(exact)};
   r.vertical = exact.vertical_tangent_time().value_or(nan);
   for (const double time : r.times) {
     r.exact.push_back(exact_surface(exact, time));

@@ -204,7 +204,6 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
-  const double none = nan;
   const SphOverturned& finest = r.finest();
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const std::string& id = instants[i].id;
@@ -213,8 +212,8 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
     exhibit.measure("level_" + id, finest.level[i]);
     exhibit.measure("speed_" + id, finest.speed[i]);
   }
-  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(none));
-  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(none));
+  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(nan));
+  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(nan));
   exhibit.measure("touch_down_time", finest.touches);
   exhibit.measure("largest_mach_number", finest.extremes.mach);
   exhibit.measure("steps", static_cast<double>(finest.steps));

@@ -176,9 +176,7 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    claim_turn(claims.of([k](const Results& r) -> const Turn& { return r.turns.at(k); }).at([](const Turn& turn) {
-      return turn.run.resolution();
-    }),
+    claim_turn(claims.of(&Results::turns).entry(k).at([](const Turn& turn) { return turn.run.resolution(); }),
                shapes.at(k), values);
   }
   claim_cavities(claims, values);

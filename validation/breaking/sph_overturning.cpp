@@ -13,6 +13,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
+#include "validation/studies/wcsph/speed_field.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -39,14 +40,6 @@ std::vector<Contour> surface_of(const wcsph::Flow& flow, const SphOverturning& s
 
 double mean_level(const wcsph::Flow& flow, const SphOverturning& setup) {
   return fraction_of(flow, setup).mean_elevation(0, setup.wave.wavelength).value_or(nan) - setup.wave.depth;
-}
-
-double fastest(const wcsph::Particles& particles) {
-  Largest speed;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.kind[i] == wcsph::Kind::fluid) speed.add(std::hypot(particles.u[i], particles.w[i]));
-  }
-  return speed.value();
 }
 
 /// Energy above that of still water.

@@ -28,7 +28,7 @@ struct Parameter {
   ByTier<Value> standard;  ///< default per tier
   double lowest = 0;       ///< closed range of a number
   double highest = 0;
-  std::vector<std::string> choices;  ///< of a text
+  std::vector<std::string> choices = {};  ///< of a text
 
   /// "in [0, 100]" or "one of G1, M2, H2".
   [[nodiscard]] std::string range() const;

@@ -128,9 +128,7 @@ struct Results {
   ShiftedFront fit;
 
   [[nodiscard]] const Collapse& finest() const { return runs.back(); }
-  [[nodiscard]] std::vector<double> speeds() const {
-    return each(runs, [](const Collapse& run) { return run.speed(); });
-  }
+  [[nodiscard]] std::vector<double> speeds() const { return each(runs, &Collapse::speed); }
 };
 
 void claim_method(const Column& column, double last, const Claims<Collapse>& claims) {

@@ -66,10 +66,10 @@ std::vector<long> counts_of(const Values& values) {
 struct Refined {
   double ratio;
   const Contender* contender;
-  std::vector<double> counts;
-  std::vector<double> errors;  ///< cell L1(h)
-  std::vector<double> seconds;
-  evidence::ObservedOrder order;
+  std::vector<double> counts = {};
+  std::vector<double> errors = {};  ///< cell L1(h)
+  std::vector<double> seconds = {};
+  evidence::ObservedOrder order = {};
 
   [[nodiscard]] double finest() const { return errors.back(); }
 };
@@ -112,7 +112,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Refined refine(const FlowProblem& problem, double ratio, const Contender& one, const std::vector<long>& counts) {
-  Refined refined{.ratio = ratio, .contender = &one, .counts = {}, .errors = {}, .seconds = {}, .order = {}};
+  Refined refined{.ratio = ratio, .contender = &one};
   std::vector<double> widths;
   for (const long count : counts) {
     const Contestant c = contest(

@@ -56,7 +56,7 @@ struct Discharge {
 };
 
 struct Results {
-  std::vector<Discharge> discharges;  ///< one per setting
+  std::vector<Discharge> discharges = {};  ///< one per setting
   double critical_ratio;
 };
 
@@ -91,9 +91,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
             "largest deviation of the discharge [m^2/s]",
             [k, exact = s.exact](const Results& r) {
               const Discharge& q = r.discharges.at(k);
-              Worst deviation;
-              for (std::size_t i = 0; i < q.time.size(); ++i) deviation.add(q.value[i] - exact, q.time[i]);
-              return deviation;
+              return over<Worst>(
+                  indices(q.time.size()), [&](std::size_t i) { return q.value[i] - exact; },
+                  [&](std::size_t i) { return q.time[i]; });
             },
             Bound{.limit = 2.5 / n * s.exact,
                   .reason = "the start spoils the water of about one particle on either side of the dam, and its trace "
@@ -115,7 +115,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.discharges = {}, .critical_ratio = exact::Stoker::critical_ratio()};
+  Results r{.critical_ratio = exact::Stoker::critical_ratio()};
   for (const Setting& s : settings(run)) {
     r.discharges.push_back(discharge_by_particles(run.real("gravity"), s));
     run.progress(0.3 * static_cast<double>(r.discharges.size()));

@@ -144,7 +144,7 @@ void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront data = data_of(values);
   const std::vector<long> ladder = ladder_of(values);
-  const auto finest = claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); });
+  const auto finest = claims.last();
   claim_sound(finest, values);
   claim_front(finest.of(&SphCollapses::run).at(&SphCollapse::resolution), data, column_front("interfoam", values),
               ladder.back());

@@ -74,7 +74,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const ColumnFront mps = column_front("koshizuka_oka_mps", values);
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);
-  claim_sound(claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); }), values);
+  claim_sound(claims.last(), values);
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for "

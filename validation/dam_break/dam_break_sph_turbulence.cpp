@@ -157,10 +157,7 @@ void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const auto finest =
-      claims.of([](const Results& runs) -> const Frames& { return runs.back(); }).at([](const Frames& frames) {
-        return frames.series().resolution();
-      });
+  const auto finest = claims.last().at([](const Frames& frames) { return frames.series().resolution(); });
   const auto series = finest.of(&Frames::series);
   claim_sound(finest.of(&Frames::collapse), values);
   claim_front(series, column_front("martin_moyce_square", values), values.integer("cells") >= 30);

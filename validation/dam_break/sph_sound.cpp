@@ -117,10 +117,10 @@ SphCollapses collapse_by_rule(const SphDam& dam, const Values& values, const Wat
       if (progress) progress(from + (to - from) * done);
     };
   };
-  if (!by_sound_rule(values)) return {.first = {}, .run = collapse(dam, watch, frames, on_frame, part(0, 1))};
+  if (!by_sound_rule(values)) return {.run = collapse(dam, watch, frames, on_frame, part(0, 1))};
   // The steps of the second run are shorter, as its sound is faster.
   constexpr double share = 0.3;
-  SphCollapses runs{.first = collapse(dam, watch, {}, {}, part(0, share)), .run = {}};
+  SphCollapses runs{.first = collapse(dam, watch, {}, {}, part(0, share))};
   SphDam second = dam;
   second.settings = with_sound_for(dam.settings, runs.first->largest_speed());
   runs.run = collapse(second, watch, frames, on_frame, part(share, 1));

@@ -96,9 +96,7 @@ double deviation(const MeshTank& tank, double measured) {
 }
 
 Worst worst_deviation(const std::vector<MeshTank>& tanks, const std::vector<double>& measured) {
-  Worst worst;
-  for (std::size_t i = 0; i < tanks.size(); ++i) worst.add(deviation(tanks[i], measured.at(i)));
-  return worst;
+  return over<Worst>(indices(tanks.size()), [&](std::size_t i) { return deviation(tanks[i], measured.at(i)); });
 }
 
 /// The time step's effect on the one-step scheme taken out by its law.
@@ -209,9 +207,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "seven-depths", "Waves of seven depths and more are right to three per cent on the coarse mesh.",
           "largest relative error of the frequency against Airy",
           [tanks](const Results& r) {
-            Worst error;
-            for (std::size_t i = 0; i < tanks.size(); ++i) error.add(error_of(tanks[i], r.long_waves.at(i)));
-            return error;
+            return over<Worst>(indices(tanks.size()),
+                               [&](std::size_t i) { return error_of(tanks[i], r.long_waves.at(i)); });
           },
           of_the_law);
   claims.at("3, 4, 6, 8, 16 rows")

@@ -379,7 +379,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "mesh")
       .check(
           "mesh-order", "The outline of the mesh converges with the first order.",
-          "order of the rms distance from the exact places", [](const Entry& entry) { return entry.order(); },
+          "order of the rms distance from the exact places", &Entry::order,
           Order{.theory = 1,
                 .tolerance = 0.25,
                 .reason = "nodes of the outline slip along it to first order; the meshes begin with cells of a quarter "

@@ -152,8 +152,8 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
 struct Results {
   SetUp set_up;
   Drop own;
-  std::vector<std::pair<int, Drop>> coarser;  ///< of the lattices that are drawn
-  Refinement refinement;
+  std::vector<std::pair<int, Drop>> coarser = {};  ///< of the lattices that are drawn
+  Refinement refinement = {};
   Stretch exact;
 };
 
@@ -211,11 +211,7 @@ void claims(const Values& values, const Claims<Results>& everything) {
 
 Results compute(const Run& run) {
   const SetUp s = set_up(run);
-  Results r{.set_up = s,
-            .own = run_drop(s, s.spacing, s.tau),
-            .coarser = {},
-            .refinement = {},
-            .exact = stretch_of(s.drop.at(s.end).deformation)};
+  Results r{.set_up = s, .own = run_drop(s, s.spacing, s.tau), .exact = stretch_of(s.drop.at(s.end).deformation)};
   run.progress(0.4);
   for (const int n : lattices_of(s)) {
     const double spacing = 1.0 / n;

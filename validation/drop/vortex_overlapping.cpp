@@ -284,8 +284,7 @@ void draw_history(const Results& r, evidence::Exhibit& exhibit) {
                                 "The incoherent part of the energy, of the first flow and of copies; distances of the "
                                 "copies from the first flow.",
                                 {"frank-overlapping"});
-  std::vector<double> time;
-  for (std::size_t n = 0; n < r.first.incoherent.size(); ++n) time.push_back(r.time(n));
+  const std::vector<double> time = each(indices(r.first.incoherent.size()), [&](std::size_t n) { return r.time(n); });
   auto& incoherent = figure.panel({.x = "t", .y = "incoherent part"});
   auto& distances = figure.panel({.x = "t", .y = "distance", .log_y = true});
   incoherent.line("first flow", time, r.first.incoherent, Role::computed);

@@ -37,6 +37,7 @@ short time, methods of high order are far cheaper than either.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "validation/instruments/processor_time.hpp"
@@ -68,9 +69,7 @@ using rigid_chain::RigidChain;
 
 /// Largest difference of a coordinate.
 double distance(const State& a, const State& b) {
-  Worst largest;
-  for (std::size_t i = 0; i < a.q.size(); ++i) largest.add(a.q[i] - b.q[i]);
-  return largest.value();
+  return over<Worst>(indices(a.q.size()), [&](std::size_t i) { return a.q[i] - b.q[i]; }).value();
 }
 
 /// run(chain, state) from the start, once to measure the error, then for the time.
@@ -210,11 +209,10 @@ Curves compute(const Run& run) {
 void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range) {
   const auto largest_ratio = [](const Curves& curves, auto rk2_error) {
     const WorkPrecision& own = curves.of(Integrator::one_step);
-    Largest ratio;
-    for (std::size_t i = 0; i < own.error.size(); ++i) {
-      ratio.add(own.error[i] / rk2_error(curves.of(Integrator::runge_kutta_2), own, i));
-    }
-    return ratio.value();
+    const auto ratio = [&](std::size_t i) {
+      return own.error[i] / rk2_error(curves.of(Integrator::runge_kutta_2), own, i);
+    };
+    return over<Largest>(indices(own.error.size()), ratio).value();
   };
   claims.at("equal steps")
       .check(

@@ -55,12 +55,10 @@ Experiment experiment(const Values& /*values*/) {
               .quantity = {"eta", "m", "surface elevation"},
               .input = 0.03,
               .input_reason = "late amplitudes at the two gauges before the bar differ by 7 %: bar and beach reflect",
-              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}},
-              .readings = {}};
+              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}}};
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const Window window{starts[k], starts[k] + 3 * period};
-    part.readings.push_back(height(gauges[k], window));
-    part.readings.push_back(misfit(gauges[k], window));
+    part.read({height(gauges[k], window), misfit(gauges[k], window)});
     for (std::size_t order = 1; order <= scatter[k].size(); ++order) {
       part.readings.push_back(harmonic(gauges[k], static_cast<int>(order), period, window, scatter[k][order - 1]));
     }

@@ -120,7 +120,7 @@ std::vector<Measured> measured(const Series& part, const Values& values) {
   std::vector<Measured> curves;
   for (auto& [group, members] : groups) {
     std::stable_sort(members.begin(), members.end(), [](const Row& a, const Row& b) { return a.x < b.x; });
-    Measured curve{.group = group, .x = {}, .y = {}, .u = {}, .u_x = rows.abscissa_uncertainty()};
+    Measured curve{.group = group, .u_x = rows.abscissa_uncertainty()};
     add_rows(members, curve);
     if (part.still) set_zero(curve.x, curve.y, *part.still);
     curves.push_back(std::move(curve));

@@ -166,10 +166,6 @@ Reading highest(double group, Window window, Kind kind) {
       .id = "highest", .kind = kind, .words = "highest value", .group = group, .window = window, .read = largest_of};
 }
 
-Reading lowest(double group, Window window, Kind kind) {
-  return {.id = "lowest", .kind = kind, .words = "lowest value", .group = group, .window = window, .read = smallest_of};
-}
-
 Reading height(double group, Window window) {
   const Reading top = highest(group, window);
   return {.id = "height",

@@ -55,8 +55,7 @@ Experiment experiment(const Values& /*values*/) {
               .groups = depths,
               .abscissa = {"Froude", "1", "speed of the bore over sqrt(g depth)"},
               .quantity = {"a_over_depth", "1", "first crest over the still depth"},
-              .highest = 1.2,
-              .readings = {}};
+              .highest = 1.2};
   for (const double depth : depths) {
     part.readings.push_back(misfit(depth, {}));
     for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));

@@ -51,20 +51,17 @@ struct Quantity {
   Measurement (*measured)(const Reflection&);
 };
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = {
-      {"a_w_over_a_i", [](const Reflection& r) { return r.wall_ratio(); }},
-      {"a_r_over_a_i", [](const Reflection& r) { return r.reflected_ratio(); }},
-      {"psi_r", [](const Reflection& r) { return r.reflected_angle(); }},
-      {"stem_angle",
-       [](const Reflection& r) {
-         return Measurement{.value = degrees(r.stem.value),
-                            .uncertainty = degrees(r.stem.half_width()),
-                            .resolution = r.run.resolution()};
-       }},
-  };
-  return all;
-}
+const std::vector<Quantity> quantities{
+    {"a_w_over_a_i", [](const Reflection& r) { return r.wall_ratio(); }},
+    {"a_r_over_a_i", [](const Reflection& r) { return r.reflected_ratio(); }},
+    {"psi_r", [](const Reflection& r) { return r.reflected_angle(); }},
+    {"stem_angle",
+     [](const Reflection& r) {
+       return Measurement{.value = degrees(r.stem.value),
+                          .uncertainty = degrees(r.stem.half_width()),
+                          .resolution = r.run.resolution()};
+     }},
+};
 
 /// One angle on several lattices, the finest first.
 struct Configuration {
@@ -188,7 +185,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const ReflectionRun what = run_of(values, angles[k], lattices_of(values).front());
-    const auto one = claims.at(what.resolution()).of([k](const Results& r) -> const Configuration& { return r.at(k); });
+    const auto one = claims.at(what.resolution()).entry(k);
     claim_theory(one, angles[k], what);
     claim_steady(one, angles[k], what);
   }
@@ -238,8 +235,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
     const auto theory = [](const MachReflection& t) {
       return std::vector{t.wall_ratio(), t.reflected_ratio(), degrees(t.reflected_angle()), degrees(t.stem_angle())};
     };
-    for (std::size_t k = 0; k < quantities().size(); ++k) {
-      const Quantity& quantity = quantities()[k];
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+      const Quantity& quantity = quantities[k];
       const Value value = value_of(one, quantity);
       table.rows.push_back({one.angle, quantity.id, rounded(value.measured.value), rounded(value.measured.half_width()),
                             rounded(value.limit), rounded(theory(miles)[k]), rounded(theory(finite)[k])});

@@ -50,15 +50,12 @@ struct Plan {
   std::vector<double> more_angles;
   bool limit_known;  ///< of the highest stem: well enough to tell 3.5 from 4
 };
-const std::vector<Plan>& plans() {
-  static const std::vector<Plan> all = {
-      {0.05, 2.5, {14, 17}, false}, {0.097, 1.8, {18, 22}, true}, {0.186, 1.2, {32}, false}, {0.3, 1, {33, 37}, true}};
-  return all;
-}
+const std::vector<Plan> plans{
+    {0.05, 2.5, {14, 17}, false}, {0.097, 1.8, {18, 22}, true}, {0.186, 1.2, {32}, false}, {0.3, 1, {33, 37}, true}};
 const Plan* plan_of(double amplitude) {
   const auto found =
-      std::ranges::find_if(plans(), [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
-  return found == plans().end() ? nullptr : &*found;
+      std::ranges::find_if(plans, [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
+  return found == plans.end() ? nullptr : &*found;
 }
 
 std::vector<double> angles_of(const Plan& plan, const std::vector<KnownReflection>& known) {
@@ -80,8 +77,7 @@ ReflectionSeries series_at(const Values& values, const std::vector<KnownReflecti
   ReflectionSeries series{
       .amplitude = amplitude,
       .spacing = values.real("h") * (plan ? plan->coarseness : std::sqrt(0.3 / amplitude)),
-      .angles = plan && values.tier() != Tier::quick ? angles_of(*plan, known) : few_angles(amplitude),
-      .reflections = {}};
+      .angles = plan && values.tier() != Tier::quick ? angles_of(*plan, known) : few_angles(amplitude)};
   std::sort(series.angles.begin(), series.angles.end());
   return series;
 }
@@ -91,7 +87,7 @@ std::vector<ReflectionSeries> series_of(const Values& values) {
   const double amplitude = values.real("amplitude");
   if (amplitude > 0) return {series_at(values, known, amplitude)};
   std::vector<ReflectionSeries> all;
-  for (const Plan& plan : plans()) all.push_back(series_at(values, known, plan.amplitude));
+  for (const Plan& plan : plans) all.push_back(series_at(values, known, plan.amplitude));
   return all;
 }
 
@@ -302,8 +298,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const bool fine = values.real("h") < 0.5 + 1e-9;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const ReflectionSeries& series = all[k];
-    const auto one =
-        claims.at(lattice_of(series)).of([k](const Results& r) -> const ReflectionSeries& { return r.at(k); });
+    const auto one = claims.at(lattice_of(series)).entry(k);
     const auto settled =
         one.only_if(values.real("time") == 0, "the limits of runs that do not wait for their stems are not known");
     claim_theory(settled, series);

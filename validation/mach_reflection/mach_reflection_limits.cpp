@@ -235,7 +235,7 @@ void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t c
 void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Wave> all = waves(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto wave = claims.of([k](const Results& r) -> const Wave& { return r.at(k); });
+    const auto wave = claims.entry(k);
     claim_theory(wave, all[k]);
     if (all[k].amplitude < small && all[k].stem()) claim_small(wave, all[k]);
     if (starts_otherwise(values, all[k])) claim_start(wave, all[k]);

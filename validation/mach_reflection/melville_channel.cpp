@@ -197,10 +197,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   const double h = values.real("h");
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    const auto ladder =
-        claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h)).of([k](const Results& r) -> const Ladder& {
-          return r.at(k);
-        });
+    const auto ladder = claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h)).entry(k);
     claim_early(ladder, angles[k]);
     claim_models(claims, values.real("amplitude"), angles[k], k, angles.size() + k);
   }

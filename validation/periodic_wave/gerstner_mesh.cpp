@@ -199,9 +199,9 @@ RefinementStudy study_of(const Values& values) {
 
 struct Results {
   std::shared_ptr<const Wave> wave;
-  Refinement refinement;
-  std::vector<Slip> slips;  ///< on each mesh
-  std::vector<Flow> flows;  ///< at the end, on the mesh that is drawn
+  Refinement refinement = {};
+  std::vector<Slip> slips = {};  ///< on each mesh
+  std::vector<Flow> flows = {};  ///< at the end, on the mesh that is drawn
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -209,7 +209,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.wave = std::make_shared<const Wave>(run.real("amplitude")), .refinement = {}, .slips = {}, .flows = {}};
+  Results r{.wave = std::make_shared<const Wave>(run.real("amplitude"))};
   const long finest = run.integer("n");
   for (const long n : meshes_up_to(finest)) {
     MeshAtEnd result = computed(run, r.wave, n);

@@ -216,9 +216,9 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
 void claims(const Values& values, const Claims<Results>& all) {
   const std::vector<SetUp> waves = set_ups(values);
   for (std::size_t k = 0; k < waves.size(); ++k) {
-    const Claims<WaveRun> claims = all.of([k](const Results& results) -> const WaveRun& { return results[k]; })
-                                       .at(fmt::format("{} cells, {} particles to a side, {} steps per period",
-                                                       waves[k].cells, values.integer("per_cell"), waves[k].steps));
+    const Claims<WaveRun> claims =
+        all.entry(k).at(fmt::format("{} cells, {} particles to a side, {} steps per period", waves[k].cells,
+                                    values.integer("per_cell"), waves[k].steps));
     claim_wave(waves[k], values,
                claims.only_if(values.text("scheme") == "conservative",
                               "the projection scheme loses energy, and with it the wave"));

@@ -60,8 +60,8 @@ struct Results {
   particles::Particles parabola;
   double area = 0;
   particles::Particles before;
-  particles::Particles after;
-  Worst area_change;
+  particles::Particles after = {};
+  Worst area_change = {};
 };
 
 void draw_channel(evidence::Exhibit& exhibit) {
@@ -78,8 +78,7 @@ void draw_channel(evidence::Exhibit& exhibit) {
 }
 
 void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parabola) {
-  std::vector<double> depth;
-  for (std::size_t i = 0; i < parabola.size(); ++i) depth.push_back(parabola.depth(i));
+  const std::vector<double> depth = each(indices(parabola.size()), [&](std::size_t i) { return parabola.depth(i); });
   const std::vector<double> x = evenly(-1, 1, 201);
   auto& panel = exhibit
                     .figure("parabola", "Rectangles approximating a parabola",
@@ -137,9 +136,7 @@ Results compute(const Run& run) {
   const auto n = run.count("particles");
   Results r{.parabola = particles::particles_from_profile(particles::equal_width_edges(-1, 1, n), parabola_depth,
                                                           [](double) { return 0.0; }),
-            .before = row(),
-            .after = {},
-            .area_change = {}};
+            .before = row()};
   for (const double mass : r.parabola.mass) r.area += mass;
   particles::ParticleFlow flow(row(), {.left = particles::Free{}, .right = particles::Free{}}, {},
                                {.level = particles::Level::godunov});

@@ -88,7 +88,7 @@ std::string MeshWallClimb::resolution() const {
 }
 
 MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(const Flow&)>& after_step) {
-  MeshWallRun run{.flow = climb.start(), .fold = {}};
+  MeshWallRun run{.flow = climb.start()};
   Flow& flow = run.flow;
   if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();

@@ -81,7 +81,7 @@ struct Reached {
 
 struct Climbed {
   Climb climb;
-  std::vector<Reached> on;  ///< the meshes, from coarse to fine
+  std::vector<Reached> on = {};  ///< the meshes, from coarse to fine
 
   template <class Of>
   [[nodiscard]] std::vector<double> each(const Of& of) const {
@@ -230,7 +230,7 @@ Results compute(const Run& run) {
   Results all;
   for (const Climb& climb : climbs) {
     const exact::SolitaryWave wave(climb.amplitude);
-    Climbed climbed{.climb = climb, .on = {}};
+    Climbed climbed{.climb = climb};
     for (const long part : parts) {
       climbed.on.push_back(reach(climb, wave, run.integer("rows") * part / parts.back(), run.real("drift")));
     }

@@ -93,9 +93,8 @@ struct Climbed : Row {
   }
   /// Of the finest mesh's run-up; infinite where the meshes do not tell.
   [[nodiscard]] double mesh_uncertainty() const {
-    std::vector<double> spacings;
-    for (std::size_t m = 0; m < runup.size(); ++m) spacings.push_back(meshes[m].spacing);
-    return evidence::grid_convergence(spacings, runup, 1).uncertainty;
+    return evidence::grid_convergence(each(std::span(meshes).first(runup.size()), &MeshSize::spacing), runup, 1)
+        .uncertainty;
   }
   /// Of the difference from the exact run-up, from the last halving.
   [[nodiscard]] double order_of_error() const {
@@ -169,7 +168,7 @@ struct Climb {
 
 struct Results {
   Climb one;
-  std::vector<Climbed> all;
+  std::vector<Climbed> all = {};
 };
 
 std::size_t levels(const Values& values) {
@@ -327,7 +326,7 @@ Climb climb_one(const Values& values) {
 }
 
 Results compute(const Run& run) {
-  Results r{.one = climb_one(run), .all = {}};
+  Results r{.one = climb_one(run)};
   run.progress(0.1);
   const std::vector<Row> rows = rows_of(run);
   for (const Row& row : rows) {

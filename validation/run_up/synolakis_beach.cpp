@@ -45,7 +45,6 @@ constexpr double cot_slope = beach_cot_slope;
 constexpr double laboratory_amplitude = 0.0185;
 constexpr double theory_amplitude = beach_theory_amplitude;
 constexpr double breaking_amplitude = 0.3;
-constexpr double none = nan;
 const std::string source = "Synolakis (1987)";
 
 /// The model's surfaces at the times of a table of profiles, as far as it gets.
@@ -97,7 +96,7 @@ AsNear as_near(const Profiles& laboratory, const Profiles& model, const Profiles
     const double theory = difference(analytic.at(t), measured, laboratory_amplitude / theory_amplitude).off.rms();
     result.theory[t] = theory;
     result.by_theory += theory * theory;
-    result.by_model += std::pow(model.contains(t) ? difference(model.at(t), measured).off.rms() : none, 2);
+    result.by_model += std::pow(model.contains(t) ? difference(model.at(t), measured).off.rms() : nan, 2);
   }
   return result;
 }
@@ -315,7 +314,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure(fmt::format("rms_laboratory_of_theory_t{:g}", t), theory);
   }
   for (const Breaking& one : r.breaking) {
-    exhibit.measure(fmt::format("breaking_wave_stops_h_1_{:g}", 1 / one.spacing), one.followed.stopped.value_or(none));
+    exhibit.measure(fmt::format("breaking_wave_stops_h_1_{:g}", 1 / one.spacing), one.followed.stopped.value_or(nan));
   }
   draw_breaking_wave(exhibit, r.breaking_laboratory, r.breaking, r.closure.surfaces);
 }

@@ -133,7 +133,7 @@ Contender by_force(Contender one, const Wall& wall, Felt& felt) {
       }
     };
     const auto look = [racer, &wall, &felt] {
-      Sight sight{.off = {}, .energy = racer->look().energy};
+      Sight sight{.energy = racer->look().energy};
       for (std::size_t k = wall.first; k < felt.force.size(); ++k) {
         sight.off.push_back((felt.force[k] - wall.felt.force[k]) / wall.largest);
       }

@@ -45,7 +45,7 @@ struct Climbed {
 /// What one mesh makes of the waves that it carries to their largest run-up.
 struct Curve {
   long rows = 0;
-  std::vector<Climbed> points;
+  std::vector<Climbed> points = {};
   bool rezoned = false;
 
   [[nodiscard]] std::vector<double> column(double Climbed::*member) const { return each(points, member); }
@@ -101,9 +101,9 @@ void climb_on(Curve& curve, const exact::SolitaryWave& wave, const Run& run, dou
 
 Results compute(const Run& run) {
   Results r;
-  for (const long rows : meshes_of(run)) r.curves.push_back({.rows = rows, .points = {}});
+  for (const long rows : meshes_of(run)) r.curves.push_back({.rows = rows});
   for (const long part : rezoned_parts) {
-    r.rezoned.push_back({.rows = run.integer("rows") * part / rezoned_parts.back(), .points = {}, .rezoned = true});
+    r.rezoned.push_back({.rows = run.integer("rows") * part / rezoned_parts.back(), .rezoned = true});
   }
   constexpr int waves = 12;  // A = 0.05 to 0.6
   for (int k = 1; k <= waves; ++k) {
@@ -193,12 +193,11 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
 
 void claims(const Values& values, const Claims<Results>& all) {
   const std::vector<long> meshes = meshes_of(values);
-  claim_rezoned(all.of(&Results::rezoned)
-                    .where("A = {:g}")
-                    .at(Curve{.rows = values.integer("rows"), .points = {}, .rezoned = true}.name()),
-                values.table("wall_runup_exact"), values.table("wall_load_exact"));
+  claim_rezoned(
+      all.of(&Results::rezoned).where("A = {:g}").at(Curve{.rows = values.integer("rows"), .rezoned = true}.name()),
+      values.table("wall_runup_exact"), values.table("wall_load_exact"));
   const auto claims = all.of(&Results::curves).where("A = {:g}");
-  const auto finest = claims.at(Curve{.rows = meshes.back(), .points = {}}.name());
+  const auto finest = claims.at(Curve{.rows = meshes.back()}.name());
   claim_exact(finest, values.table("wall_runup_exact"));
   claim_loads(finest, values.table("wall_load_exact"));
 }

@@ -94,7 +94,7 @@ struct Fate {
 
 struct Told {
   Variant variant;
-  std::vector<Fate> fates;
+  std::vector<Fate> fates = {};
 
   /// Null where it was not tried.
   [[nodiscard]] const Fate* at(double amplitude) const {
@@ -118,7 +118,7 @@ std::vector<Told> tell(const Run& run, Waves& waves) {
   std::vector<Told> all;
   const std::vector<Variant> tried = variants();
   for (const Variant& variant : tried) {
-    Told told{.variant = variant, .fates = {}};
+    Told told{.variant = variant};
     for (int k = 0;; ++k) {
       const double amplitude = lowest + k * step;
       if (amplitude > run.real("highest") + 1e-9) break;
@@ -159,7 +159,7 @@ Folded folded(Waves& waves, double amplitude, long rows) {
 
 struct Results {
   std::vector<Told> all;
-  std::vector<Folded> drawn;
+  std::vector<Folded> drawn = {};
 };
 
 const Told& find(const std::vector<Told>& all, const std::string& name) {
@@ -309,7 +309,7 @@ void claims(const Values& values, const Claims<Results>& all) {
 
 Results compute(const Run& run) {
   Waves waves;
-  Results r{.all = tell(run, waves), .drawn = {}};
+  Results r{.all = tell(run, waves)};
   for (const double amplitude : {0.5, 0.6}) r.drawn.push_back(folded(waves, amplitude, run.integer("rows")));
   return r;
 }

@@ -111,8 +111,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                              "wave's tails: that, times the steepest slope of the surface; cells are to add less"});
   claims_of(all, "mesh")
       .check(
-          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface",
-          [](const Entry& entry) { return entry.order(); },
+          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface", &Entry::order,
           Order{.theory = 2,
                 .tolerance = 0.3,
                 .reason = "second order in space and time; at a crest half as high as the depth cells of a ninth of it "

@@ -139,7 +139,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Travel> travels = travels_of(values);
   for (std::size_t k = 0; k < travels.size(); ++k) {
     claim_travel(claims.at(fmt::format("h = {:g}, tau = {:g}", travels[k].run.spacing, travels[k].run.tau))
-                     .of([k](const Results& r) -> const Travel& { return r.travels.at(k); }),
+                     .of(&Results::travels)
+                     .entry(k),
                  travels[k]);
   }
 }

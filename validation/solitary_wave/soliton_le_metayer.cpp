@@ -93,11 +93,10 @@ double from_crest(const SerreWave& wave, double x, double time) {
 /// Largest error of a marker's elevation over the amplitude.
 double largest_error(const Flow& flow, const SerreWave& wave) {
   const exact::SerreSolitary exact = wave.exact();
-  Worst largest;
-  for (std::size_t i = 0; i < flow.x().size(); ++i) {
-    largest.add((flow.y()[i] - exact.elevation(from_crest(wave, flow.x()[i], flow.time()))) / wave.amplitude);
-  }
-  return largest.value();
+  const auto off = [&](std::size_t i) {
+    return (flow.y()[i] - exact.elevation(from_crest(wave, flow.x()[i], flow.time()))) / wave.amplitude;
+  };
+  return over<Worst>(indices(flow.x().size()), off).value();
 }
 
 /// Largest error of the surface over the amplitude, also between the markers, where it is straight.
@@ -186,9 +185,8 @@ class StepLength {
   /// Error in time of a scheme for steps of half the time in which a long wave crosses a cell.
   [[nodiscard]] double time_error(Scheme scheme) const {
     const Flow flow = followed(wave_, pilot_, tau_ / 2, scheme);
-    Worst largest;
-    for (std::size_t i = 0; i < flow.y().size(); ++i) largest.add((flow.y()[i] - limit_.y()[i]) / wave_.amplitude);
-    return largest.value();
+    const auto off = [&](std::size_t i) { return (flow.y()[i] - limit_.y()[i]) / wave_.amplitude; };
+    return over<Worst>(indices(flow.y().size()), off).value();
   }
 
   /// tau(h) = factor h^(2/p) with the least work.
@@ -309,7 +307,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           values.integer("coarsest") == 64;
   for (std::size_t k = 0; k < std::size(contenders); ++k) {
     const Contender& contender = contenders[k];
-    const Claims<Curve> curve = claims.of([k](const Results& r) -> const Curve& { return r.curves.at(k); });
+    const Claims<Curve> curve = claims.of(&Results::curves).entry(k);
     const std::string name = title(contender.scheme);
     std::string id = contender.id;
     std::replace(id.begin(), id.end(), '_', '-');

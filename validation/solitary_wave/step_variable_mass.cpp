@@ -54,7 +54,7 @@ using exact::SolitonFission;
 /// The surface at one instant, in ascending x.
 struct SurfaceLine {
   double time = 0;
-  std::vector<double> x, y;
+  std::vector<double> x = {}, y = {};
 
   /// Highest crest of a part of it; a height of NaN where there is none.
   [[nodiscard]] CurveCrest highest(double from, double to) const {
@@ -126,7 +126,7 @@ variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double cres
 }
 
 SurfaceLine surface_line(const Flow& flow) {
-  SurfaceLine line{.time = flow.time(), .x = {}, .y = {}};
+  SurfaceLine line{.time = flow.time()};
   for (const int k : flow.control().surface().nodes()) {
     const Point r = flow.nodes()[k];
     line.x.push_back(r.x);
@@ -188,15 +188,15 @@ std::vector<long> meshes(const Values& values) {
 /// What the waves of a run on one mesh are.
 struct Passage {
   SolitaryRun run;
-  std::vector<CurveCrest> peaks;  ///< on the shelf, from the highest back
-  double reflected = 0;           ///< highest crest before the step when it is half way to the left wall
+  std::vector<CurveCrest> peaks = {};  ///< on the shelf, from the highest back
+  double reflected = 0;                ///< highest crest before the step when it is half way to the left wall
 };
 
 struct Results {
   SolitaryWave wave;
   SolitonFission theory;
   double step = 0;
-  std::vector<Passage> passages;
+  std::vector<Passage> passages = {};
   [[nodiscard]] const Passage& own() const { return passages.back(); }
 };
 
@@ -223,8 +223,7 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
                             .rate = run.real("rate"),
                             .surface_rate = run.real("surface_rate")},
                            {.stabilisation = run.real("stabilisation")});
-  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress),
-            .peaks = {}};
+  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress)};
   const SurfaceLine& last = p.run.last();
   const CurveCrest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
@@ -331,8 +330,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   Results r{.wave = SolitaryWave(run.real("amplitude")),
             .theory = SolitonFission(run.real("shelf_depth")),
-            .step = run.real("step"),
-            .passages = {}};
+            .step = run.real("step")};
   const std::vector<long> rows = meshes(run);
   const auto cost = [](long n) { return std::pow(static_cast<double>(n), 3); };
   double done = 0;

@@ -168,12 +168,11 @@ struct Results {
 
   /// Of the improved model with s = 2.
   [[nodiscard]] Worst deviation() const {
-    Worst worst;
-    for (std::size_t k = 0; k < drawn_lengths.size(); ++k) {
-      const double theory = DispersiveStandingWave::frequency_correction(2 * pi / drawn_lengths[k], improved);
-      worst.add(curves[judged_model][k] - theory, drawn_lengths[k]);
-    }
-    return worst;
+    const auto off = [&](std::size_t k) {
+      return curves[judged_model][k] -
+             DispersiveStandingWave::frequency_correction(2 * pi / drawn_lengths[k], improved);
+    };
+    return over<Worst>(indices(drawn_lengths.size()), off, [](std::size_t k) { return drawn_lengths[k]; });
   }
   [[nodiscard]] double smallest() const { return seiche::smallest(curves[judged_model]); }
 };

@@ -36,6 +36,7 @@ ten periods.
 #include "validation/case/refinement.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
+#include "validation/instruments/surface_points.hpp"
 
 namespace seiche::validation::cases::standing_wave_free_lagrangian {
 namespace {
@@ -149,13 +150,6 @@ Wave follow(Flow& flow, const Model& model, const Surface& surface, double tau, 
   return wave;
 }
 
-template <class Nodes>
-std::vector<Point> places(std::span<const int> nodes, const Nodes& at) {
-  std::vector<Point> found;
-  for (const int node : nodes) found.push_back(at[node]);
-  return found;
-}
-
 Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double periods,
               const variable_mass::Control& control, double drift_feedback = 0) {
   const auto start = [amplitude](Point r) {
@@ -168,11 +162,7 @@ Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double 
         lagrangian_mesh_2d::layer_mesh(
             {.end = length, .columns = static_cast<std::size_t>(columns), .rows = static_cast<std::size_t>(rows)}),
         start);
-    const auto surface = [](const lagrangian_mesh_2d::Flow& f) {
-      std::vector<Point> found;
-      for (std::size_t i = 0; i < f.surface_x().size(); ++i) found.push_back({f.surface_x()[i], f.surface_y()[i]});
-      return found;
-    };
+    const auto surface = [](const lagrangian_mesh_2d::Flow& f) { return joined({f.surface_x(), f.surface_y()}); };
     return follow(flow, flow.model(), surface, tau, periods);
   }
   const free_lagrangian::Mesh rest =
@@ -183,20 +173,20 @@ Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double 
     return follow(
         flow, flow.model(),
         [&](const dirichlet_mesh::Flow& f) {
-          return places(top.nodes(), Places{f.x(), f.y()});
+          return chosen(top.nodes(), {f.x(), f.y()});
         },
         tau, periods);
   }
   variable_mass::Flow flow(rest, {.velocity = start}, control, {.stabilisation = kind.stabilisation}, drift_feedback);
   return follow(
-      flow, flow.water(), [&](const variable_mass::Flow& f) { return places(top.nodes(), f.nodes()); }, tau, periods);
+      flow, flow.water(), [&](const variable_mass::Flow& f) { return chosen(top.nodes(), f.nodes()); }, tau, periods);
 }
 
 /// A model on finer meshes: errors of the period, and noise.
 struct Results {
-  Refinement period;  ///< |T/T_0 - 1|, a quantity for each kind
-  Refinement noise;   ///< largest
-  std::vector<Wave> life;
+  Refinement period = {};  ///< |T/T_0 - 1|, a quantity for each kind
+  Refinement noise = {};   ///< largest
+  std::vector<Wave> life = {};
   double periods = 0;
 
   [[nodiscard]] double noise_ratio(std::size_t kind) const {
@@ -226,7 +216,7 @@ long rows_of(std::size_t kind_of_life) {
 }
 
 RefinementStudy study(const std::string& what) {
-  RefinementStudy s{.quantities = {}, .source = source};
+  RefinementStudy s{.source = source};
   for (const Kind& kind : kinds) {
     const bool noisy = kind.model == Kind::dirichlet;
     s.quantities.push_back(
@@ -337,7 +327,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.period = {}, .noise = {}, .life = {}, .periods = run.real("periods")};
+  Results r{.periods = run.real("periods")};
   const variable_mass::Control control{variable_mass::control_named(run.text("control")), run.real("rate"),
                                        run.real("surface_rate")};
   const std::vector<long> rows = meshes(run);

@@ -194,12 +194,12 @@ std::vector<Frequencies> frequencies(const Run& run) {
 
 struct Results {
   OwnWave own;
-  Coefficients coefficients;
-  std::vector<Frequencies> frequencies;
+  Coefficients coefficients = {};
+  std::vector<Frequencies> frequencies = {};
 };
 
 Results compute(const Run& run) {
-  Results r{.own = own_wave(run), .coefficients = {}, .frequencies = {}};
+  Results r{.own = own_wave(run)};
   run.progress(0.1);
   r.coefficients = measure(run);
   run.progress(0.7);

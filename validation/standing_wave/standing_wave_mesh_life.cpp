@@ -266,7 +266,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const Claims<Wave> wave = claims
                                   .at(fmt::format("{} x {} cells, tau = {:g}", values.integer("columns"),
                                                   values.integer("rows"), values.real("tau")))
-                                  .of([i](const Results& results) -> const Wave& { return results.at(i); });
+                                  .entry(i);
     claim_fold(wave, values, waves[i], suffix(i));
     claim_longer_life(wave, values, suffix(i));
     claim_rezoned(wave, values, suffix(i));

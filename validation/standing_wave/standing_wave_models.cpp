@@ -134,8 +134,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "mesh")
       .only_if(values.integer("mesh") <= 16, "finer meshes are nearer to the water than the exact wave of second order")
       .check(
-          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface",
-          [](const Entry& entry) { return entry.order(); },
+          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface", &Entry::order,
           Order{.theory = 2,
                 .tolerance = 0.4,
                 .reason = "second order in space and time; the exact wave is known to half of the error of the finest "

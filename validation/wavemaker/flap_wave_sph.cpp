@@ -376,9 +376,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
                           "Root of the mean square of the elevation after one period, over the exact transient's.",
                           {.x = "x/L", .y = "share of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
-    std::vector<double> share;
-    for (std::size_t k = 0; k < places.size(); ++k) share.push_back(r.share(one, k));
-    along.line(label, places, share, role);
+    along.line(label, places, each(indices(places.size()), [&](std::size_t k) { return r.share(one, k); }), role);
   };
   line("as set", r.runs.back(), Role::computed);
   line(more_neighbours.name, r.wide.back(), Role::guide);

@@ -31,6 +31,7 @@ and the difference falls as slowly. The second order has twice the frequency: cr
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wavemaker_mesh {
 namespace {
@@ -181,14 +182,14 @@ Series make_waves(const Paddle& paddle, const Mesh& resolution, mechanics::Stepp
 /// What changes sign with the stroke, over the stroke, and what does not, over its square.
 struct Orders {
   std::vector<double> time;
-  Gauges odd, even;
+  Gauges odd = {}, even = {};
 };
 
 Orders orders(const Paddle& paddle, const Mesh& mesh, const Run& run, double interval, double end) {
   const auto stepping = mechanics::stepping_named(run.text("scheme"));
   const Series plus = make_waves(paddle, mesh, stepping, interval, end);
   const Series minus = make_waves(paddle.with_stroke(-paddle.stroke), mesh, stepping, interval, end);
-  Orders result{.time = plus.time, .odd = {}, .even = {}};
+  Orders result{.time = plus.time};
   for (std::size_t g = 0; g < gauges.size(); ++g) {
     for (std::size_t n = 0; n < plus.time.size(); ++n) {
       const double a = plus.elevation[g][n];
@@ -268,9 +269,8 @@ struct Results {
 
 /// Largest distance of the second orders of the gauges.
 double second_order_changes(const Results& r) {
-  Worst off;
-  for (std::size_t g = 0; g < gauges.size(); ++g) off.add(distance(r.high.even[g], r.low.even[g]));
-  return off.value();
+  return over<Worst>(indices(gauges.size()), [&](std::size_t g) { return distance(r.high.even[g], r.low.even[g]); })
+      .value();
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {

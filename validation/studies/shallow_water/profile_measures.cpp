@@ -65,8 +65,7 @@ ProfileCurve means_of(const Profile& profile) {
 namespace measures = shallow_water;
 
 ProfileErrors ProfileErrors::none() {
-  constexpr double nothing = nan;
-  constexpr measures::Norms norms{nothing, nothing, nothing};
+  constexpr measures::Norms norms{nan, nan, nan};
   return {.cell = {norms, norms}, .reconstructed = {norms, norms}, .constant = {norms, norms}};
 }
 

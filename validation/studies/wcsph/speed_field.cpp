@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/kernel.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -47,6 +48,14 @@ SpeedField speed_field(const wcsph::Particles& particles, double spacing, const 
     }
   }
   return field;
+}
+
+double fastest(const wcsph::Particles& particles) {
+  Largest speed;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] == wcsph::Kind::fluid) speed.add(std::hypot(particles.u[i], particles.w[i]));
+  }
+  return speed.value();
 }
 
 void draw_speed(evidence::Figure& figure, const wcsph::Particles& particles, double spacing, const SpeedPanel& panel) {
