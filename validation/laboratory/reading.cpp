@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include "seiche/samples.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {

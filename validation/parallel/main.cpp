@@ -48,7 +48,7 @@ double from_first(double value) {
   constexpr double none = std::numeric_limits<double>::lowest();
   const double sent = rank() == 0 && std::isfinite(value) ? value : none;
   const double got = distributed::Decomposition::largest(sent);
-  return got > none ? got : nan;
+  return got > none ? got : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The surface on the first process, in depths.
@@ -67,7 +67,7 @@ Surface gathered(Flow& flow, double depth) {
 
 /// What is seen of the reflection at the end.
 void measure_reflection(const Surface& surface, const Options& options, Findings& findings) {
-  double wall = nan;
+  double wall = std::numeric_limits<double>::quiet_NaN();
   double incident = wall;
   Worst ahead;
   if (rank() == 0) {

@@ -7,6 +7,7 @@
 
 #include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
