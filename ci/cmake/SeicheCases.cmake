@@ -20,7 +20,7 @@ function(seiche_registry out)
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH phenomenon)
     cmake_path(GET source STEM name)
-    string(APPEND declarations "namespace cases::${name} { Case ${name}(); }\n"
+    string(APPEND declarations "namespace cases::${name} { void ${name}(Case& c); }\n"
                                "namespace articles { extern const char* const ${name}; }\n"
                                "namespace fingerprints { extern const char* const ${name}; }\n")
     string(APPEND entries

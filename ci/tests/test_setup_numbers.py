@@ -24,7 +24,7 @@ class SetUpNumbers(unittest.TestCase):
         listed = {row["case"] for row in self.rows}
         for file in (HERE / "laboratory").glob("*.cpp"):
             text = file.read_text()
-            if re.search(r"^Case \w+\(\)", text, re.M) and re.search(r"compute|_experiment\(|_in_shallow_water\(", text):
+            if re.search(r"^void \w+\(Case&", text, re.M) and re.search(r"compute|_experiment\(|_in_shallow_water\(", text):
                 with self.subTest(case=file.stem):
                     self.assertIn(file.stem, listed)
 

@@ -155,7 +155,7 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
 
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < options.size(); ++k) {
-    claim_rest(claims.of([k](const Results& r) -> const Rest& { return r.fine.at(k); }).at([](const Rest& rest) {
+    claim_rest(claims.of(&Results::fine).entry(k).at([](const Rest& rest) {
       return sph_resolution(rest.spacing, rest.particles);
     }),
                options[k], values);
@@ -209,18 +209,15 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case hydrostatic_sph() {
-  Case c;
+void hydrostatic_sph(Case& c) {
   c.title = "Water at rest in a tank: weakly compressible SPH and its walls";
   c.source =
       "A. J. C. Crespo, M. Gomez-Gesteira, R. A. Dalrymple, Comput. Mater. Contin. 5 (2007) 173; S. Adami, X. Y. Hu, "
       "N. A. Adams, J. Comput. Phys. 231 (2012) 7057";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = with({real("dx", {0.025, 0.0125, 0.00625}, "m", {0.001, 0.1}, "spacing of the particles"),
                        real("time", {1, 2, 2}, "s", {0.01, 100}, "duration")},
                       sph_parameters({.alpha = 0.1, .sound = 10}, "sqrt(2 g H)"));
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::hydrostatic_sph

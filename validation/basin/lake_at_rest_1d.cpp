@@ -22,6 +22,7 @@ step, with zero: not one bit may differ.
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 
@@ -222,23 +223,18 @@ void show(const std::vector<OfLake>& r, const Values& values, evidence::Exhibit&
 
 }  // namespace
 
-Case lake_at_rest_1d() {
-  Case c;
+void lake_at_rest_1d(Case& c) {
   c.title = "Lake at rest under the dispersive model";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3; E. Audusse et al., "
-      "SIAM J. Sci. Comput. 25 (2004) 2050";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapter 3; E. Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050";
   c.parameters = {
       real("h", 0.25, "H", {0.02, 2}, "mean distance of markers"),
       real("roughness", 0.8, "H", {0, 0.95}, "largest deviation of the bottom from its mean depth 1"),
       integer("seed", 1L, {1, 1e9}, "of the random bottom and markers"),
       real("time", {100, 1000, 10000}, "(H/g)^(1/2)", {1, 1e6}, "length of the run"),
-      choice("scheme", std::string("all"), {"all", "one_step", "one_step_feedback", "conservative"},
+      choice("scheme", "all", {"all", "one_step", "one_step_feedback", "conservative"},
              "stepping, alone and in compositions"),
   };
   c.study = Study(claims, compute, show);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::lake_at_rest_1d

@@ -27,6 +27,7 @@ of its values.
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
@@ -252,12 +253,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case bore_reflection() {
-  Case c;
+void bore_reflection(Case& c) {
   c.title = "A bore is reflected by a wall";
-  c.source =
-      "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 13 to 15";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::bogomolov + ", figures 13 to 15";
   c.parameters = {
       real("front_depth", 1.0, "m", {1e-3, 1e3}, "depth behind the incident bore"),
       real("still_depth", published_still_depth, "m", {1e-3, 1e3}, "depth of the still water ahead of it"),
@@ -265,7 +263,7 @@ Case bore_reflection() {
       real("start", 0.0, "m", {-1e6, 1e6}, "left end of the channel"),
       real("end", 10.0, "m", {-1e6, 1e6}, "right end of the channel"),
       real("jump", 5.0, "m", {-1e6, 1e6}, "position of the bore at t = 0"),
-      choice("wall", std::string("right"), {"left", "right"}, "the end where the wall is"),
+      choice("wall", "right", {"left", "right"}, "the end where the wall is"),
       integer("particles", {10, 100, 1000}, {4, 1e6}, "particles of equal widths"),
       real("time_step", {0.02, 0.002, 0.0002}, "s", {1e-9, 10}, "time step"),
       real("time", 2.6, "s", {1e-6, 1e6}, "end of the run"),
@@ -275,7 +273,6 @@ Case bore_reflection() {
                   .stated = {"front_depth", "still_depth", "end", "wall", "particles", "time_step", "rearrangement"}}};
   c.study = Study(claims, compute, show, "section 5 of the paper");
   c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
-  return c;
 }
 
 }  // namespace seiche::validation::cases::bore_reflection

@@ -122,12 +122,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case colliding_bores() {
-  Case c;
+void colliding_bores(Case& c) {
   c.title = "Two bores collide";
   c.source =
       "J. J. Stoker, Water Waves, 1957, 10.7; E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       integer("particles", {50, 400, 1600}, {20, 1e6},
               "smallest number of particles; twice and four times as many run too"),
@@ -139,7 +137,6 @@ Case colliding_bores() {
   };
   c.study = Study(claims, compute, show, "Riemann problem of the states behind the bores");
   c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
-  return c;
 }
 
 }  // namespace seiche::validation::cases::colliding_bores

@@ -38,6 +38,7 @@ several cells.
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
@@ -263,11 +264,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case moving_bore() {
-  Case c;
+void moving_bore(Case& c) {
   c.title = "A bore runs into still water";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 9 to 12";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::bogomolov + ", figures 9 to 12";
   c.parameters = {
       integer("particles", {120, 1200, 12000}, {12, 1e6}, "particles of equal widths over the channel"),
       real("time_step", {0.08, 0.008, 0.0008}, "s", {1e-9, 1}, "time step"),
@@ -282,7 +281,6 @@ Case moving_bore() {
   c.study = Study(claims, compute, show, "section 4 of the paper");
   c.former_names = {"rearrangement_literal"};
   c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
-  return c;
 }
 
 }  // namespace seiche::validation::cases::moving_bore

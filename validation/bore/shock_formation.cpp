@@ -145,11 +145,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case shock_formation() {
-  Case c;
+void shock_formation(Case& c) {
   c.title = "A bore forms ahead of a piston";
   c.source = "J. J. Stoker, Water Waves, 1957, 10.6";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       integer("particles", {50, 200, 800}, {20, 1e5}, "coarsest number of particles; 2, 4 and 8 times as many run too"),
       real("piston_velocity", 1.5, "m/s", {0.1, 10}, "final velocity of the piston"),
@@ -158,7 +156,6 @@ Case shock_formation() {
   c.study = Study(claims, compute, show,
                   "regression: an earlier program for the same scheme with 6400 particles, table "
                   "reference_data/regression_shock_formation");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::shock_formation

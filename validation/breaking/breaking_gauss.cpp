@@ -24,7 +24,6 @@ Frank's figure; against potential flow it is one.
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -83,9 +82,7 @@ class PressureBreakingReference {
     return {std::move(profile.x), std::move(profile.y)};
   }
   [[nodiscard]] bool has_jet(double time) const { return time > vertical_tangent(); }
-  [[nodiscard]] double vertical_tangent() const {
-    return wave_.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
-  }
+  [[nodiscard]] double vertical_tangent() const { return wave_.vertical_tangent_time().value_or(nan); }
   /// See above.
   [[nodiscard]] double largest_distance(double time, double cell) const {
     if (has_jet(time)) return cell / 2 + thin_part(surface(time), cell);
@@ -108,8 +105,8 @@ struct ComparedSurface {
 struct ComparedLattice {
   double cell = 0;
   std::vector<ComparedSurface> frames;
-  double overturned = std::numeric_limits<double>::quiet_NaN();  ///< when the line of markers first goes backwards
-  double work = 0;                                               ///< of the pressure
+  double overturned = nan;  ///< when the line of markers first goes backwards
+  double work = 0;          ///< of the pressure
 };
 
 struct BreakingComparison {
@@ -233,10 +230,10 @@ struct Frame {
 
 struct Results {
   std::vector<Frame> frames, film;
-  double crest = std::numeric_limits<double>::quiet_NaN();         ///< above the bottom, at the time `at`
-  double coarse_crest = std::numeric_limits<double>::quiet_NaN();  ///< on the wider cells
+  double crest = nan;         ///< above the bottom, at the time `at`
+  double coarse_crest = nan;  ///< on the wider cells
   /// First time at which the line of markers goes backwards; NaN: never.
-  double overturned = std::numeric_limits<double>::quiet_NaN();
+  double overturned = nan;
   double work = 0;     ///< of the pressure
   double balance = 0;  ///< largest defect of energy, work and loss
   double loss = 0;     ///< by the penalty
@@ -289,7 +286,7 @@ std::vector<long> lattices(const Values& values) {
 
 BreakingLattice lattice(const Values& values, long cells) {
   return {.cell = forced_length / static_cast<double>(cells),
-          .tau = values.real("tau") * static_cast<double>(values.integer("cells")) / static_cast<double>(cells)};
+          .tau = values.real("tau") * values.number("cells") / static_cast<double>(cells)};
 }
 
 Point highest(const std::vector<Point>& line) {
@@ -343,7 +340,7 @@ Results break_on(const Run& run, long cells, const PressureBreakingReference* re
     if (time == at) r.crest = depth + highest(flow.markers()).y;
     if (std::find(frame_times.begin(), frame_times.end(), time) == frame_times.end()) continue;
     if (reference) {
-      exactly.frames.push_back(compare(*reference, flow, cell, cell / static_cast<double>(run.integer("per_cell"))));
+      exactly.frames.push_back(compare(*reference, flow, cell, cell / run.number("per_cell")));
       r.frames.push_back(frame_of(flow, *reference, exactly.frames.back()));
     } else {
       r.frames.push_back(frame_of(flow));
@@ -461,11 +458,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case breaking_gauss() {
-  Case c;
+void breaking_gauss(Case& c) {
   c.title = "A wave is forced by pressure until it breaks: Gauss-principle particles";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("height", 0.6, "1/k", {0.01, 0.87}, "of the wave, from trough to crest"),
       integer("cells", {32, 60, 80}, {16, 400}, "cells of the lattice to a wavelength"),
@@ -479,7 +474,6 @@ Case breaking_gauss() {
                   .differs = "a penalty on gradients of vorticity; the pressure, which the thesis does not state, is "
                              "fitted to the times of its frames"}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breaking_gauss

@@ -43,6 +43,7 @@ spacings.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/checkpoints.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/sph_free_surface.hpp"
 #include "validation/instruments/particles/sph_front.hpp"
@@ -72,12 +73,12 @@ struct SphPlunged {
   long steps = 0;
   long lost = 0;  ///< particles outside the flume at the end
   std::vector<wcsph::Particles> frames;
-  std::vector<double> crest;  ///< highest connected water in the window at the frames [m]
-  std::vector<double> speed;  ///< largest of the water at the frames [m/s]
-  double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< t/T, by two spacings
-  double touches = std::numeric_limits<double>::quiet_NaN();     ///< t/T, with a cavity of at least 4 dx^2
-  Largest cavity;                                                ///< area of the air that is enclosed [m^2]
-  std::vector<double> jet_time, jet_x, jet_z;                    ///< tip of the jet before it touches
+  std::vector<double> crest;                   ///< highest connected water in the window at the frames [m]
+  std::vector<double> speed;                   ///< largest of the water at the frames [m/s]
+  double hangs_over = nan;                     ///< t/T, by two spacings
+  double touches = nan;                        ///< t/T, with a cavity of at least 4 dx^2
+  Largest cavity;                              ///< area of the air that is enclosed [m^2]
+  std::vector<double> jet_time, jet_x, jet_z;  ///< tip of the jet before it touches
   wcsph::Extremes extremes;
 
   [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
@@ -157,11 +158,7 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
     result.crest.push_back(wcsph::column_height(p, flow.smoothing_length(), first_seen * setup.wavelength,
                                                 (frames[next - 1] - behind_first) * setup.wavelength) -
                            scene.bottom);
-    Largest fastest;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p.kind[i] == wcsph::Kind::fluid) fastest.add(std::hypot(p.u[i], p.w[i]));
-    }
-    result.speed.push_back(fastest.value());
+    result.speed.push_back(fastest(p));
   }
   result.steps = flow.steps();
   result.lost =
@@ -170,7 +167,7 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
   return result;
 }
 
-const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 6";
+const std::string publication = literature::plunging_sph + ", figure 6";
 constexpr double gravity = 9.81;
 constexpr double depth = 0.013;
 constexpr double height = 0.013;
@@ -235,8 +232,7 @@ Results compute(const Run& run) {
 }
 
 void claim_model(const Claims<Runs>& claims, const Model& model) {
-  const auto on_finest =
-      claims.of([](const Runs& runs) -> const SphPlunged& { return runs.back(); }).at(&SphPlunged::resolution);
+  const auto on_finest = claims.last().at(&SphPlunged::resolution);
   on_finest.check(
       "plunges-" + model.id, fmt::format("The second wave behind the flap overturns ({}).", model.name), "it does",
       [](const SphPlunged& run) { return !std::isnan(run.hangs_over); },
@@ -251,7 +247,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at([](const Results& r) { return r.runs.front().back().resolution(); });
   const std::vector<Model> models = models_of(values);
   for (std::size_t m = 0; m < models.size(); ++m) {
-    claim_model(claims.of([m](const Results& r) -> const Runs& { return r.runs.at(m); }), models[m]);
+    claim_model(claims.of(&Results::runs).entry(m), models[m]);
   }
   const auto more = [](auto number) {
     return [number](const Results& r) {
@@ -381,10 +377,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case flap_plunging_sph() {
-  Case c;
+void flap_plunging_sph(Case& c) {
   c.title = "The second wave of a flap plunges: weakly compressible SPH";
-  c.source = "Plunging breaking waves by weakly compressible smoothed particles, figures 4 and 6";
+  c.source = literature::plunging_sph + ", figures 4 and 6";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
       {real("period", 0.308, "s", {0.01, 10}, "period T of the flap"),
@@ -403,7 +398,6 @@ Case flap_plunging_sph() {
                              "shifting", "smagorinsky", "smoothing", "walls", "xsph", "layers"},
                   .different = {{"stroke", "0.305, a misprint of 0.0305"}, {"sound", "ten times the largest speed"}}}};
   c.study = Study(claims, compute, show, publication);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::flap_plunging_sph

@@ -22,7 +22,6 @@ to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -76,20 +75,20 @@ double largest_distance(const OverturningWave& exact, double time, double cell) 
 /// One model on one lattice.
 struct Computed {
   std::string model;
-  double size = 0;                          ///< of a cell, or spacing of the particles
-  double seconds = 0;                       ///< of the processor
-  std::vector<Polylines> surfaces;          ///< at the instants
-  std::vector<PolylineDistance> distances;  ///< there
+  double size = 0;                               ///< of a cell, or spacing of the particles
+  double seconds = 0;                            ///< of the processor
+  std::vector<Polylines> surfaces;               ///< at the instants
+  std::vector<PolylineDistance> distances = {};  ///< there
 };
 
 struct Results {
-  std::vector<double> times, limits;  ///< of the instants; of the finest lattice
-  std::vector<Polylines> exact;       ///< there
-  std::vector<Computed> particles;    ///< coarse, fine
-  Computed sph;
-  double vertical = 0;                                       ///< when the exact front is
-  double turned = std::numeric_limits<double>::quiet_NaN();  ///< first time with the markers' front past it
-  double energy = 0;                                         ///< largest defect over the kinetic energy
+  std::vector<double> times, limits = {};  ///< of the instants; of the finest lattice
+  std::vector<Polylines> exact = {};       ///< there
+  std::vector<Computed> particles = {};    ///< coarse, fine
+  Computed sph = {};
+  double vertical = 0;  ///< when the exact front is
+  double turned = nan;  ///< first time with the markers' front past it
+  double energy = 0;    ///< largest defect over the kinetic energy
 
   [[nodiscard]] const Computed& finest() const { return particles.back(); }
 };
@@ -132,7 +131,7 @@ void turn_particles(Results& r, const SteepWave& wave, long cells) {
   Flow flow = flow_of(wave, cells);
   const double kinetic = flow.energy();
   Computed one{.model = "Gauss particles", .size = cell_of(cells)};
-  r.turned = std::numeric_limits<double>::quiet_NaN();
+  r.turned = nan;
   for (const double time : r.times) {
     march(flow, time, step_of(wave, cells), [&] {
       flow.observe();
@@ -158,11 +157,7 @@ Computed turned_sph(const Run& run, const SteepWave& wave, const std::vector<dou
                                           .sound_speed = 10 * std::sqrt(wave.gravity * wave.depth),
                                           .viscosity = wcsph::ArtificialViscosity{0.01}}};
   const SphOverturned turned = overturn(setup, times, 0.01 * wavelength, 1, run.part("SPH"));
-  return {.model = "SPH",
-          .size = turned.spacing,
-          .seconds = processor_seconds() - began,
-          .surfaces = turned.surfaces,
-          .distances = {}};
+  return {.model = "SPH", .size = turned.spacing, .seconds = processor_seconds() - began, .surfaces = turned.surfaces};
 }
 
 Results compute(const Run& run) {
@@ -170,8 +165,8 @@ Results compute(const Run& run) {
   const OverturningWave exact = wave.exact(256, last_phase);
   run.progress(0.1);
   const long cells = run.integer("cells");
-  Results r{.times = times_of(exact), .limits = {}, .exact = {}, .particles = {}, .sph = {}};
-  r.vertical = exact.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
+  Results r{.times = times_of(exact)};
+  r.vertical = exact.vertical_tangent_time().value_or(nan);
   for (const double time : r.times) {
     r.exact.push_back(exact_surface(exact, time));
     r.limits.push_back(largest_distance(exact, time, cell_of(cells)));
@@ -267,11 +262,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case overturning_gauss() {
-  Case c;
+void overturning_gauss(Case& c) {
   c.title = "A steep wave overturns: Gauss-principle particles beside SPH";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("height", 0.13, "L", {0.02, 0.14}, "height H of the cosine it begins with"),
       real("depth", 0.13, "L", {0.1, 1}, "depth of the water at rest"),
@@ -279,7 +272,6 @@ Case overturning_gauss() {
       integer("columns", {100, 280, 280}, {40, 2000}, "particle spacings of SPH in a wavelength"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::overturning_gauss

@@ -31,6 +31,7 @@ bottom by a part of a spacing; the kinetic energy is within a few per cent of po
 #include "seiche/exact/dispersion.hpp"
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
@@ -119,8 +120,7 @@ Results compute(const Run& run) {
   std::vector<double> until_landed = times;
   until_landed.push_back(std::max(times.back(), 1.06 * exact.touch_down_time().value_or(exact.end_time())));
   const auto columns = [&](std::size_t lattice) {
-    return std::lround(static_cast<double>(run.integer("columns")) *
-                       std::pow(0.5, 0.5 * static_cast<double>(lattices - 1 - lattice)));
+    return std::lround(run.number("columns") * std::pow(0.5, 0.5 * static_cast<double>(lattices - 1 - lattice)));
   };
   const auto turned = [&](const SphOverturning& setup, const std::vector<double>& at, long watched,
                           const std::string& name) {
@@ -143,7 +143,7 @@ Results compute(const Run& run) {
 }
 
 void claim_distances(const Claims<Results>& claims, const Values& values) {
-  const double spacing = wavelength / static_cast<double>(values.integer("columns"));
+  const double spacing = wavelength / values.number("columns");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
@@ -204,7 +204,6 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
   const SphOverturned& finest = r.finest();
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const std::string& id = instants[i].id;
@@ -213,8 +212,8 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
     exhibit.measure("level_" + id, finest.level[i]);
     exhibit.measure("speed_" + id, finest.speed[i]);
   }
-  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(none));
-  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(none));
+  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(nan));
+  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(nan));
   exhibit.measure("touch_down_time", finest.touches);
   exhibit.measure("largest_mach_number", finest.extremes.mach);
   exhibit.measure("steps", static_cast<double>(finest.steps));
@@ -292,12 +291,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case overturning_sph() {
-  Case c;
+void overturning_sph(Case& c) {
   c.title = "A wave overturns and plunges: weakly compressible SPH beside potential flow";
-  c.source =
-      "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. Lond. A 350 (1976) 1; G. R. Baker, D. I. Meiron, S. A. "
-      "Orszag, J. Fluid Mech. 123 (1982) 477";
+  c.source = literature::longuet_higgins_cokelet + "; " + literature::baker_meiron_orszag;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters =
       with({real("height", 0.13, "L", {0.02, 0.14}, "height H of the cosine it begins with"),
@@ -305,7 +301,6 @@ Case overturning_sph() {
             integer("columns", {100, 400, 800}, {40, 4000}, "particle spacings in a wavelength, finest")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::overturning_sph

@@ -19,7 +19,6 @@ spacing, is shown and not scored: their jet is formed by few of them, and late.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -27,6 +26,7 @@ spacing, is shown and not scored: their jet is formed by few of them, and late.
 #include "seiche/exact/dispersion.hpp"
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
@@ -92,7 +92,7 @@ Results compute(const Run& run) {
     const exact::OverturningWave exact = shape.wave().exact(128, 0.6);
     Turn& turn = r.turns.at(k);
     const double jet = std::min(exact.well_resolved_until(), exact.end_time());
-    turn.times = {exact.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN()), jet};
+    turn.times = {exact.vertical_tangent_time().value_or(nan), jet};
     turn.exact_overhang = exact_overhang_time(exact, overhang, jet);
     std::vector<double> times = turn.times;
     if (lands && k == 0) times.push_back(last);
@@ -131,7 +131,7 @@ void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& va
               return {.value = turn.distances.at(instant).rms,
                       .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
             },
-            Bound{.limit = 1 / static_cast<double>(values.integer("columns")),
+            Bound{.limit = 1 / values.number("columns"),
                   .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
   };
   surface("vertical-", "With a vertical front", 0);
@@ -176,9 +176,7 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    claim_turn(claims.of([k](const Results& r) -> const Turn& { return r.turns.at(k); }).at([](const Turn& turn) {
-      return turn.run.resolution();
-    }),
+    claim_turn(claims.of(&Results::turns).entry(k).at([](const Turn& turn) { return turn.run.resolution(); }),
                shapes.at(k), values);
   }
   claim_cavities(claims, values);
@@ -221,18 +219,13 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case overturning_sph_depths() {
-  Case c;
+void overturning_sph_depths(Case& c) {
   c.title = "Waves of several heights and depths overturn: weakly compressible SPH";
-  c.source =
-      "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. Lond. A 350 (1976) 1; G. R. Baker, D. I. Meiron, S. A. "
-      "Orszag, J. Fluid Mech. 123 (1982) 477";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::longuet_higgins_cokelet + "; " + literature::baker_meiron_orszag;
   c.parameters =
       with({integer("columns", {90, 283, 400}, {40, 4000}, "particle spacings in a wavelength")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));
   c.study = Study(claims, compute, show);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::overturning_sph_depths

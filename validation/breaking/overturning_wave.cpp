@@ -24,6 +24,7 @@ throws a thick jet near the crest.
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/overturning/overturning_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/agreement.hpp"
 
@@ -43,7 +44,7 @@ OverturningWave wave_of(const Values& values) {
                           .wavelength = values.real("wavelength"),
                           .depth = depth,
                           .gravity = values.real("gravity"),
-                          .markers = static_cast<std::size_t>(values.integer("markers")),
+                          .markers = values.count("markers"),
                           .last_time = values.real("periods") * period});
 }
 
@@ -102,7 +103,7 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double none = nan;
   exhibit.measure("reference_uncertainty", r.uncertainty);
   exhibit.measure("vertical_tangent_time", r.wave.vertical_tangent_time().value_or(none));
   exhibit.measure("touch_down_time", r.wave.touch_down_time().value_or(none));
@@ -138,9 +139,7 @@ std::vector<WantedTable> wanted(const Values& values) {
       return linear_at({fractions, surfaces->at(p.group).*coordinate}, p.abscissa);
     };
   };
-  const std::function<double()> vertical = [wave] {
-    return wave->vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
-  };
+  const std::function<double()> vertical = [wave] { return wave->vertical_tangent_time().value_or(nan); };
   const std::vector<Requirement> close{
       {.measure = Measure::largest_error,
        .criterion = Bound{.limit = values.real("tolerance") * values.real("amplitude"),
@@ -170,12 +169,10 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case overturning_wave() {
-  Case c;
+void overturning_wave(Case& c) {
   c.title = "A wave overturns and plunges";
-  c.source =
-      "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. A 350 (1976) 1; G. R. Baker, D. I. Meiron, S. A. Orszag, J. "
-      "Fluid Mech. 123 (1982) 477";
+  c.source = "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. A 350 (1976) 1; " + literature::baker_meiron_orszag;
+  c.tiers = {Tier::quick};
   c.parameters = {
       real("amplitude", 0.5, "m", {1e-9, 1e6}, "half the height of the cosine"),
       real("wavelength", 2 * std::numbers::pi, "m", {1e-9, 1e6}, "wavelength"),
@@ -187,7 +184,6 @@ Case overturning_wave() {
   };
   c.study = Study(claims, compute, show, source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::overturning_wave

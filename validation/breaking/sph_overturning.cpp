@@ -13,6 +13,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/particles/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
+#include "validation/studies/wcsph/speed_field.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -38,18 +39,7 @@ std::vector<Contour> surface_of(const wcsph::Flow& flow, const SphOverturning& s
 }
 
 double mean_level(const wcsph::Flow& flow, const SphOverturning& setup) {
-  return fraction_of(flow, setup)
-             .mean_elevation(0, setup.wave.wavelength)
-             .value_or(std::numeric_limits<double>::quiet_NaN()) -
-         setup.wave.depth;
-}
-
-double fastest(const wcsph::Particles& particles) {
-  Largest speed;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.kind[i] == wcsph::Kind::fluid) speed.add(std::hypot(particles.u[i], particles.w[i]));
-  }
-  return speed.value();
+  return fraction_of(flow, setup).mean_elevation(0, setup.wave.wavelength).value_or(nan) - setup.wave.depth;
 }
 
 /// Energy above that of still water.
@@ -188,7 +178,7 @@ double exact_overhang_time(const exact::OverturningWave& wave, double overhang, 
   };
   double before = 0;
   double after = end;
-  if (!hangs(after)) return std::numeric_limits<double>::quiet_NaN();
+  if (!hangs(after)) return nan;
   for (int halving = 0; halving < 24; ++halving) {
     const double middle = 0.5 * (before + after);
     (hangs(middle) ? after : before) = middle;

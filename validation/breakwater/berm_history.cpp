@@ -36,8 +36,7 @@ BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, 
     const auto i = static_cast<std::size_t>(std::lround((x + berm.length) / width));
     return settings.height * mode.elevation[i] / mode.elevation.front();
   };
-  BermWave wave{.flow = Flow(berm.mesh(columns, rows, elevation), {}, {}, {.hourglass = settings.hourglass}),
-                .history = {}};
+  BermWave wave{.flow = Flow(berm.mesh(columns, rows, elevation), {}, {}, {.hourglass = settings.hourglass})};
   Flow& flow = wave.flow;
   BermHistory& history = wave.history;
   BermGauge gauge(flow, berm);

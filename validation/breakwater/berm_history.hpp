@@ -43,7 +43,7 @@ void draw_forces(evidence::Panel& panel, const BermHistory& history);
 
 struct BermWave {
   lagrangian_mesh_2d::Flow flow;  ///< at the end
-  BermHistory history;
+  BermHistory history = {};
 };
 
 struct BermRunSettings {

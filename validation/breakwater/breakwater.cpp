@@ -31,6 +31,7 @@ tenth of what a plain wall does. Waves much longer push on both together.
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/berm_load.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater {
@@ -51,7 +52,7 @@ struct SetUp {
 
   explicit SetUp(const Values& values)
       : berm{.rise = 1 - values.real("berm_depth"), .width = values.real("berm_width")},
-        mesh{values.real("columns_per_depth"), static_cast<std::size_t>(values.integer("rows"))},
+        mesh{values.real("columns_per_depth"), values.count("rows")},
         tau(values.real("tau")),
         meshes(values.tier() == Tier::quick ? 3 : 4) {}
 
@@ -240,10 +241,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case breakwater() {
-  Case c;
+void breakwater(Case& c) {
   c.title = "A breakwater whose front and rear are loaded in antiphase";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.3";
+  c.source = literature::frank + ", section 2.3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("berm_depth", 0.4, "depth", {0.2, 0.9}, "of still water over the berm"),
@@ -255,7 +255,6 @@ Case breakwater() {
   };
   c.published = {{.tiles = {"frank-breakwater"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breakwater

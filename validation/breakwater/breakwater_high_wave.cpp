@@ -43,6 +43,7 @@ has twice the frequency.
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/harmonic.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -201,7 +202,7 @@ struct SetUp {
 
   explicit SetUp(const Values& values)
       : berm{.rise = 1 - values.real("berm_depth"), .width = values.real("berm_width")},
-        mesh{values.real("columns_per_depth"), static_cast<std::size_t>(values.integer("rows"))},
+        mesh{values.real("columns_per_depth"), values.count("rows")},
         height(values.real("height")),
         tau(values.real("tau")),
         wavelength(values.real("wavelength")),
@@ -424,11 +425,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case breakwater_high_wave() {
-  Case c;
+void breakwater_high_wave(Case& c) {
   c.title = "A breakwater loaded in antiphase: a high wave";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.3";
-  c.tiers = {Tier::quick};
+  c.source = literature::frank + ", section 2.3";
   c.parameters = {
       real("berm_depth", 0.4, "depth", {0.2, 0.9}, "of still water over the berm"),
       real("berm_width", 2.0, "depth", {0.5, 6}, "from the middle of the front face to the rear wall"),
@@ -442,7 +441,6 @@ Case breakwater_high_wave() {
   };
   c.published = {{.tiles = {"frank-breakwater"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breakwater_high_wave

@@ -37,6 +37,7 @@ wall. Waves of fifteen depths push on both together.
 #include "validation/breakwater/basin_wave.hpp"
 #include "validation/breakwater/incident_waves.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater_periodic {
@@ -127,7 +128,7 @@ struct SetUp {
   std::vector<double> wavelengths;  ///< the first: the berm is half a wave wide; the last: a long wave
 
   explicit SetUp(const Values& values)
-      : mesh{values.real("columns_per_depth"), static_cast<std::size_t>(values.integer("rows"))},
+      : mesh{values.real("columns_per_depth"), values.count("rows")},
         sea(values.real("sea")),
         height(values.real("height")),
         steps(values.integer("steps")),
@@ -384,10 +385,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case breakwater_periodic() {
-  Case c;
+void breakwater_periodic(Case& c) {
   c.title = "Periodic waves on a breakwater whose front and rear are loaded in antiphase";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.3";
+  c.source = literature::frank + ", section 2.3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("sea", 36.0, "depth", {20, 200}, "by which the tank is longer than the basin of 14 depths"),
@@ -398,7 +398,6 @@ Case breakwater_periodic() {
   };
   c.published = {{.tiles = {"frank-breakwater"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breakwater_periodic

@@ -17,6 +17,11 @@ Values Case::values(const Published& set) const {
   return Values(parameters, set, std::make_shared<const std::vector<Published>>(published));
 }
 
+std::vector<Tier> Case::tiers_of_defaults() const {
+  if (values(Tier::quick).canonical() == values(Tier::full).canonical()) return {Tier::quick};
+  return {Tier::quick, Tier::full};
+}
+
 const Published& Case::published_set(std::string_view tile) const {
   const auto found =
       std::find_if(published.begin(), published.end(), [&](const Published& s) { return s.shows(tile); });

@@ -1,8 +1,9 @@
 /// What a validation case is.
 ///
 /// A case is one file validation/<phenomenon>/<name>.cpp. It opens with a Markdown comment, the article that the report
-/// prints, and defines one function `Case <name>()` in a namespace of its own, seiche::validation::cases::<name>. The
-/// build finds the file, takes the article, and adds the case to the registry: nothing else is to be edited.
+/// prints, and defines one function `void <name>(Case& c)`, which fills the case in, in a namespace of its own,
+/// seiche::validation::cases::<name>. The build finds the file, takes the article, and adds the case to the registry:
+/// nothing else is to be edited.
 #pragma once
 
 #include <chrono>
@@ -21,9 +22,9 @@ namespace seiche::validation {
 
 struct Case {
   std::string title;
-  std::string source;                       ///< citation with figure, table or section
-  std::vector<std::string> atlas;           ///< tiles that the case fills as a whole
-  std::vector<Tier> tiers = {Tier::quick};  ///< tiers in which it does something of its own
+  std::string source;              ///< citation with figure, table or section
+  std::vector<std::string> atlas;  ///< tiles that the case fills as a whole
+  std::vector<Tier> tiers;         ///< in which it does something of its own; empty: tiers_of_defaults()
   std::vector<Parameter> parameters;
   std::vector<Published> published;  ///< the sources' own parameters, a set for every tile that the case fills
   ByTier<std::chrono::seconds> time_limit = {std::chrono::minutes(5), std::chrono::hours(1), std::chrono::hours(24)};
@@ -39,6 +40,8 @@ struct Case {
 
   /// The defaults of a tier.
   [[nodiscard]] Values values(Tier tier) const;
+  /// The quick tier, and the full one where a parameter has another default there.
+  [[nodiscard]] std::vector<Tier> tiers_of_defaults() const;
   /// The values of a published set.
   [[nodiscard]] Values values(const Published& set) const;
   /// The set that shows a tile. @throws std::invalid_argument listing the sets

@@ -6,6 +6,7 @@
 ///                    evidence::Bound{.limit = 1e-3, .reason = "..."});
 ///       claims.from("Miles (1977)").check(...);          // another source than that of the case's study
 ///       claim_conservation(claims.of(&Results::flow));   // claims that several cases make of the same part
+///       claims.of(&Results::waves).entry(k).check(...);  // about one of several
 ///       claims.only_if(values.as_published(), "the source prints it for its own parameters").check(...);
 ///       claims.at("N = 200").check(..., &Results::crest, ...);   // the resolution of several claims, said once
 ///       claims.at(&Results::resolution).where("t = {:g}").check(...);   // told by the run; the place of a Worst
@@ -135,6 +136,14 @@ class Claims {
         *list_,
         [find = find_, member](const void* results) -> const Found& { return std::invoke(member, find(results)); },
         {terms_.source, terms_.resolution, terms_.where, terms_.left_out, terms_.failure});
+  }
+
+  /// The same list for claims about an entry of results that are a sequence.
+  [[nodiscard]] auto entry(std::size_t k) const {
+    return of([k](const Part& all) -> const auto& { return all.at(k); });
+  }
+  [[nodiscard]] auto last() const {
+    return of([](const Part& all) -> const auto& { return all.back(); });
   }
 
   /// The same list for claims that apply under a condition on parameters. @param otherwise  why they do not apply

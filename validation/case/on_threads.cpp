@@ -56,4 +56,10 @@ void on_threads(const Run& run, std::size_t count, const std::function<void(std:
              [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(count)); });
 }
 
+void one_by_one(const Run& run, const std::vector<std::function<void()>>& work) {
+  on_threads(
+      work.size(), 1, [&](std::size_t k) { work[k](); },
+      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(work.size())); });
+}
+
 }  // namespace seiche::validation

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "validation/case/study.hpp"
 #include "validation/case/tier.hpp"
@@ -20,5 +21,7 @@ void on_threads(std::size_t count, std::size_t workers, const std::function<void
                 const std::function<void(std::size_t finished)>& done = {});
 /// The same by the workers of a run's tier; the run is told how far it is.
 void on_threads(const Run& run, std::size_t count, const std::function<void(std::size_t k)>& work);
+/// One after another and on one thread each, or their times would be those of their neighbours.
+void one_by_one(const Run& run, const std::vector<std::function<void()>>& work);
 
 }  // namespace seiche::validation

@@ -56,8 +56,7 @@ Parameter real(std::string name, ByTier<double> standard, std::string unit, Rang
           .meaning = std::move(meaning),
           .standard = {standard.quick, standard.full, standard.paper},
           .lowest = range.lowest,
-          .highest = range.highest,
-          .choices = {}};
+          .highest = range.highest};
 }
 
 Parameter integer(std::string name, ByTier<long> standard, Range range, std::string meaning) {
@@ -66,8 +65,7 @@ Parameter integer(std::string name, ByTier<long> standard, Range range, std::str
           .meaning = std::move(meaning),
           .standard = {standard.quick, standard.full, standard.paper},
           .lowest = range.lowest,
-          .highest = range.highest,
-          .choices = {}};
+          .highest = range.highest};
 }
 
 Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std::string> choices,
@@ -79,12 +77,15 @@ Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std
           .choices = std::move(choices)};
 }
 
+Parameter choice(std::string name, const char* standard, std::vector<std::string> choices, std::string meaning) {
+  return choice(std::move(name), std::string(standard), std::move(choices), std::move(meaning));
+}
+
 Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning) {
   return {.name = std::move(name),
           .unit = "1",
           .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper},
-          .choices = {}};
+          .standard = {standard.quick, standard.full, standard.paper}};
 }
 
 bool Published::shows(std::string_view tile) const {

@@ -1,6 +1,8 @@
 /// What a user may set in a case, declared once: unit, default, range, meaning. Every error message follows from it.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +16,9 @@
 
 namespace seiche::validation {
 
+/// Of what was not measured, or is not known.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
 using Value = std::variant<double, long, bool, std::string>;
 
 struct Parameter {
@@ -23,7 +28,7 @@ struct Parameter {
   ByTier<Value> standard;  ///< default per tier
   double lowest = 0;       ///< closed range of a number
   double highest = 0;
-  std::vector<std::string> choices;  ///< of a text
+  std::vector<std::string> choices = {};  ///< of a text
 
   /// "in [0, 100]" or "one of G1, M2, H2".
   [[nodiscard]] std::string range() const;
@@ -37,6 +42,7 @@ struct Range {
 Parameter real(std::string name, ByTier<double> standard, std::string unit, Range range, std::string meaning);
 Parameter integer(std::string name, ByTier<long> standard, Range range, std::string meaning);
 Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std::string> choices, std::string meaning);
+Parameter choice(std::string name, const char* standard, std::vector<std::string> choices, std::string meaning);
 Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning);
 
 /// Parameters by name, with values.
@@ -77,6 +83,9 @@ class Values {
 
   [[nodiscard]] double real(std::string_view name) const { return get<double>(name); }
   [[nodiscard]] long integer(std::string_view name) const { return get<long>(name); }
+  /// An integer as a real number, or as a size.
+  [[nodiscard]] double number(std::string_view name) const { return static_cast<double>(integer(name)); }
+  [[nodiscard]] std::size_t count(std::string_view name) const { return static_cast<std::size_t>(integer(name)); }
   [[nodiscard]] bool toggle(std::string_view name) const { return get<bool>(name); }
   [[nodiscard]] const std::string& text(std::string_view name) const { return get<std::string>(name); }
 

@@ -38,7 +38,7 @@ struct RefinedQuantity {
 
 /// What is claimed and shown of it.
 struct RefinementStudy {
-  std::vector<RefinedQuantity> quantities;
+  std::vector<RefinedQuantity> quantities = {};
   std::string source;  ///< of the claims about orders
   long coarsest = 0;   ///< meshes of fewer cells do not count for the orders
 

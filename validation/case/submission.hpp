@@ -127,9 +127,9 @@ struct WantedTable {
 
 /// One group of a submitted table, by the wanted names.
 struct SubmittedGroup {
-  double value = 0;              ///< of the group column
-  std::vector<double> abscissa;  ///< strictly increasing; empty for scalars
-  std::map<std::string, std::vector<double>> values;
+  double value = 0;                   ///< of the group column
+  std::vector<double> abscissa = {};  ///< strictly increasing; empty for scalars
+  std::map<std::string, std::vector<double>> values = {};
   std::vector<std::pair<double, double>> gaps = {};  ///< of the abscissa, between whose ends no value was given
 };
 

@@ -29,6 +29,7 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/gauss_column.hpp"
@@ -49,9 +50,7 @@ constexpr double farthest = 4.2;  ///< X/a of the points that are compared
 using Column = GaussColumn;
 
 Column column_of(const Values& values) {
-  return {.aspect = static_cast<double>(values.integer("aspect")),
-          .cells = values.integer("cells"),
-          .per_cell = values.integer("per_cell")};
+  return {.aspect = values.number("aspect"), .cells = values.integer("cells"), .per_cell = values.integer("per_cell")};
 }
 
 /// Throws std::invalid_argument where the run ends before front and height are to be read.
@@ -129,9 +128,7 @@ struct Results {
   ShiftedFront fit;
 
   [[nodiscard]] const Collapse& finest() const { return runs.back(); }
-  [[nodiscard]] std::vector<double> speeds() const {
-    return each(runs, [](const Collapse& run) { return run.speed(); });
-  }
+  [[nodiscard]] std::vector<double> speeds() const { return each(runs, &Collapse::speed); }
 };
 
 void claim_method(const Column& column, double last, const Claims<Collapse>& claims) {
@@ -321,11 +318,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case collapse_gauss() {
-  Case c;
+void collapse_gauss(Case& c) {
   c.title = "A column of water collapses: Gauss-principle particles";
-  c.source = "J. C. Martin, W. J. Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312, figure 3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::martin_moyce + ", figure 3";
   c.parameters = {
       integer("aspect", 2, {1, 2}, "n^2, height of the column over its width"),
       integer("cells", {8, 16, 16}, {4, 64}, "cells of the lattice to the width"),
@@ -334,7 +329,6 @@ Case collapse_gauss() {
       real("at", 2, "1", {0, 5}, "scaled time T at which the numbers front and height are read; no later than last"),
   };
   c.study = Study(claims, compute, show, experiment);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::collapse_gauss

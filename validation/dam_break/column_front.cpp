@@ -25,49 +25,37 @@ struct Origin {
   double tank = 0;
 };
 
-const std::vector<Origin>& origins() {
-  static const std::vector<Origin> all{
-      {"martin_moyce_tall_wide", "martin_moyce_1952_tall_wide", "T", "X_over_a", "Martin and Moyce, a = 5.715 cm",
-       "Martin and Moyce (1952), figure 3", 2, true, true},
-      {"martin_moyce_tall_narrow", "martin_moyce_1952_tall_narrow", "T", "X_over_a", "Martin and Moyce, a = 2.8575 cm",
-       "Martin and Moyce (1952), figure 3", 2, true, true},
-      {"martin_moyce_square", "martin_moyce_1952_square_front", "Tg", "X_over_a", "Martin and Moyce, square column",
-       "Martin and Moyce (1952)", 1, false, true},
-      {"koshizuka_oka_1", "koshizuka_oka_1996_experiment", "T", "X_over_L", "Koshizuka and Oka, first digitisation",
-       "Koshizuka and Oka (1996)", 2, true, true, 1.0, 4},
-      {"koshizuka_oka_2", "koshizuka_oka_1996_experiment", "T", "X_over_L", "Koshizuka and Oka, second digitisation",
-       "Koshizuka and Oka (1996)", 2, true, true, 2.0, 4},
-      {"koshizuka_oka_mps",
-       "koshizuka_oka_1996_mps",
-       "T",
-       "X_over_L",
-       "Koshizuka and Oka, MPS computation",
-       "Koshizuka and Oka (1996)",
-       2,
-       true,
-       false,
-       {},
-       4},
-      {"interfoam", "interfoam_1912_collapsing_column", "T", "X_over_a", "interFoam 1912, volume of fluid",
-       "OpenFOAM 1912, interFoam", 2, true, false},
-  };
-  return all;
-}
+const std::vector<Origin> origins{
+    {"martin_moyce_tall_wide", "martin_moyce_1952_tall_wide", "T", "X_over_a", "Martin and Moyce, a = 5.715 cm",
+     "Martin and Moyce (1952), figure 3", 2, true, true},
+    {"martin_moyce_tall_narrow", "martin_moyce_1952_tall_narrow", "T", "X_over_a", "Martin and Moyce, a = 2.8575 cm",
+     "Martin and Moyce (1952), figure 3", 2, true, true},
+    {"martin_moyce_square", "martin_moyce_1952_square_front", "Tg", "X_over_a", "Martin and Moyce, square column",
+     "Martin and Moyce (1952)", 1, false, true},
+    {"koshizuka_oka_1", "koshizuka_oka_1996_experiment", "T", "X_over_L", "Koshizuka and Oka, first digitisation",
+     "Koshizuka and Oka (1996)", 2, true, true, 1.0, 4},
+    {"koshizuka_oka_2", "koshizuka_oka_1996_experiment", "T", "X_over_L", "Koshizuka and Oka, second digitisation",
+     "Koshizuka and Oka (1996)", 2, true, true, 2.0, 4},
+    {"koshizuka_oka_mps", "koshizuka_oka_1996_mps", "T", "X_over_L", "Koshizuka and Oka, MPS computation",
+     "Koshizuka and Oka (1996)", 2, true, false, std::nullopt, 4},
+    {"interfoam", "interfoam_1912_collapsing_column", "T", "X_over_a", "interFoam 1912, volume of fluid",
+     "OpenFOAM 1912, interFoam", 2, true, false},
+};
 
 }  // namespace
 
 const std::vector<std::string>& column_fronts() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Origin& origin : origins()) all.push_back(origin.name);
+    for (const Origin& origin : origins) all.push_back(origin.name);
     return all;
   }();
   return names;
 }
 
 ColumnFront column_front(const std::string& name, const Values& values) {
-  const auto found = std::ranges::find(origins(), name, &Origin::name);
-  if (found == origins().end()) {
+  const auto found = std::ranges::find(origins, name, &Origin::name);
+  if (found == origins.end()) {
     throw std::invalid_argument(
         fmt::format("no front is called \"{}\"; there are {}", name, fmt::join(column_fronts(), ", ")));
   }

@@ -66,10 +66,10 @@ std::vector<long> counts_of(const Values& values) {
 struct Refined {
   double ratio;
   const Contender* contender;
-  std::vector<double> counts;
-  std::vector<double> errors;  ///< cell L1(h)
-  std::vector<double> seconds;
-  evidence::ObservedOrder order;
+  std::vector<double> counts = {};
+  std::vector<double> errors = {};  ///< cell L1(h)
+  std::vector<double> seconds = {};
+  evidence::ObservedOrder order = {};
 
   [[nodiscard]] double finest() const { return errors.back(); }
 };
@@ -112,7 +112,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Refined refine(const FlowProblem& problem, double ratio, const Contender& one, const std::vector<long>& counts) {
-  Refined refined{.ratio = ratio, .contender = &one, .counts = {}, .errors = {}, .seconds = {}, .order = {}};
+  Refined refined{.ratio = ratio, .contender = &one};
   std::vector<double> widths;
   for (const long count : counts) {
     const Contestant c = contest(
@@ -169,18 +169,15 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dam_break_convergence() {
-  Case c;
+void dam_break_convergence(Case& c) {
   c.title = "Convergence of dam breaks";
   c.source = "exact solutions of Ritter (1892) and Stoker (1957)";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       integer("coarsest", {50, 50, 100}, {10, 10000}, "smallest number of cells"),
       integer("levels", {5, 6, 7}, {4, 10}, "how often it is doubled, plus one"),
       real("gravity", 9.81, "m/s^2", {0.1, 1e3}, "acceleration of gravity"),
   };
   c.study = Study(claims, compute, show, "corners and jumps limit every scheme");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_convergence

@@ -23,6 +23,7 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
@@ -55,7 +56,7 @@ struct Discharge {
 };
 
 struct Results {
-  std::vector<Discharge> discharges;  ///< one per setting
+  std::vector<Discharge> discharges = {};  ///< one per setting
   double critical_ratio;
 };
 
@@ -78,7 +79,7 @@ Discharge discharge_by_particles(double gravity, const Setting& s) {
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const auto n = static_cast<double>(values.integer("particles"));
+  const auto n = values.number("particles");
   const std::vector<Setting> all = settings(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Setting& s = all[k];
@@ -90,9 +91,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
             "largest deviation of the discharge [m^2/s]",
             [k, exact = s.exact](const Results& r) {
               const Discharge& q = r.discharges.at(k);
-              Worst deviation;
-              for (std::size_t i = 0; i < q.time.size(); ++i) deviation.add(q.value[i] - exact, q.time[i]);
-              return deviation;
+              return over<Worst>(
+                  indices(q.time.size()), [&](std::size_t i) { return q.value[i] - exact; },
+                  [&](std::size_t i) { return q.time[i]; });
             },
             Bound{.limit = 2.5 / n * s.exact,
                   .reason = "the start spoils the water of about one particle on either side of the dam, and its trace "
@@ -114,7 +115,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.discharges = {}, .critical_ratio = exact::Stoker::critical_ratio()};
+  Results r{.critical_ratio = exact::Stoker::critical_ratio()};
   for (const Setting& s : settings(run)) {
     r.discharges.push_back(discharge_by_particles(run.real("gravity"), s));
     run.progress(0.3 * static_cast<double>(r.discharges.size()));
@@ -162,12 +163,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dam_break_discharge() {
-  Case c;
+void dam_break_discharge(Case& c) {
   c.title = "Discharge through the section of the dam";
-  c.source =
-      "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 8, 19, 20 and "
-      "21";
+  c.source = literature::bogomolov + ", figures 8, 19, 20 and 21";
+  c.tiers = {Tier::quick};
   c.parameters = {
       integer("particles", {100, 400, 1600}, {20, 1e6},
               "particles behind the dam over a dry bed; twice as many over a wet one"),
@@ -176,7 +175,6 @@ Case dam_break_discharge() {
   c.published = {{.tiles = {"bzz-fig-8", "bzz-fig-19"}},
                  {.tiles = {"bzz-fig-20", "bzz-fig-21"}, .contradicted = {"critical-ratio"}}};
   c.study = Study(claims, compute, show, "Stoker (1957), 10.8");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_discharge

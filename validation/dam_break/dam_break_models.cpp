@@ -40,6 +40,7 @@ water has no vertical front.
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/gauss_column.hpp"
 #include "validation/instruments/particles/sph_front.hpp"
@@ -251,7 +252,7 @@ void claims(const Values& values, const Claims<Contest>& all) {
   claims_of(claims, "particles")
       .check("particles-energy-loss", "What the penalty takes from the free particles is no part of the flow.",
              "change over the energy of the beginning", energy_of_finest,
-             Bound{.limit = 0.01 / static_cast<double>(values.integer("particles")),
+             Bound{.limit = 0.01 / values.number("particles"),
                    .reason = "a hundredth for eddies of a cell at the front, which is a cell high: a cell of as many "
                              "as are in the width, of a column that falls as a whole"});
   claim_breaks(claims_of(claims, "mesh"), {"mesh", "the Lagrangian mesh"},
@@ -282,13 +283,9 @@ void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case dam_break_models() {
-  Case c;
+void dam_break_models(Case& c) {
   c.title = "Model comparison: a collapsing column";
-  c.source =
-      "J. C. Martin, W. J. Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312; A. M. Frank, Discrete models of "
-      "incompressible fluid, doctoral thesis (1994)";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::martin_moyce + "; " + literature::frank;
   c.parameters = {
       real("time", 3.6, "sqrt(width/2g)", {2.3, 6}, "at which errors are compared"),
       real("last", 5.0, "sqrt(width/2g)", {2.3, 6}, "until which the models are followed"),
@@ -299,7 +296,6 @@ Case dam_break_models() {
       integer("sph", {24, 60, 60}, {10, 200}, "SPH particles to the width, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_models

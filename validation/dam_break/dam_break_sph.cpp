@@ -27,6 +27,7 @@ with it tells the largest speed, from which the sound speed follows.
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
@@ -163,31 +164,26 @@ std::vector<std::string> data_choices() {
 
 }  // namespace
 
-Case dam_break_sph() {
-  Case c;
+void dam_break_sph(Case& c) {
   c.title = "A column of water collapses: weakly compressible SPH";
-  c.source =
-      "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; Plunging breaking waves by weakly compressible "
-      "smoothed particles, section 3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; " + literature::plunging_sph + ", section 3";
   c.parameters = with(
       {real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
        real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
        real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
        real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
        real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
-       choice("lattice", std::string("square"), {"square", "body_centred"}, "lattice of the particles"),
+       choice("lattice", "square", {"square", "body_centred"}, "lattice of the particles"),
        integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
        real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
        real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
        real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
        integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
-       choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared"),
+       choice("data", "martin_moyce_tall_wide", data_choices(), "published front that is compared"),
        real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all that is known")},
       sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");
   c.submission = {.tables = wanted, .judge = judge};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_sph

@@ -30,6 +30,7 @@ $a/71$, where the points say 1.28.
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
 #include "validation/instruments/each.hpp"
@@ -39,7 +40,7 @@ $a/71$, where the points say 1.28.
 namespace seiche::validation::cases::dam_break_sph_front {
 namespace {
 
-const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, section 3.1";
+const std::string publication = literature::plunging_sph + ", section 3.1";
 const std::string experiment = "Martin and Moyce (1952), figure 3";
 constexpr double a = 0.057;
 constexpr double last = 3.2;
@@ -143,7 +144,7 @@ void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront data = data_of(values);
   const std::vector<long> ladder = ladder_of(values);
-  const auto finest = claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); });
+  const auto finest = claims.last();
   claim_sound(finest, values);
   claim_front(finest.of(&SphCollapses::run).at(&SphCollapse::resolution), data, column_front("interfoam", values),
               ladder.back());
@@ -222,12 +223,9 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
 
 }  // namespace
 
-Case dam_break_sph_front() {
-  Case c;
+void dam_break_sph_front(Case& c) {
   c.title = "The dam break of Martin and Moyce by weakly compressible SPH";
-  c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figures 1 and 2; J. C. Martin, W. J. Moyce, "
-      "Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
+  c.source = literature::plunging_sph + ", figures 1 and 2; " + literature::martin_moyce;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
       {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
@@ -243,7 +241,6 @@ Case dam_break_sph_front() {
                              "nu0", "shifting", "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},
                   .differs = "the two shared corners of the walls hold one particle, not two"}};
   c.study = Study(claims, compute, show, experiment);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_sph_front

@@ -25,6 +25,7 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 
 #include <fmt/format.h>
 
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
 #include "validation/instruments/each.hpp"
@@ -38,7 +39,7 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 namespace seiche::validation::cases::dam_break_sph_turbulence {
 namespace {
 
-const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 3";
+const std::string publication = literature::plunging_sph + ", figure 3";
 constexpr double a = 0.3;
 constexpr double gravity = 9.81;
 constexpr double tank = 3;
@@ -156,10 +157,7 @@ void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const auto finest =
-      claims.of([](const Results& runs) -> const Frames& { return runs.back(); }).at([](const Frames& frames) {
-        return frames.series().resolution();
-      });
+  const auto finest = claims.last().at([](const Frames& frames) { return frames.series().resolution(); });
   const auto series = finest.of(&Frames::series);
   claim_sound(finest.of(&Frames::collapse), values);
   claim_front(series, column_front("martin_moyce_square", values), values.integer("cells") >= 30);
@@ -224,12 +222,9 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
 
 }  // namespace
 
-Case dam_break_sph_turbulence() {
-  Case c;
+void dam_break_sph_turbulence(Case& c) {
   c.title = "A dam break with sub-particle-scale turbulence";
-  c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figure 3; J. C. Martin, W. J. Moyce, Phil. "
-      "Trans. R. Soc. Lond. A 244 (1952) 312";
+  c.source = literature::plunging_sph + ", figure 3; " + literature::martin_moyce;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
       {integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
@@ -242,7 +237,6 @@ Case dam_break_sph_turbulence() {
                              "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},
                   .different = {{"courant", "0.3"}, {"wall_rows", "2"}}}};
   c.study = Study(claims, compute, show, publication);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_sph_turbulence

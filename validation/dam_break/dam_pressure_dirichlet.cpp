@@ -68,13 +68,13 @@ Mesh column(const Values& values, long ny) {
 /// Multipliers of the cells, and how far they are from the exact pressure.
 struct Pressure {
   Mesh mesh;
-  std::vector<double> values;
+  std::vector<double> values = {};
   double rms = 0;
   double corner = 0;  ///< at the foot of the wall, over rho g H
 };
 
 Pressure pressure_of(const Values& values, const ReleasedColumn& exact, long ny, double stabilisation) {
-  Pressure pressure{.mesh = column(values, ny), .values = {}};
+  Pressure pressure{.mesh = column(values, ny)};
   dirichlet_mesh::Model model(pressure.mesh, {.stabilisation = stabilisation});
   pressure.values = dirichlet_mesh::pressure_of_release(model, model.state());
   const Mesh& mesh = pressure.mesh;
@@ -103,7 +103,7 @@ std::string title_of(double stabilisation) {
 
 /// One quantity for each of the stabilisations.
 RefinementStudy study_of_table() {
-  RefinementStudy study{.quantities = {}, .source = source};
+  RefinementStudy study{.source = source};
   for (const auto& [stabilisation, id] : stabilisations) {
     study.quantities.push_back({.id = id, .name = title_of(stabilisation)});
   }
@@ -123,9 +123,9 @@ Order order_of(double stabilisation) {
 struct Results {
   ReleasedColumn exact;
   double height;
-  Refinement own;        ///< of the case's stabilisation, up to finest_of_order
-  Refinement tabulated;  ///< of all stabilisations
-  Pressure finest;
+  Refinement own = {};        ///< of the case's stabilisation, up to finest_of_order
+  Refinement tabulated = {};  ///< of all stabilisations
+  Pressure finest = {};
   double corner = 0;  ///< on mesh_of_corner
 };
 
@@ -164,7 +164,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 Results compute(const Run& run) {
   const ReleasedColumn exact(run.real("length"), run.real("height"));
-  Results r{.exact = exact, .height = run.real("height"), .own = {}, .tabulated = {}, .finest = {}};
+  Results r{.exact = exact, .height = run.real("height")};
   const std::vector<long> meshes = meshes_up_to(run.integer("ny"));
   for (const long ny : meshes) {
     r.finest = pressure_of(run, exact, ny, run.real("stabilisation"));
@@ -211,13 +211,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dam_pressure_dirichlet() {
-  Case c;
+void dam_pressure_dirichlet(Case& c) {
   c.title = "Pressure at the release of a column of water, on the Dirichlet mesh";
   c.source =
       "Series for the initial pressure (Pohle 1950; Stoker, Water Waves, 12.1); model: A. M. Frank, doctoral thesis "
       "(1994), section 5.2";
-  c.tiers = {Tier::quick};
   c.parameters = {
       real("length", 2.0, "m", {0.5, 4}, "of the column"),
       real("height", 1.0, "m", {0.5, 2}, "of the column"),
@@ -226,7 +224,6 @@ Case dam_pressure_dirichlet() {
   };
   c.published = {{.tiles = {"frank-dirichlet"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_pressure_dirichlet

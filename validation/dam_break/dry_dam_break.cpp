@@ -23,6 +23,7 @@ of the water, and ends metres short of it. MacCormack's scheme has no answer ove
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::dry_dam_break {
@@ -132,11 +133,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dry_dam_break() {
-  Case c;
+void dry_dam_break(Case& c) {
   c.title = "Dam break over a dry bed with ten particles";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 5 to 7";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::bogomolov + ", figures 5 to 7";
   c.parameters = {
       integer("particles", {10, 640, 2560}, {4, 1e6}, "particles behind the dam"),
       real("time_step", {0.08, 0.00125, 0.0003}, "s", {1e-9, 1}, "time step"),
@@ -147,7 +146,6 @@ Case dry_dam_break() {
   c.published = {
       {.tiles = {"bzz-fig-6", "bzz-fig-5", "bzz-fig-7"}, .stated = {"particles", "time_step", "rearrangement"}}};
   c.study = Study(claims, compute, show, "Ritter (1892)");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dry_dam_break

@@ -8,6 +8,7 @@ Zerkal, who do not state $h_1$: 1 m here).
 is
 $\Delta x^2/\tau$ and spreads the dam over the whole channel.
 */
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::long_dam_break_coarse {
@@ -24,14 +25,13 @@ WetDamBreak setup() {
 
 }  // namespace
 
-Case long_dam_break_coarse() {
-  Case c;
+void long_dam_break_coarse(Case& c) {
   c.title = "Dam break in a long channel by 22 particles";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 26";
+  c.source = literature::bogomolov + ", figure 26";
+  c.tiers = {Tier::quick};
   c.parameters = wet_dam_break_parameters(22L, 0.1);
   c.published = {{.tiles = {"bzz-fig-26"}, .stated = {"particles", "time_step", "rearrangement"}}};
   c.study = wet_dam_break<setup>();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::long_dam_break_coarse

@@ -6,6 +6,7 @@ A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 parti
 
 **What to look at.** After 78 m the bore is still one particle, a third of a metre late.
 */
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::long_dam_break_fine {
@@ -23,14 +24,13 @@ WetDamBreak setup() {
 
 }  // namespace
 
-Case long_dam_break_fine() {
-  Case c;
+void long_dam_break_fine(Case& c) {
   c.title = "Dam break in a long channel by 200 particles";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 25";
+  c.source = literature::bogomolov + ", figure 25";
+  c.tiers = {Tier::quick};
   c.parameters = wet_dam_break_parameters(200L, 0.05);
   c.published = {{.tiles = {"bzz-fig-25"}, .stated = {"particles", "time_step", "rearrangement"}}};
   c.study = wet_dam_break<setup>();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::long_dam_break_fine

@@ -19,6 +19,7 @@ of its Courant number Lax-Friedrichs, whose viscosity is $\Delta x^2/\tau$, smea
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::long_dam_break_schemes {
@@ -115,10 +116,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case long_dam_break_schemes() {
-  Case c;
+void long_dam_break_schemes(Case& c) {
   c.title = "Dam break in a long channel by difference schemes";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 24";
+  c.source = literature::bogomolov + ", figure 24";
   c.parameters = {
       integer("cells", 200L, {20, 1e6}, "cells over the channel"),
       real("time_step", 0.0, "s", {0, 1}, "time step; 0: each scheme at its own usual Courant number"),
@@ -127,7 +127,6 @@ Case long_dam_break_schemes() {
   };
   c.published = {{.tiles = {"bzz-fig-24"}, .stated = {"cells", "time"}}};
   c.study = Study(claims, compute, show);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::long_dam_break_schemes

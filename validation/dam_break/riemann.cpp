@@ -189,11 +189,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case riemann() {
-  Case c;
+void riemann(Case& c) {
   c.title = "Riemann problem with given states";
   c.source =
       "E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001; J. J. Stoker, Water Waves, 1957";
+  c.tiers = {Tier::quick};
   c.parameters = {
       real("left_depth", 1.0, "m", {0, 1e6}, "depth left of the jump; 0 is dry"),
       real("left_velocity", 0.0, "m/s", {-1e6, 1e6}, "velocity left of the jump"),
@@ -204,15 +204,14 @@ Case riemann() {
       real("end", 50.0, "m", {-1e9, 1e9}, "right end of the channel"),
       real("jump", 20.0, "m", {-1e9, 1e9}, "position of the discontinuity at t = 0"),
       integer("particles", {50, 800, 6400}, {4, 1e7}, "particles or cells over the whole channel"),
-      choice("spacing", std::string("widths"), {"widths", "masses"}, "particles of equal widths or of equal masses"),
+      choice("spacing", "widths", {"widths", "masses"}, "particles of equal widths or of equal masses"),
       real("time_step", 0.0, "s", {0, 1e6}, "time step; 0 takes it from the Courant number 0.4"),
       real("time", 6.0, "s", {1e-9, 1e9}, "end of the run"),
       real("theta", 2.0, "1", {1, 2}, "limiter: 1 minmod, 2 monotonised central"),
-      choice("scheme", std::string("H2"), all_schemes, "level of the particle method, or a comparison scheme"),
+      choice("scheme", "H2", all_schemes, "level of the particle method, or a comparison scheme"),
   };
   c.study = Study(claims, compute, show, "Ritter (1892)");
   c.submission = submission_of(states_of);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::riemann

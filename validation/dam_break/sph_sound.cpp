@@ -29,7 +29,7 @@ SphCollapse collapse(const SphDam& dam, const Watch& watch, const std::vector<do
   SphCollapse result{.spacing = scene.spacing,
                      .sound_speed = dam.settings.sound_speed,
                      .particles = flow.particles().size(),
-                     .reaches_wall = std::numeric_limits<double>::quiet_NaN()};
+                     .reaches_wall = nan};
   const double a = dam.geometry.width;
   const double first_energy = flow.totals().energy();
   const double h = flow.smoothing_length();
@@ -80,7 +80,7 @@ constexpr double enough = 12.5;
 }  // namespace
 
 Parameter sound_rule(const std::string& given) {
-  return choice("sound_from", std::string("largest_speed"), {"largest_speed", given},
+  return choice("sound_from", "largest_speed", {"largest_speed", given},
                 fmt::format("largest_speed: 12.5 times the largest speed of a first run with the sound speed of {0}; "
                             "{0}: given by the parameter sound",
                             given));
@@ -117,10 +117,10 @@ SphCollapses collapse_by_rule(const SphDam& dam, const Values& values, const Wat
       if (progress) progress(from + (to - from) * done);
     };
   };
-  if (!by_sound_rule(values)) return {.first = {}, .run = collapse(dam, watch, frames, on_frame, part(0, 1))};
+  if (!by_sound_rule(values)) return {.run = collapse(dam, watch, frames, on_frame, part(0, 1))};
   // The steps of the second run are shorter, as its sound is faster.
   constexpr double share = 0.3;
-  SphCollapses runs{.first = collapse(dam, watch, {}, {}, part(0, share)), .run = {}};
+  SphCollapses runs{.first = collapse(dam, watch, {}, {}, part(0, share))};
   SphDam second = dam;
   second.settings = with_sound_for(dam.settings, runs.first->largest_speed());
   runs.run = collapse(second, watch, frames, on_frame, part(share, 1));

@@ -73,8 +73,8 @@ wcsph::Settings with_sound_for(wcsph::Settings settings, double largest_speed);
 std::vector<Parameter> sph_dam_parameters(SphDefaults defaults);
 
 struct SphCollapses {
-  std::optional<SphCollapse> first;  ///< that told the largest speed; none with a given sound speed
-  SphCollapse run;
+  std::optional<SphCollapse> first = {};  ///< that told the largest speed; none with a given sound speed
+  SphCollapse run = {};
 };
 
 void exchange(Tape& tape, SphCollapses& runs);

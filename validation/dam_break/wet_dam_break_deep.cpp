@@ -9,6 +9,7 @@ width.
 
 **What to look at.** The bore in one particle, and the plateau: flat, with no oscillation on either side.
 */
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::wet_dam_break_deep {
@@ -20,15 +21,12 @@ WetDamBreak setup() {
 
 }  // namespace
 
-Case wet_dam_break_deep() {
-  Case c;
+void wet_dam_break_deep(Case& c) {
   c.title = "Dam break over deep water, h0/h1 = 0.5";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 23";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::bogomolov + ", figure 23";
   c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
   c.published = {{.tiles = {"bzz-fig-23"}, .stated = {"time_step", "rearrangement"}}};
   c.study = wet_dam_break<setup>();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wet_dam_break_deep

@@ -15,6 +15,7 @@ particles have expanded to two and a half times their first width, and in the po
 leaves a quarter of a cell behind. The rearrangement as written has a plateau 5 % too
 low.
 */
+#include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::wet_dam_break_shallow {
@@ -26,15 +27,12 @@ WetDamBreak setup() {
 
 }  // namespace
 
-Case wet_dam_break_shallow() {
-  Case c;
+void wet_dam_break_shallow(Case& c) {
   c.title = "Dam break over shallow water, h0/h1 = 0.1";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 22";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::bogomolov + ", figure 22";
   c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
   c.published = {{.tiles = {"bzz-fig-22"}, .stated = {"time_step", "rearrangement"}}};
   c.study = wet_dam_break<setup>();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wet_dam_break_shallow

@@ -31,6 +31,7 @@ are roundings: the program solves what the formula describes.
 
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
@@ -212,15 +213,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dispersion_1d() {
-  Case c;
+void dispersion_1d(Case& c) {
   c.title = "Small standing waves have the frequency of the discrete dispersion law";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3, formula (13)";
+  c.source = literature::frank + ", chapter 3, formula (13)";
   c.parameters = {
       real("wavenumber", 1.0, "1/H", {1e-2, 100}, "of the wave; the walls are half a wavelength apart"),
       real("h", pi / 31, "H", {1e-3, 10}, "of the markers; changed to fit a whole number of times between the walls"),
       real("tau", 0.2, "sqrt(H/g)", {1e-4, 2}, "time step"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("alpha", 1.0 / 3, "1", {1e-3, 10}, "factor of the vertical kinetic energy"),
       real("beta", 1.0 / 3, "1", {1e-3, 10}, "factor of a cell's slope in its potential energy; 1/3 is the polygon's"),
       real("gamma", 0.0, "1", {0, 10}, "factor of the added energy of slopes"),
@@ -228,7 +228,6 @@ Case dispersion_1d() {
   };
   c.published = {{.tiles = {"frank-formula-13"}, .stated = {"alpha", "beta", "gamma", "scheme"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dispersion_1d

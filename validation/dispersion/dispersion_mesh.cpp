@@ -36,6 +36,7 @@ too few for that. Deviations of the measured frequencies from the law are roundi
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/instruments/each.hpp"
@@ -95,9 +96,7 @@ double deviation(const MeshTank& tank, double measured) {
 }
 
 Worst worst_deviation(const std::vector<MeshTank>& tanks, const std::vector<double>& measured) {
-  Worst worst;
-  for (std::size_t i = 0; i < tanks.size(); ++i) worst.add(deviation(tanks[i], measured.at(i)));
-  return worst;
+  return over<Worst>(indices(tanks.size()), [&](std::size_t i) { return deviation(tanks[i], measured.at(i)); });
 }
 
 /// The time step's effect on the one-step scheme taken out by its law.
@@ -208,9 +207,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "seven-depths", "Waves of seven depths and more are right to three per cent on the coarse mesh.",
           "largest relative error of the frequency against Airy",
           [tanks](const Results& r) {
-            Worst error;
-            for (std::size_t i = 0; i < tanks.size(); ++i) error.add(error_of(tanks[i], r.long_waves.at(i)));
-            return error;
+            return over<Worst>(indices(tanks.size()),
+                               [&](std::size_t i) { return error_of(tanks[i], r.long_waves.at(i)); });
           },
           of_the_law);
   claims.at("3, 4, 6, 8, 16 rows")
@@ -351,23 +349,22 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case dispersion_mesh() {
-  Case c;
+void dispersion_mesh(Case& c) {
   c.former_names = {"dispersion_2d"};
   c.title = "Small waves on the Lagrangian mesh have the frequency of its exact dispersion law";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.1";
+  c.source = literature::frank + ", section 2.1";
+  c.tiers = {Tier::quick};
   c.parameters = {
       real("wavenumber", pi / 6, "1/H", {1e-2, 100}, "of the wave; the walls are half a wavelength apart"),
       real("h1", 0.375, "H", {1e-3, 10}, "width of columns; changed to fit a whole number of times between the walls"),
       real("h2", 0.25, "H", {1e-2, 1}, "height of rows; changed to fit a whole number of times in the depth"),
       real("tau", 0.1, "sqrt(H/g)", {1e-4, 2}, "time step"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       toggle("tuned_surface_inertia", false, "vertical inertia of surface nodes reduced by h2/(3H) of itself"),
       real("periods", {20.0, 30.0, 60.0}, "1", {2, 1000}, "length of the series"),
   };
   c.published = {{.tiles = {"frank-dispersion-2d"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, law_source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dispersion_mesh

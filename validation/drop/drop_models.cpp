@@ -328,11 +328,11 @@ Trial trial_of(const Values& values) {
 /// Steps of the finest resolution until errors are compared.
 double steps_of(const Values& values, const std::string& id) {
   const double spacings = 5 * values.real("time");
-  if (id == "particles") return spacings * static_cast<double>(values.integer("rings"));
-  if (id == "mesh") return spacings * static_cast<double>(values.integer("mesh")) / 2;
-  if (id == "overlapping") return spacings * static_cast<double>(values.integer("overlapping"));
-  if (id == "sph") return values.real("time") * 14 / (0.3 * 2) * static_cast<double>(values.integer("sph"));
-  return spacings * static_cast<double>(values.integer("cells"));
+  if (id == "particles") return spacings * values.number("rings");
+  if (id == "mesh") return spacings * values.number("mesh") / 2;
+  if (id == "overlapping") return spacings * values.number("overlapping");
+  if (id == "sph") return values.real("time") * 14 / (0.3 * 2) * values.number("sph");
+  return spacings * values.number("cells");
 }
 
 void claim_kept(const Claims<Contest>& all, const Values& values) {
@@ -373,13 +373,13 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
       .check(
           "particles-rim", "The drop outline of the free particles agrees with the exact ellipse.",
           "rms distance from the exact places [radius]", error_of_finest,
-          Bound{.limit = 0.01 / static_cast<double>(values.integer("rings")),
+          Bound{.limit = 0.01 / values.number("rings"),
                 .reason =
                     "a hundredth of the spacing of the rings, below which particles do not tell where a surface is"});
   claims_of(all, "mesh")
       .check(
           "mesh-order", "The outline of the mesh converges with the first order.",
-          "order of the rms distance from the exact places", [](const Entry& entry) { return entry.order(); },
+          "order of the rms distance from the exact places", &Entry::order,
           Order{.theory = 1,
                 .tolerance = 0.25,
                 .reason = "nodes of the outline slip along it to first order; the meshes begin with cells of a quarter "
@@ -447,11 +447,9 @@ void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case drop_models() {
-  Case c;
+void drop_models(Case& c) {
   c.title = "Model comparison: a stretched drop";
   c.source = "P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860) 3; A. M. Frank, doctoral thesis (1994)";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("time", 1.0, "1/strain rate", {0.1, 5}, "at which errors are compared"),
       real("last", 3.0, "1/strain rate", {0.1, 20}, "until which the models are followed"),
@@ -462,7 +460,6 @@ Case drop_models() {
       integer("sph", {28, 80, 80}, {12, 400}, "spacings of SPH particles to the radius, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::drop_models

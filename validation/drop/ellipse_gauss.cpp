@@ -71,7 +71,7 @@ SetUp set_up(const Values& values) {
                     "the surface unstable",
                     -gradient.determinant()));
   }
-  const auto rings = std::lround(std::sqrt(static_cast<double>(values.integer("particles")) / 3));
+  const auto rings = std::lround(std::sqrt(values.number("particles") / 3));
   return {gradient, AffineDrop(Eigen::Matrix2d::Identity(), gradient), static_cast<std::size_t>(rings),
           values.real("tau"), values.real("time")};
 }
@@ -220,11 +220,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case ellipse_gauss() {
-  Case c;
+void ellipse_gauss(Case& c) {
   c.title = "A liquid drop is stretched: Gauss-principle particles";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("xx", 1.0, "1", {-5, 5}, "velocity gradient du/dx at the beginning; dv/dy is its opposite"),
       real("xy", 0.0, "1", {-5, 5}, "velocity gradient du/dy at the beginning"),
@@ -237,7 +235,6 @@ Case ellipse_gauss() {
   };
   c.published = {{.tiles = {"frank-ellipse"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::ellipse_gauss

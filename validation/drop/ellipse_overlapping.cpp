@@ -152,8 +152,8 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
 struct Results {
   SetUp set_up;
   Drop own;
-  std::vector<std::pair<int, Drop>> coarser;  ///< of the lattices that are drawn
-  Refinement refinement;
+  std::vector<std::pair<int, Drop>> coarser = {};  ///< of the lattices that are drawn
+  Refinement refinement = {};
   Stretch exact;
 };
 
@@ -211,11 +211,7 @@ void claims(const Values& values, const Claims<Results>& everything) {
 
 Results compute(const Run& run) {
   const SetUp s = set_up(run);
-  Results r{.set_up = s,
-            .own = run_drop(s, s.spacing, s.tau),
-            .coarser = {},
-            .refinement = {},
-            .exact = stretch_of(s.drop.at(s.end).deformation)};
+  Results r{.set_up = s, .own = run_drop(s, s.spacing, s.tau), .exact = stretch_of(s.drop.at(s.end).deformation)};
   run.progress(0.4);
   for (const int n : lattices_of(s)) {
     const double spacing = 1.0 / n;
@@ -272,11 +268,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case ellipse_overlapping() {
-  Case c;
+void ellipse_overlapping(Case& c) {
   c.title = "A liquid drop is stretched: overlapping particles";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("xx", 1.0, "1", {-5, 5}, "velocity gradient du/dx at the beginning"),
       real("xy", 0.0, "1", {-5, 5}, "velocity gradient du/dy at the beginning"),
@@ -285,14 +279,13 @@ Case ellipse_overlapping() {
       real("spacing", {0.05, 0.025, 0.025}, "1", {0.01, 0.5}, "of the particles, in radii"),
       real("tau", {0.01, 0.005, 0.005}, "1", {1e-5, 0.5}, "time step"),
       real("time", 1.0, "1", {0.01, 10}, "end of the run"),
-      choice("shape", std::string("smoothed"), {"smoothed", "ball"}, "of particles and control volumes"),
+      choice("shape", "smoothed", {"smoothed", "ball"}, "of particles and control volumes"),
       real("smoothing", usual_smoothing, "1", {1.5, 10}, "S, reach of a control volume, in spacings"),
   };
   c.published = {{.tiles = {"frank-overlapping"},
                   .values = {{"shape", std::string("ball")}, {"smoothing", smoothing_of_balls}},
                   .stated = {"shape"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::ellipse_overlapping

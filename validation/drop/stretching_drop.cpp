@@ -64,8 +64,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case stretching_drop() {
-  Case c;
+void stretching_drop(Case& c) {
   c.title = "A free liquid drop is stretched into an ellipse";
   c.source =
       "P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860) 3; M. S. Longuet-Higgins, J. Fluid Mech. 55 (1972) "
@@ -79,7 +78,6 @@ Case stretching_drop() {
   };
   c.study = exact_study<drop_of, show>(source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::stretching_drop

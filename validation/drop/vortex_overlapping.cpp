@@ -209,8 +209,7 @@ struct Results {
   /// When a quarter of the first flow's energy was noise; NaN: never.
   [[nodiscard]] double quarter_time() const {
     const auto found = std::ranges::find_if(first.incoherent, [](double c) { return c > quarter; });
-    return found == first.incoherent.end() ? std::numeric_limits<double>::quiet_NaN()
-                                           : time(static_cast<std::size_t>(found - first.incoherent.begin()));
+    return found == first.incoherent.end() ? nan : time(static_cast<std::size_t>(found - first.incoherent.begin()));
   }
 };
 
@@ -285,8 +284,7 @@ void draw_history(const Results& r, evidence::Exhibit& exhibit) {
                                 "The incoherent part of the energy, of the first flow and of copies; distances of the "
                                 "copies from the first flow.",
                                 {"frank-overlapping"});
-  std::vector<double> time;
-  for (std::size_t n = 0; n < r.first.incoherent.size(); ++n) time.push_back(r.time(n));
+  const std::vector<double> time = each(indices(r.first.incoherent.size()), [&](std::size_t n) { return r.time(n); });
   auto& incoherent = figure.panel({.x = "t", .y = "incoherent part"});
   auto& distances = figure.panel({.x = "t", .y = "distance", .log_y = true});
   incoherent.line("first flow", time, r.first.incoherent, Role::computed);
@@ -334,11 +332,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case vortex_overlapping() {
-  Case c;
+void vortex_overlapping(Case& c) {
   c.title = "A vortex becomes noise: overlapping particles";
   c.source = source;
-  c.tiers = {Tier::quick};
   c.parameters = {
       real("spacing", 0.125, "1", {0.03, 0.3}, "of the particles, in radii"),
       real("rate", 3.0, "1", {0.1, 30}, "angular velocity of the middle at the beginning"),
@@ -349,7 +345,6 @@ Case vortex_overlapping() {
   };
   c.published = {{.tiles = {"frank-overlapping"}, .differs = "a smooth kernel, not balls"}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::vortex_overlapping

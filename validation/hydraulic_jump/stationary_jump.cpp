@@ -19,6 +19,7 @@ rearrangement as the paper wrote it in one particle, but a metre downstream.
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
@@ -102,11 +103,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case stationary_jump() {
-  Case c;
+void stationary_jump(Case& c) {
   c.title = "A hydraulic jump at rest";
-  c.source =
-      "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 16 to 18";
+  c.source = literature::bogomolov + ", figures 16 to 18";
+  c.tiers = {Tier::quick};
   c.parameters = {
       integer("particles", 105L, {12, 1e6}, "particles of equal widths over the channel"),
       real("time_step", 0.08, "s", {1e-9, 1}, "time step"),
@@ -119,7 +119,6 @@ Case stationary_jump() {
   c.published = {{.tiles = {"bzz-fig-18", "bzz-fig-16", "bzz-fig-17"},
                   .stated = {"particles", "time_step", "steps", "shallow_depth", "deep_depth", "rearrangement"}}};
   c.study = Study(claims, compute, show);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::stationary_jump

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <ranges>
 #include <vector>
 
 namespace seiche::validation {
@@ -14,6 +16,11 @@ std::vector<double> each(Things&& things,
   std::vector<double> numbers;
   for (const auto& thing : things) numbers.push_back(std::invoke(get, thing));
   return numbers;
+}
+
+/// 0, 1, ... of what several things that lie side by side are counted by.
+inline auto indices(std::size_t count) {
+  return std::views::iota(std::size_t{0}, count);
 }
 
 /// Entry by entry.

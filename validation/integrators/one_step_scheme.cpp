@@ -23,7 +23,6 @@ short time, methods of high order are far cheaper than either.
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -37,6 +36,8 @@ short time, methods of high order are far cheaper than either.
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "validation/instruments/processor_time.hpp"
@@ -68,9 +69,7 @@ using rigid_chain::RigidChain;
 
 /// Largest difference of a coordinate.
 double distance(const State& a, const State& b) {
-  Worst largest;
-  for (std::size_t i = 0; i < a.q.size(); ++i) largest.add(a.q[i] - b.q[i]);
-  return largest.value();
+  return over<Worst>(indices(a.q.size()), [&](std::size_t i) { return a.q[i] - b.q[i]; }).value();
 }
 
 /// run(chain, state) from the start, once to measure the error, then for the time.
@@ -148,10 +147,9 @@ Role role_of(Integrator integrator) {
 }
 
 ChainProblem pendulum(const Values& values) {
-  rigid_chain::RigidChain chain(
-      {.masses = rigid_chain::alternating_masses(static_cast<std::size_t>(values.integer("links"))),
-       .pinned = true,
-       .gravity = values.real("gravity")});
+  rigid_chain::RigidChain chain({.masses = rigid_chain::alternating_masses(values.count("links")),
+                                 .pinned = true,
+                                 .gravity = values.real("gravity")});
   mechanics::State start = spiral_start(chain);
   return {std::move(chain), std::move(start)};
 }
@@ -211,11 +209,10 @@ Curves compute(const Run& run) {
 void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range) {
   const auto largest_ratio = [](const Curves& curves, auto rk2_error) {
     const WorkPrecision& own = curves.of(Integrator::one_step);
-    Largest ratio;
-    for (std::size_t i = 0; i < own.error.size(); ++i) {
-      ratio.add(own.error[i] / rk2_error(curves.of(Integrator::runge_kutta_2), own, i));
-    }
-    return ratio.value();
+    const auto ratio = [&](std::size_t i) {
+      return own.error[i] / rk2_error(curves.of(Integrator::runge_kutta_2), own, i);
+    };
+    return over<Largest>(indices(own.error.size()), ratio).value();
   };
   claims.at("equal steps")
       .check(
@@ -293,22 +290,19 @@ void show(const Curves& curves, const Values& values, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case one_step_scheme() {
-  Case c;
+void one_step_scheme(Case& c) {
   c.title = "The one-step scheme for constrained systems against Runge-Kutta";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 1.2";
+  c.source = literature::frank + ", section 1.2";
   c.parameters = {
       integer("links", 2L, {1, 1000}, "links of the pendulum"),
       real("gravity", 1.0, "l/t^2", {0, 1e3}, "gravity on the pendulum"),
-      choice("scheme", std::string("one_step"),
-             {"one_step", "triple_jump", "suzuki", "conservative", "conservative_suzuki"},
+      choice("scheme", "one_step", {"one_step", "triple_jump", "suzuki", "conservative", "conservative_suzuki"},
              "the scheme that is evaluated; all are drawn"),
       real("time", 5.0, "t", {1e-3, 1e3}, "when the error is taken"),
       real("tau", 0.0125, "t", {1e-6, 10}, "middle one of the steps for accuracy: 8 tau to tau/4"),
   };
   c.published = {{.tiles = {"frank-integrator"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::one_step_scheme

@@ -28,12 +28,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case breaking_on_shoal() {
-  Case c;
+void breaking_on_shoal(Case& c) {
   c.title = "Regular waves break on an elliptic shoal";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breaking_on_shoal

@@ -97,8 +97,7 @@ Experiment experiment(const Values& /*values*/) {
                  .quantity = {"H", "m", "wave height"},
                  .input = 0.02,
                  .input_reason = "height at the toe, standard deviation of eight points",
-                 .telling = 1.5,
-                 .readings = {}};
+                 .telling = 1.5};
   Series levels = heights;
   levels.name = "levels";
   levels.quantity = {"level", "m", "mean level"};
@@ -106,9 +105,7 @@ Experiment experiment(const Values& /*values*/) {
   levels.input_reason = "twice the uncertainty of the height, to whose square it is proportional";
   for (const double wave : {1, 2}) {
     const double breaking = wave == 1 ? 9.15 : 8.22;
-    heights.readings.push_back(highest(wave, {}));
-    heights.readings.push_back(when_highest(wave, {}, Kind::place));
-    heights.readings.push_back(misfit(wave, {0, breaking}));
+    heights.read({highest(wave, {}), when_highest(wave, {}, Kind::place), misfit(wave, {0, breaking})});
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
   return {.source = source,
@@ -120,14 +117,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case breaking_on_slope() {
-  Case c;
+void breaking_on_slope(Case& c) {
   c.title = "Regular waves shoal and break on a slope";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {real("spacing", {0.1, 0.06, 0.06}, "m", {0.01, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::breaking_on_slope

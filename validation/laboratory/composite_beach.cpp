@@ -27,14 +27,12 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case composite_beach() {
-  Case c;
+void composite_beach(Case& c) {
   c.title = "A solitary wave on a beach of three slopes before a wall";
   c.source = composite_beach_source;
-  c.parameters = {choice("wave", std::string("A"), {"A", "B", "C"}, "the wave: 0.038, 0.26 or 0.68 depths high"),
+  c.parameters = {choice("wave", "A", {"A", "B", "C"}, "the wave: 0.038, 0.26 or 0.68 depths high"),
                   real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::composite_beach

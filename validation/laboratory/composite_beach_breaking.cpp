@@ -25,14 +25,12 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case composite_beach_breaking() {
-  Case c;
+void composite_beach_breaking(Case& c) {
   c.title = "A solitary wave breaks on a beach of three slopes";
   c.source = composite_beach_source;
   c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to composite_beach
-  return c;
 }
 
 }  // namespace seiche::validation::cases::composite_beach_breaking

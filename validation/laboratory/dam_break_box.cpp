@@ -36,23 +36,19 @@ Experiment experiment(const Values& /*values*/) {
                   .quantity = {"p", "Pa", "pressure on the box"},
                   .input = 0.1,
                   .input_reason = "calibration of the probes in aerated water, estimated",
-                  .telling = 0.2,
-                  .readings = {}};
+                  .telling = 0.2};
   for (const double probe : {1, 2, 3, 4}) {
-    pressure.readings.push_back(arrival(probe, 1000, {0.1, 1}));
-    pressure.readings.push_back(impulse(probe, {0.39, 1.0}));
+    pressure.read({arrival(probe, 1000, {0.1, 1}), impulse(probe, {0.39, 1.0})});
   }
   return {.source = source, .parts = {heights, pressure}, .files = {"kleefsman_2005_dam_break_box/box.stl"}};
 }
 
 }  // namespace
 
-Case dam_break_box() {
-  Case c;
+void dam_break_box(Case& c) {
   c.title = "A broken dam against a box";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_box

@@ -100,8 +100,7 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case dam_break_wall_pressure() {
-  Case c;
+void dam_break_wall_pressure(Case& c) {
   c.title = "Pressure of a broken dam on a wall, with its repeats";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
@@ -118,7 +117,6 @@ Case dam_break_wall_pressure() {
                                       .courant = 0.25},
                                      "sqrt(g times the height of the column)"));
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dam_break_wall_pressure

@@ -55,12 +55,10 @@ Experiment experiment(const Values& /*values*/) {
               .quantity = {"eta", "m", "surface elevation"},
               .input = 0.03,
               .input_reason = "late amplitudes at the two gauges before the bar differ by 7 %: bar and beach reflect",
-              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}},
-              .readings = {}};
+              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}}};
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const Window window{starts[k], starts[k] + 3 * period};
-    part.readings.push_back(height(gauges[k], window));
-    part.readings.push_back(misfit(gauges[k], window));
+    part.read({height(gauges[k], window), misfit(gauges[k], window)});
     for (std::size_t order = 1; order <= scatter[k].size(); ++order) {
       part.readings.push_back(harmonic(gauges[k], static_cast<int>(order), period, window, scatter[k][order - 1]));
     }
@@ -79,13 +77,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case dingemans_bar() {
-  Case c;
+void dingemans_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Dingemans";
   c.source = source;
   c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::dingemans_bar

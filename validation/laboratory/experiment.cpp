@@ -120,7 +120,7 @@ std::vector<Measured> measured(const Series& part, const Values& values) {
   std::vector<Measured> curves;
   for (auto& [group, members] : groups) {
     std::stable_sort(members.begin(), members.end(), [](const Row& a, const Row& b) { return a.x < b.x; });
-    Measured curve{.group = group, .x = {}, .y = {}, .u = {}, .u_x = rows.abscissa_uncertainty()};
+    Measured curve{.group = group, .u_x = rows.abscissa_uncertainty()};
     add_rows(members, curve);
     if (part.still) set_zero(curve.x, curve.y, *part.still);
     curves.push_back(std::move(curve));
@@ -162,7 +162,7 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
       if (!std::filesystem::is_regular_file(folder / "gauges.csv")) return places;
       const io::Table gauges = io::read_csv(folder / "gauges.csv");
       for (std::size_t k = 0; k < gauges.rows(); ++k) {
-        const double y = gauges.has("y") ? gauges.column("y")[k] : std::numeric_limits<double>::quiet_NaN();
+        const double y = gauges.has("y") ? gauges.column("y")[k] : nan;
         places[gauges.column("gauge")[k]] = {gauges.column("x")[k], y};
       }
       return places;

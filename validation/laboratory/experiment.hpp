@@ -49,7 +49,9 @@ struct Series {
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count
   std::optional<Clock> clock = {};
-  std::vector<Reading> readings;
+  std::vector<Reading> readings = {};
+
+  void read(std::initializer_list<Reading> more) { readings.insert(readings.end(), more); }
 };
 
 struct Experiment {

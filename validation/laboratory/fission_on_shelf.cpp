@@ -24,26 +24,21 @@ Experiment experiment(const Values& /*values*/) {
               .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
               .input_reason = "motion of the paddle, estimated",
-              .telling = 1.5,
-              .readings = {}};
+              .telling = 1.5};
   const std::vector<std::pair<double, Window>> first{{-80, {15, 30}},   {-50, {25, 45}}, {-40, {35, 50}},
                                                      {-30.8, {40, 55}}, {-20, {50, 62}}, {-5, {62, 75}}};
   for (const auto& [x, window] : first) {
-    part.readings.push_back(highest(x, window));
-    part.readings.push_back(when_highest(x, window));
-    part.readings.push_back(misfit(x, window));
+    part.read({highest(x, window), when_highest(x, window), misfit(x, window)});
   }
   return {.source = source, .parts = {part}, .files = {"matsuyama_2007_fission/bed.csv"}};
 }
 
 }  // namespace
 
-Case fission_on_shelf() {
-  Case c;
+void fission_on_shelf(Case& c) {
   c.title = "A long wave splits into solitons on a shelf";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::fission_on_shelf

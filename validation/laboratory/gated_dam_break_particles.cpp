@@ -23,14 +23,12 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case gated_dam_break_particles() {
-  Case c;
+void gated_dam_break_particles(Case& c) {
   c.title = "A dam breaks over water behind a gate: shallow-water particles";
   c.source = gated_dam_break_source;
   c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "width of a particle at the beginning")};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
-  return c;
 }
 
 }  // namespace seiche::validation::cases::gated_dam_break_particles

@@ -42,7 +42,7 @@ double front_above(double mark, const wcsph::VolumeFraction& fraction, double st
   const long columns = std::lround((box.right - box.left) / step) + 4;
   const long rows = std::max(std::lround((box.top - mark) / step) + 2, 1L);
   const std::vector<double> values = fraction.on_grid(box.left, mark, step, columns, rows);
-  double front = std::numeric_limits<double>::quiet_NaN();
+  double front = nan;
   for (long j = 0; j < rows; ++j) {
     for (long i = columns - 2; i >= 0; --i) {
       const double here = values[static_cast<std::size_t>(j * columns + i)];
@@ -89,17 +89,14 @@ Experiment experiment(const Values&) {
 
 }  // namespace
 
-Case gated_dam_break_sph() {
-  Case c;
+void gated_dam_break_sph(Case& c) {
   c.title = "A dam breaks over water behind a gate: weakly compressible SPH";
   c.source = gated_dam_break_source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = with(
       {real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "spacing of the particles; and 1.5 and 2 times it")},
       sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
-  return c;
 }
 
 }  // namespace seiche::validation::cases::gated_dam_break_sph

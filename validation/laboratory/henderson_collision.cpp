@@ -54,8 +54,7 @@ Experiment experiment(const Values& /*values*/) {
               .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
               .input_reason = "area of the profiles, which should not change: 2.2 %",
-              .telling = 0.05,
-              .readings = {}};
+              .telling = 0.05};
   const Window window{0.1, 1.5};
   for (const double frame : frames) {
     const bool unexplained = frame == 19 || frame == 19.05;
@@ -67,8 +66,7 @@ Experiment experiment(const Values& /*values*/) {
     };
     known(misfit(frame, window));
     if (frame < 18.9 || frame == 19.33 || frame == 19.5 || frame == 19.85) {
-      part.readings.push_back(crest(frame, {0.1, 0.79}, "left"));
-      part.readings.push_back(crest(frame, {0.79, 1.5}, "right"));
+      part.read({crest(frame, {0.1, 0.79}, "left"), crest(frame, {0.79, 1.5}, "right")});
     }
     if (frame < 19.6) known(highest(frame, window));
   }
@@ -83,13 +81,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case henderson_collision() {
-  Case c;
+void henderson_collision(Case& c) {
   c.title = "Head-on collision of two solitary waves: profiles of the laboratory";
   c.source = source;
   c.parameters = {real("spacing", 0.005, "m", {0.001, 0.02}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::henderson_collision

@@ -69,7 +69,7 @@ Submitted compute(const Run& run, double coarsening) {
   std::vector<SubmittedGroup> records;
   for (const Gauge& gauge : gauges_of(wave)) {
     places.push_back(gauge.place);
-    records.push_back({.value = gauge.number, .abscissa = {}, .values = {}});
+    records.push_back({.value = gauge.number});
   }
   const auto note = [&](double time, std::size_t k, double eta) {
     records[k].abscissa.push_back(time);
@@ -112,8 +112,7 @@ Experiment experiment(const Values& values) {
                 .input_reason = "height of the wave along its crest",
                 .telling = 1.5,
                 .origin = wave.passes,
-                .clock = Clock{.group = 3, .range = 1, .window = {24, wave.passes + 3}},
-                .readings = {}};
+                .clock = Clock{.group = 3, .range = 1, .window = {24, wave.passes + 3}}};
   for (const double gauge : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 16.0, 22.0}) {
     const Window window{24, gauge == 22 ? wave.lee : wave.until};
     gauges.readings.push_back(highest(gauge, window));
@@ -127,13 +126,13 @@ Experiment experiment(const Values& values) {
                .abscissa = {"angle", "deg", "angle from the front of the island"},
                .quantity = {"R", "m", "maximum run-up"},
                .columns = {"R_nthmp", "R_liu"},
-               .rows = {{"case", wave.letter}},
-               .readings = {}};
+               .rows = {{"case", wave.letter}}};
   for (const double angle : {0, 45, 90, 135, 180}) runup.readings.push_back(at(0, angle, Kind::run_up));
-  Experiment one{
+  return {
       .source = source,
       .parts = {gauges, runup},
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
+      .compute = values.tier() == Tier::quick ? nullptr : compute,
       .model = "dispersive shallow water, 2DH",
       .coarsenings = {1, 1.5, 2},
       .miss =
@@ -142,22 +141,18 @@ Experiment experiment(const Values& values) {
                 "below its level and stays there, where the model has what the island sends back"
               : "the wave breaks on the island: the model's roller takes less from it than the experiment's bore "
                 "lost"};
-  if (values.tier() != Tier::quick) one.compute = compute;
-  return one;
 }
 
 }  // namespace
 
-Case island_gauges() {
-  Case c;
+void island_gauges(Case& c) {
   c.title = "A solitary wave around a conical island: gauges and run-up";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      choice("wave", std::string("A"), {"A", "B", "C"}, "the wave: 0.0445, 0.0872 or 0.179 depths high"),
+      choice("wave", "A", {"A", "B", "C"}, "the wave: 0.0445, 0.0872 or 0.179 depths high"),
       real("spacing", 0.25, "m", {0.2, 0.5}, "of the columns along the walls of the basin, where the model computes")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::island_gauges

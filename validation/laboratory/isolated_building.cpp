@@ -25,23 +25,18 @@ Experiment experiment(const Values& /*values*/) {
                 .group = gauge,
                 .abscissa = time,
                 .quantity = {"h", "m", "depth of the water"},
-                .telling = 0.4,
-                .readings = {}};
+                .telling = 0.4};
   for (double at = 1; at <= 6; ++at) {
     if (at < 6) depths.readings.push_back(arrival(at, 0.03, {0, 6}));
-    depths.readings.push_back(mean(at, {5, 7}));
-    depths.readings.push_back(mean(at, {10, 12}));
-    depths.readings.push_back(mean(at, {20, 22}));
+    depths.read({mean(at, {5, 7}), mean(at, {10, 12}), mean(at, {20, 22})});
   }
   Series velocity{.name = "velocity",
                   .table = "soares_frazao_zech_2007_isolated_building_velocity",
                   .group = gauge,
                   .abscissa = time,
-                  .quantity = {"u", "m/s", "velocity along the channel"},
-                  .readings = {}};
+                  .quantity = {"u", "m/s", "velocity along the channel"}};
   for (const double at : {1, 2, 4}) {
-    velocity.readings.push_back(mean(at, {5, 7}, Kind::velocity));
-    velocity.readings.push_back(mean(at, {10, 12}, Kind::velocity));
+    velocity.read({mean(at, {5, 7}, Kind::velocity), mean(at, {10, 12}, Kind::velocity)});
   }
   const std::string folder = "soares_frazao_zech_2007_isolated_building/";
   return {.source = source,
@@ -51,12 +46,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case isolated_building() {
-  Case c;
+void isolated_building(Case& c) {
   c.title = "A broken dam against an oblique building";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::isolated_building

@@ -42,7 +42,7 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
       constexpr std::size_t tenths = 10;
       std::array<double, tenths + 1> slow{};
       std::ranges::generate(slow, normal);
-      SubmittedGroup record{.value = curve.group, .abscissa = curve.x, .values = {}};
+      SubmittedGroup record{.value = curve.group, .abscissa = curve.x};
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
         const double place = gauge ? tenths * (curve.x[i] - first.value()) / (last.value() - first.value()) : 0;
         const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, tenths - 1e-9));
@@ -185,7 +185,7 @@ void show_experiment(const Experiment& experiment, const Computed& computed, con
   for (const auto& [part, shift] : computed.shifts) exhibit.measure(part + "_time_shift", shift);
   const std::vector<Question> all = questions(experiment, values);
   if (computed.grids.empty()) {
-    const std::vector<double> none(all.size(), std::numeric_limits<double>::quiet_NaN());
+    const std::vector<double> none(all.size(), nan);
     show_readings(all, {}, none, none, "", exhibit);
   } else {
     const Sources sources = sources_of(all, experiment, computed);

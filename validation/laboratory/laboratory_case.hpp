@@ -2,11 +2,9 @@
 ///
 ///     Experiment experiment(const Values&) { return {.source = source, .parts = {...}}; }
 ///
-///     Case submerged_bar() {
-///       Case c;
+///     void submerged_bar(Case& c) {
 ///       c.title = "...";
 ///       set_laboratory<experiment>(c);
-///       return c;
 ///     }
 #pragma once
 

@@ -26,14 +26,12 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case luth_bar() {
-  Case c;
+void luth_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Luth, Klopman and Kitou";
   c.source = luth_bar_source;
-  c.parameters = {choice("wave", std::string("A"), {"A", "C"}, "the waves: 2.02 or 1.01 s"),
+  c.parameters = {choice("wave", "A", {"A", "C"}, "the waves: 2.02 or 1.01 s"),
                   real("spacing", 0.02, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::luth_bar

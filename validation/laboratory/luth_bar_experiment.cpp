@@ -65,11 +65,9 @@ Experiment luth_bar_experiment(const std::string& letter) {
               .quantity = {"eta", "m", "surface elevation"},
               .input = wave.input,
               .input_reason = wave.input_reason,
-              .clock = Clock{.group = 2, .range = wave.period / 2, .window = window},
-              .readings = {}};
+              .clock = Clock{.group = 2, .range = wave.period / 2, .window = window}};
   for (const double x : gauges) {
-    part.readings.push_back(height(x, window));
-    part.readings.push_back(misfit(x, window));
+    part.read({height(x, window), misfit(x, window)});
     constexpr double repeats = 0.0005;  // two records of the same wave differ by 0.3 to 0.5 mm
     part.readings.push_back(harmonic(x, 1, wave.period, window, repeats));
     if (x > 4) continue;

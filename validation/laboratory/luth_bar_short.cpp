@@ -27,15 +27,12 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case luth_bar_short() {
-  Case c;
+void luth_bar_short(Case& c) {
   c.title = "Short waves over a submerged bar";
   c.source = luth_bar_source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {real("spacing", {0.03, 0.02, 0.02}, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to luth_bar
-  return c;
 }
 
 }  // namespace seiche::validation::cases::luth_bar_short

@@ -27,12 +27,9 @@ Experiment experiment(const Values& /*values*/) {
                 .abscissa = {"t", "s", "time of the incident wave"},
                 .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{10, 12},
-                .telling = 1.5,
-                .readings = {}};
+                .telling = 1.5};
   for (const double gauge : {5, 7, 9}) {
-    gauges.readings.push_back(highest(gauge, {12, 24}));
-    gauges.readings.push_back(when_highest(gauge, {12, 24}));
-    gauges.readings.push_back(misfit(gauge, {12, 24}));
+    gauges.read({highest(gauge, {12, 24}), when_highest(gauge, {12, 24}), misfit(gauge, {12, 24})});
   }
   const Series runup{.name = "runup",
                      .table = "matsuyama_tanaka_2001_monai_valley_runup",
@@ -48,12 +45,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case monai_valley() {
-  Case c;
+void monai_valley(Case& c) {
   c.title = "The tsunami of 1993 in the valley of Monai";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::monai_valley

@@ -12,6 +12,7 @@ model is evaluated in `synolakis_beach`.
 laboratory: the measured run-up needs either. The exact solution for the smaller wave is asked for in
 `synolakis_beach`.
 */
+#include "validation/case/literature.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::plane_beach {
@@ -19,9 +20,7 @@ namespace {
 
 using namespace laboratory;
 
-const std::string source =
-    "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523-545; thesis, California Institute of "
-    "Technology (1986)";
+const std::string source = literature::synolakis + "-545; thesis, California Institute of Technology (1986)";
 
 /// Heights are known to half a unit of the third decimal: of the profiles to `input`, of the run-up, of a wave as high
 /// to that, to `run_up_input` by the laws of run-up.
@@ -46,8 +45,7 @@ Experiment experiment(const Values& values) {
                   .abscissa = {"x_over_d", "1", "distance from the shoreline at rest, positive offshore"},
                   .quantity = {"eta_over_d", "1", "surface elevation (the beach where dry)"},
                   .input = wave.input,
-                  .input_reason = "half a thousandth of a depth in the height of the wave",
-                  .readings = {}};
+                  .input_reason = "half a thousandth of a depth in the height of the wave"};
   for (const double t : wave.instants) profiles.readings.push_back(misfit(t, {}));
   // Off the shore, where the beach that stands for a dry surface lies below the water.
   for (const double t : wave.with_crest) profiles.readings.push_back(highest(t, {1, 20}));
@@ -65,13 +63,11 @@ Experiment experiment(const Values& values) {
 
 }  // namespace
 
-Case plane_beach() {
-  Case c;
+void plane_beach(Case& c) {
   c.title = "Solitary waves on a plane beach 1 : 19.85: surfaces and run-up";
   c.source = source;
-  c.parameters = {choice("wave", std::string("0.0185"), {"0.0185", "0.3"}, "height of the wave in depths")};
+  c.parameters = {choice("wave", "0.0185", {"0.0185", "0.3"}, "height of the wave in depths")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::plane_beach

@@ -9,11 +9,10 @@
 #include <Eigen/QR>
 
 #include "seiche/samples.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Cut {
   std::vector<double> x, y;
@@ -166,10 +165,6 @@ double Reading::uncertainty(const Measured& measured) const {
 Reading highest(double group, Window window, Kind kind) {
   return {
       .id = "highest", .kind = kind, .words = "highest value", .group = group, .window = window, .read = largest_of};
-}
-
-Reading lowest(double group, Window window, Kind kind) {
-  return {.id = "lowest", .kind = kind, .words = "lowest value", .group = group, .window = window, .read = smallest_of};
 }
 
 Reading height(double group, Window window) {

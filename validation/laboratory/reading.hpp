@@ -2,7 +2,7 @@
 ///
 /// | reading  | what it is | its standard uncertainty, u_i of the points, u_x of the abscissa |
 /// |----------|------------|-------|
-/// | highest, lowest | extreme of the points in the window | what adding u_i changes |
+/// | highest  | extreme of the points in the window | what adding u_i changes |
 /// | height   | highest less lowest | sqrt(2) times that |
 /// | when highest | abscissa of the highest point | u_x, half of what lies within 2 u_i of the top over sqrt(3), and d
 /// | | arrival  | first abscissa at or above a level, between points on a straight line | u_x, what u_i changes, and d
@@ -40,9 +40,9 @@ struct Window {
 /// A measured curve and how well its points are known.
 struct Measured {
   double group = 0;
-  std::vector<double> x, y;
-  std::vector<double> u;  ///< standard uncertainty of y, point by point
-  double u_x = 0;         ///< of the abscissa
+  std::vector<double> x = {}, y = {};
+  std::vector<double> u = {};  ///< standard uncertainty of y, point by point
+  double u_x = 0;              ///< of the abscissa
 
   [[nodiscard]] Curve curve() const { return {x, y}; }
 };
@@ -69,7 +69,6 @@ struct Reading {
 };
 
 Reading highest(double group, Window window, Kind kind = Kind::height);
-Reading lowest(double group, Window window, Kind kind = Kind::height);
 Reading height(double group, Window window);
 Reading when_highest(double group, Window window, Kind kind = Kind::arrival);
 Reading arrival(double group, double level, Window window);

@@ -78,7 +78,7 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& values) {
-  const auto period = static_cast<double>(values.integer("period"));
+  const auto period = values.number("period");
   Series part{.name = "harmonics",
               .table = "whalin_1971_semicircular_shoal",
               .kind = WantedTable::Kind::profile,
@@ -89,36 +89,31 @@ Experiment experiment(const Values& values) {
               .spread = "u",
               .input = 0.1,
               .input_reason = "the first harmonic before the shoal against the nominal amplitude: +14, -6 and +10 %",
-              .telling = half_width,
-              .readings = {}};
+              .telling = half_width};
   const Window window{5, 23};
   for (double harmonic = 1; harmonic <= (period == 1 ? 2 : 3); ++harmonic) {
     part.readings.push_back(highest(harmonic, window));
     if (period < 3 || harmonic != 2) part.readings.push_back(when_highest(harmonic, window, Kind::place));
     part.readings.push_back(misfit(harmonic, window));
   }
-  Experiment one{.source = source,
-                 .parts = {part},
-                 .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
-                 .ceiling = 0.3,
-                 .ceiling_reason = "the incident amplitude is known to a tenth, and the case says so in its title",
-                 .model = basin_model,
-                 .coarsenings = {1, 1.5, 2}};
-  if (values.tier() != Tier::quick) one.compute = compute;
-  return one;
+  return {.source = source,
+          .parts = {part},
+          .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
+          .ceiling = 0.3,
+          .ceiling_reason = "the incident amplitude is known to a tenth, and the case says so in its title",
+          .compute = values.tier() == Tier::quick ? nullptr : compute,
+          .model = basin_model,
+          .coarsenings = {1, 1.5, 2}};
 }
 
 }  // namespace
 
-Case semicircular_shoal() {
-  Case c;
+void semicircular_shoal(Case& c) {
   c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
                   real("spacing", 0.06, "m", {0.05, 0.15}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::semicircular_shoal

@@ -29,12 +29,10 @@ Experiment experiment(const Values& /*values*/) {
                 .quantity = {"eta", "m", "surface elevation"},
                 .telling = 1.5,
                 .origin = 3.62,
-                .clock = Clock{.group = 1, .range = 1.5, .window = {1, 6}},
-                .readings = {}};
+                .clock = Clock{.group = 1, .range = 1.5, .window = {1, 6}}};
   for (double gauge = 1; gauge <= 9; ++gauge) {
     const Window window{1.5, 20};
-    gauges.readings.push_back(highest(gauge, window));
-    gauges.readings.push_back(misfit(gauge, window));
+    gauges.read({highest(gauge, window), misfit(gauge, window)});
     if (gauge == 2 || gauge == 3 || gauge == 5) gauges.readings.push_back(when_highest(gauge, window));
   }
   Series velocity{.name = "velocity",
@@ -42,11 +40,9 @@ Experiment experiment(const Values& /*values*/) {
                   .group = Column{"probe", "1", "1 to 3 for A, B, C"},
                   .abscissa = time,
                   .quantity = {"u", "m/s", "velocity along the wave's direction"},
-                  .spread = "u_rms",
-                  .readings = {}};
+                  .spread = "u_rms"};
   for (const double probe : {1, 2, 3}) {
-    velocity.readings.push_back(highest(probe, {0, 20}, Kind::velocity));
-    velocity.readings.push_back(misfit(probe, {0, 20}));
+    velocity.read({highest(probe, {0, 20}, Kind::velocity), misfit(probe, {0, 20})});
   }
   return {.source = source,
           .parts = {gauges, velocity},
@@ -55,12 +51,10 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case shelf_and_cone() {
-  Case c;
+void shelf_and_cone(Case& c) {
   c.title = "A solitary wave on a shelf with a conical island";
   c.source = source;
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::shelf_and_cone

@@ -50,8 +50,7 @@ Experiment experiment(const Values& /*values*/) {
               .input_reason = "height of the incident wave, estimated",
               .telling = 0.8,
               .origin = crests.front(),
-              .clock = Clock{.group = -5, .range = 0.5, .by = when_highest(-5, {11, 17})},
-              .readings = {}};
+              .clock = Clock{.group = -5, .range = 0.5, .by = when_highest(-5, {11, 17})}};
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const Window window{crests[k] - 1.5, crests[k] + (k + 1 == gauges.size() ? 0.5 : 1.5)};
     part.readings.push_back(highest(gauges[k], window));
@@ -67,13 +66,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case solitary_shoaling() {
-  Case c;
+void solitary_shoaling(Case& c) {
   c.title = "A solitary wave shoals until it breaks";
   c.source = source;
   c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_shoaling

@@ -55,8 +55,7 @@ Experiment experiment(const Values& /*values*/) {
               .groups = depths,
               .abscissa = {"Froude", "1", "speed of the bore over sqrt(g depth)"},
               .quantity = {"a_over_depth", "1", "first crest over the still depth"},
-              .highest = 1.2,
-              .readings = {}};
+              .highest = 1.2};
   for (const double depth : depths) {
     part.readings.push_back(misfit(depth, {}));
     for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));
@@ -67,14 +66,11 @@ Experiment experiment(const Values& /*values*/) {
 
 }  // namespace
 
-Case undular_bore_crests() {
-  Case c;
+void undular_bore_crests(Case& c) {
   c.title = "The first crest of an undular bore";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::undular_bore_crests

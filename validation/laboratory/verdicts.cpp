@@ -16,8 +16,6 @@
 namespace seiche::validation::laboratory {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
 /// For ids: no points, and a word for a minus.
 std::string plain(std::string text, const char* minus) {
   std::replace(text.begin(), text.end(), '.', '_');
@@ -91,7 +89,7 @@ std::string Question::unit() const {
 
 double Question::answer(const Submitted& computed, double factor) const {
   const SubmittedGroup* group = group_of(computed, part_, reading_.group);
-  if (group == nullptr) return not_known;
+  if (group == nullptr) return nan;
   const bool scalar = part_.kind == WantedTable::Kind::scalars;
   std::vector<double> y = group->values.at(part_.quantity.name);
   for (double& one : y) one /= factor;
@@ -228,7 +226,7 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
     }
   }
   const double beyond = all.size() > 1 ? std::sqrt(std::max(rest, 0.0) / chi_squared(all.size() - 1)) : 0;
-  result.difference = std::isnan(beyond) ? not_known : std::max(std::abs(factor), beyond * result.noticed());
+  result.difference = std::isnan(beyond) ? nan : std::max(std::abs(factor), beyond * result.noticed());
   return result;
 }
 
@@ -318,8 +316,8 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
                 .uncertainty = stated ? std::optional(coverage() * found.numerical) : std::nullopt,
                 .resolution = fmt::format("{} readings{}", present.size(), stated ? "" : ", u_num not stated")},
                criterion_of(experiment, found.data, found.input));
-  show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), not_known),
-                found.scores, record.solver, record);
+  show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
+                record.solver, record);
   show_calibration(experiment, values, computed, record);
 }
 

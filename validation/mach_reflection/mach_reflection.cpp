@@ -31,6 +31,7 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
@@ -50,20 +51,17 @@ struct Quantity {
   Measurement (*measured)(const Reflection&);
 };
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = {
-      {"a_w_over_a_i", [](const Reflection& r) { return r.wall_ratio(); }},
-      {"a_r_over_a_i", [](const Reflection& r) { return r.reflected_ratio(); }},
-      {"psi_r", [](const Reflection& r) { return r.reflected_angle(); }},
-      {"stem_angle",
-       [](const Reflection& r) {
-         return Measurement{.value = degrees(r.stem.value),
-                            .uncertainty = degrees(r.stem.half_width()),
-                            .resolution = r.run.resolution()};
-       }},
-  };
-  return all;
-}
+const std::vector<Quantity> quantities{
+    {"a_w_over_a_i", [](const Reflection& r) { return r.wall_ratio(); }},
+    {"a_r_over_a_i", [](const Reflection& r) { return r.reflected_ratio(); }},
+    {"psi_r", [](const Reflection& r) { return r.reflected_angle(); }},
+    {"stem_angle",
+     [](const Reflection& r) {
+       return Measurement{.value = degrees(r.stem.value),
+                          .uncertainty = degrees(r.stem.half_width()),
+                          .resolution = r.run.resolution()};
+     }},
+};
 
 /// One angle on several lattices, the finest first.
 struct Configuration {
@@ -97,7 +95,7 @@ ReflectionRun run_of(const Values& values, double angle, double factor = 1) {
           .spacing = factor * values.real("h"),
           .time = values.real("time"),
           .model = wave_model_named(values.text("model")),
-          .layers = static_cast<std::size_t>(values.integer("layers"))};
+          .layers = values.count("layers")};
 }
 
 Results compute(const Run& run) {
@@ -187,7 +185,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const ReflectionRun what = run_of(values, angles[k], lattices_of(values).front());
-    const auto one = claims.at(what.resolution()).of([k](const Results& r) -> const Configuration& { return r.at(k); });
+    const auto one = claims.at(what.resolution()).entry(k);
     claim_theory(one, angles[k], what);
     claim_steady(one, angles[k], what);
   }
@@ -237,8 +235,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
     const auto theory = [](const MachReflection& t) {
       return std::vector{t.wall_ratio(), t.reflected_ratio(), degrees(t.reflected_angle()), degrees(t.stem_angle())};
     };
-    for (std::size_t k = 0; k < quantities().size(); ++k) {
-      const Quantity& quantity = quantities()[k];
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+      const Quantity& quantity = quantities[k];
       const Value value = value_of(one, quantity);
       table.rows.push_back({one.angle, quantity.id, rounded(value.measured.value), rounded(value.measured.half_width()),
                             rounded(value.limit), rounded(theory(miles)[k]), rounded(theory(finite)[k])});
@@ -257,12 +255,10 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 
 }  // namespace
 
-Case mach_reflection() {
-  Case c;
+void mach_reflection(Case& c) {
   c.title = "Reflection of a solitary wave at a wall, with and without a Mach stem";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3; J. W. Miles, J. "
-      "Fluid Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, J. Fluid Mech. 672 (2011) 326";
+  c.source = literature::frank + ", section 4.3; " + literature::miles +
+             "; W. Li, H. Yeh, Y. Kodama, J. Fluid Mech. 672 (2011) 326";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.55}, "a_i of the incident wave"),
@@ -270,11 +266,10 @@ Case mach_reflection() {
       real("second_angle", 42.0, "deg", {0, 75}, "of a second configuration; 0 for none"),
       real("h", {1, 0.5, 0.5}, "depth", {0.1, 1.5}, "spacing of the lattice at rest"),
       real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "how long; 0 for until the stem should have settled"),
-      choice("model", std::string("plan"), {"plan", "hexahedra"}, "water columns or layers of hexahedra"),
+      choice("model", "plan", {"plan", "hexahedra"}, "water columns or layers of hexahedra"),
       integer("layers", 2, {1, 8}, "of hexahedra"),
   };
   c.study = Study(claims, compute, show, "Miles (1977); Li, Yeh and Kodama (2011)");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_reflection

@@ -18,6 +18,7 @@ follow a power of $h$.
 
 #include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
@@ -137,14 +138,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case mach_reflection_convergence() {
-  Case c;
+void mach_reflection_convergence(Case& c) {
   c.title = "Mach reflection: lattice, step, window and solver";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3";
+  c.source = literature::frank + ", section 4.3";
   c.tiers = {Tier::full};
   c.parameters = {real("time", {40, 120, 120}, "sqrt(depth/g)", {40, 1000}, "when the stem is measured")};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_reflection_convergence

@@ -30,6 +30,7 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
@@ -49,15 +50,12 @@ struct Plan {
   std::vector<double> more_angles;
   bool limit_known;  ///< of the highest stem: well enough to tell 3.5 from 4
 };
-const std::vector<Plan>& plans() {
-  static const std::vector<Plan> all = {
-      {0.05, 2.5, {14, 17}, false}, {0.097, 1.8, {18, 22}, true}, {0.186, 1.2, {32}, false}, {0.3, 1, {33, 37}, true}};
-  return all;
-}
+const std::vector<Plan> plans{
+    {0.05, 2.5, {14, 17}, false}, {0.097, 1.8, {18, 22}, true}, {0.186, 1.2, {32}, false}, {0.3, 1, {33, 37}, true}};
 const Plan* plan_of(double amplitude) {
   const auto found =
-      std::ranges::find_if(plans(), [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
-  return found == plans().end() ? nullptr : &*found;
+      std::ranges::find_if(plans, [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
+  return found == plans.end() ? nullptr : &*found;
 }
 
 std::vector<double> angles_of(const Plan& plan, const std::vector<KnownReflection>& known) {
@@ -79,8 +77,7 @@ ReflectionSeries series_at(const Values& values, const std::vector<KnownReflecti
   ReflectionSeries series{
       .amplitude = amplitude,
       .spacing = values.real("h") * (plan ? plan->coarseness : std::sqrt(0.3 / amplitude)),
-      .angles = plan && values.tier() != Tier::quick ? angles_of(*plan, known) : few_angles(amplitude),
-      .reflections = {}};
+      .angles = plan && values.tier() != Tier::quick ? angles_of(*plan, known) : few_angles(amplitude)};
   std::sort(series.angles.begin(), series.angles.end());
   return series;
 }
@@ -90,7 +87,7 @@ std::vector<ReflectionSeries> series_of(const Values& values) {
   const double amplitude = values.real("amplitude");
   if (amplitude > 0) return {series_at(values, known, amplitude)};
   std::vector<ReflectionSeries> all;
-  for (const Plan& plan : plans()) all.push_back(series_at(values, known, plan.amplitude));
+  for (const Plan& plan : plans) all.push_back(series_at(values, known, plan.amplitude));
   return all;
 }
 
@@ -301,8 +298,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const bool fine = values.real("h") < 0.5 + 1e-9;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const ReflectionSeries& series = all[k];
-    const auto one =
-        claims.at(lattice_of(series)).of([k](const Results& r) -> const ReflectionSeries& { return r.at(k); });
+    const auto one = claims.at(lattice_of(series)).entry(k);
     const auto settled =
         one.only_if(values.real("time") == 0, "the limits of runs that do not wait for their stems are not known");
     claim_theory(settled, series);
@@ -334,12 +330,10 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
 
 }  // namespace
 
-Case mach_reflection_curves() {
-  Case c;
+void mach_reflection_curves(Case& c) {
   c.title = "Reflected and wall amplitudes of solitary waves against the angle";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3, figures 7 and 8; J. "
-      "W. Miles, J. Fluid Mech. 79 (1977) 171; M. Tanaka, J. Fluid Mech. 248 (1993) 637";
+  c.source = literature::frank + ", section 4.3, figures 7 and 8; " + literature::miles +
+             "; M. Tanaka, J. Fluid Mech. 248 (1993) 637";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", {0.3, 0, 0}, "depth", {0, 0.55}, "of the only series; 0 for 0.05, 0.097, 0.186 and 0.3"),
@@ -348,7 +342,6 @@ Case mach_reflection_curves() {
   };
   c.published = {{.tiles = {"frank-fig-7", "frank-fig-8", "frank-ar-law"}, .tier = Tier::full}};
   c.study = Study(claims, compute, show, "Frank (1994), section 4.3");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_reflection_curves

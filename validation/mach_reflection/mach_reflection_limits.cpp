@@ -33,6 +33,7 @@ mostly theirs.
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
@@ -140,7 +141,7 @@ double coarseness(const Values& values, double amplitude) {
   for (const Plan& plan : plans(values)) {
     if (plan.amplitude == amplitude) return plan.coarseness;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return nan;
 }
 
 /// The other start: of the first angle at each amplitude.
@@ -234,7 +235,7 @@ void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t c
 void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Wave> all = waves(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto wave = claims.of([k](const Results& r) -> const Wave& { return r.at(k); });
+    const auto wave = claims.entry(k);
     claim_theory(wave, all[k]);
     if (all[k].amplitude < small && all[k].stem()) claim_small(wave, all[k]);
     if (starts_otherwise(values, all[k])) claim_start(wave, all[k]);
@@ -258,7 +259,7 @@ Results compute(const Run& run) {
     ReflectionRun what{.amplitude = wave.amplitude,
                        .angle = radians(wave.angle),
                        .model = wave.model,
-                       .layers = static_cast<std::size_t>(run.integer("layers")),
+                       .layers = run.count("layers"),
                        .tolerance = layered ? 1e-6 : 1e-7};
     for (std::size_t lattice = 0; lattice < lattices.size(); ++lattice) {
       what.spacing =
@@ -321,8 +322,7 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
        "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]", "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"});
   for (const Wave& wave : all) {
     const Reflection& finest = wave.lattices.front();
-    const double settling = wave.stem() ? finest.limit.exponential.rate / finest.run.settling_rate()
-                                        : std::numeric_limits<double>::quiet_NaN();
+    const double settling = wave.stem() ? finest.limit.exponential.rate / finest.run.settling_rate() : nan;
     table.rows.push_back(
         {wave.name(), wave.amplitude, wave.angle, rounded(finest.run.spacing), rounded(wave.incident()),
          rounded(wave.theory().kappa()), rounded(wave.limit(&Reflection::limit_ratio).value),
@@ -337,12 +337,9 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 
 }  // namespace
 
-Case mach_reflection_limits() {
-  Case c;
+void mach_reflection_limits(Case& c) {
   c.title = "Mach reflection by two models: limits of fine lattices, small waves and long times";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4, figure 7; J. W. Miles, "
-      "J. Fluid Mech. 79 (1977) 171";
+  c.source = literature::frank + ", chapter 4, figure 7; " + literature::miles;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", {0.097, 0, 0}, "depth", {0, 0.3}, "of the only wave: 0.05, 0.097, 0.186 or 0.3; 0 for all"),
@@ -352,7 +349,6 @@ Case mach_reflection_limits() {
   };
   c.published = {{.tiles = {"frank-fig-7"}, .tier = Tier::full}};
   c.study = Study(claims, compute, show, theory_source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_reflection_limits

@@ -21,6 +21,7 @@ tell a stem from regular reflection nothing is decided. Small waves settle slowl
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
@@ -152,19 +153,17 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case mach_reflection_theory() {
-  Case c;
+void mach_reflection_theory(Case& c) {
   c.title = "Mach reflection of a small solitary wave: theory, accurate to the amplitude, 10 %";
   c.source =
-      "J. W. Miles, J. Fluid Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, On the Mach reflection of a solitary wave: "
-      "revisited, J. Fluid Mech. 672 (2011) 326";
+      literature::miles +
+      "; W. Li, H. Yeh, Y. Kodama, On the Mach reflection of a solitary wave: revisited, J. Fluid Mech. 672 (2011) 326";
   c.parameters = {
       real("amplitude", 0.097, "depth", {0.001, 0.8}, "a_i of the incident wave"),
       real("angle", 20.0, "deg", {1, 75}, "psi_i between the wave's direction and the wall"),
   };
   c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_reflection_theory

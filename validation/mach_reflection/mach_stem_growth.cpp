@@ -21,6 +21,7 @@ larger angle with the wall. Along the stem the height hardly changes.
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
@@ -186,11 +187,9 @@ void show(const Development& development, const Values& values, evidence::Exhibi
 
 }  // namespace
 
-Case mach_stem_growth() {
-  Case c;
+void mach_stem_growth(Case& c) {
   c.title = "Growth of a Mach stem";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3, figure 6";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 4.3, figure 6";
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.55}, "a_i of the incident wave"),
       real("angle", 30.0, "deg", {5, 75}, "psi_i between the wave's direction and the wall"),
@@ -199,7 +198,6 @@ Case mach_stem_growth() {
   };
   c.published = {{.tiles = {"frank-fig-6"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::mach_stem_growth

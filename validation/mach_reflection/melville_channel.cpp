@@ -28,6 +28,7 @@ is a hundredth lower.
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/each.hpp"
@@ -196,10 +197,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   const double h = values.real("h");
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    const auto ladder =
-        claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h)).of([k](const Results& r) -> const Ladder& {
-          return r.at(k);
-        });
+    const auto ladder = claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h)).entry(k);
     claim_early(ladder, angles[k]);
     claim_models(claims, values.real("amplitude"), angles[k], k, angles.size() + k);
   }
@@ -272,13 +270,10 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 
 }  // namespace
 
-Case melville_channel() {
-  Case c;
+void melville_channel(Case& c) {
   c.title = "Early growth of a Mach stem in a channel whose wall turns";
-  c.source =
-      "W. K. Melville, On the Mach reflexion of a solitary wave, J. Fluid Mech. 98 (1980) 285; A. M. Frank, Discrete "
-      "models of incompressible fluid, doctoral thesis (1994), section 4.3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "W. K. Melville, On the Mach reflexion of a solitary wave, J. Fluid Mech. 98 (1980) 285; " +
+             literature::frank + ", section 4.3";
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.05, 0.4}, "of the wave"),
       real("angle", 20.0, "deg", {10, 40}, "by which the wall turns"),
@@ -288,7 +283,6 @@ Case melville_channel() {
   };
   c.published = {{.tiles = {"frank-melville"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::melville_channel

@@ -29,11 +29,8 @@ struct Axis {
   std::string label;
   Kappa kappa;
 };
-const std::vector<Axis>& axes() {
-  static const std::vector<Axis> both = {{"psi_i/sqrt(3 a_i)", &ReflectionRun::kappa},
-                                         {"tan(psi_i)/(sqrt(3 a_i) cos(psi_i))", &ReflectionRun::kappa_finite_angle}};
-  return both;
-}
+const std::vector<Axis> axes{{"psi_i/sqrt(3 a_i)", &ReflectionRun::kappa},
+                             {"tan(psi_i)/(sqrt(3 a_i) cos(psi_i))", &ReflectionRun::kappa_finite_angle}};
 
 std::vector<double> kappas(const ReflectionSeries& series, Kappa kappa) {
   return series.all([kappa](const Reflection& r) { return (r.run.*kappa)(); });
@@ -90,12 +87,12 @@ void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSer
     if (ratio == &Reflection::wall_ratio) limits(panel, series, axis.kappa);
     panel.line("Frank (1994)", std::vector{0.1, *frame.x_max}, std::vector{frank, frank}, Role::guide);
   };
-  for (const Axis& axis : axes()) {
+  for (const Axis& axis : axes) {
     draw(
         axis, {.x = axis.label, .y = "a_w/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 1, .y_max = 4.1},
         [](double k) { return MachReflection::wall_ratio(k); }, &Reflection::wall_ratio, 3.5);
   }
-  for (const Axis& axis : axes()) {
+  for (const Axis& axis : axes) {
     draw(
         axis, {.x = axis.label, .y = "a_r/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 0, .y_max = 1.1},
         [](double k) { return MachReflection::reflected_ratio(k); }, &Reflection::reflected_ratio, regular_from);

@@ -19,8 +19,8 @@ inline constexpr double regular_from_largest = 0.99;
 struct ReflectionSeries {
   double amplitude = 0.3;
   double spacing = 0.5;
-  std::vector<double> angles;           ///< [deg]
-  std::vector<Reflection> reflections;  ///< of the angles
+  std::vector<double> angles;                ///< [deg]
+  std::vector<Reflection> reflections = {};  ///< of the angles
 
   /// What is wanted of every reflection.
   template <class Get>

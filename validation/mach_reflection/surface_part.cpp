@@ -19,7 +19,7 @@ SurfacePart part_of(const SurfaceLattice& surface, const Extent& extent, double 
     throw std::invalid_argument(
         fmt::format("no cells of the surface lie in x = {:g} .. {:g}, y <= {:g}", extent.from, extent.to, extent.top));
   }
-  SurfacePart part{.columns = columns.size() - 1, .rows = rows.size() - 1, .x = {}, .y = {}, .z = {}};
+  SurfacePart part{.columns = columns.size() - 1, .rows = rows.size() - 1};
   for (const std::size_t j : rows) {
     for (const std::size_t i : columns) {
       const std::size_t n = surface.node(i, j);

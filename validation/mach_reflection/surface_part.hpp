@@ -11,7 +11,7 @@ namespace seiche::validation {
 struct SurfacePart {
   std::size_t columns = 0;
   std::size_t rows = 0;
-  std::vector<double> x, y, z;
+  std::vector<double> x = {}, y = {}, z = {};
 
   [[nodiscard]] evidence::Lattice lattice() const { return {columns, rows, x, y, z}; }
 };

@@ -15,6 +15,7 @@ the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=80
 #include <limits>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases::moving_pressure_1d {
@@ -69,12 +70,9 @@ void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& e
 
 }  // namespace
 
-Case moving_pressure_1d() {
-  Case c;
+void moving_pressure_1d(Case& c) {
   c.title = "A pressure patch at the critical speed sends solitons ahead";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 3.3; T. Y. Wu, J. Fluid "
-      "Mech. 184 (1987) 75";
+  c.source = literature::frank + ", section 3.3; T. Y. Wu, J. Fluid Mech. 184 (1987) 75";
   c.parameters = {
       real("p0", 0.1, "rho g H", {-0.5, 0.5}, "pressure at the centre of the source; negative for suction"),
       real("half_width", 4.0, "H", {0.25, 50}, "half of the width of the source"),
@@ -85,7 +83,6 @@ Case moving_pressure_1d() {
       real("threshold", soliton_threshold, "H", {1e-4, 1}, "what is higher, ahead of the source, is a soliton"),
   };
   c.study = Study(claims, compute, show, "set-up");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::moving_pressure_1d

@@ -20,6 +20,7 @@ one does.
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases::moving_pressure_regimes {
@@ -83,31 +84,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_resolved(fine.of([](const Results& r) -> const PressureWaves& { return r.fine.value(); }), fine);
 }
 
-/// Progress of a part of the work, which is as the square of the time: a longer run has a longer channel too.
-class Share {
- public:
-  Share(const Run& run, double all) : run_(run), all_(all) {}
-  PressureWaves compute(const PressureRegime& regime) {
-    const double part = regime.time * regime.time / all_;
-    PressureWaves waves(regime.source, run_of(run_, regime.time),
-                        [&](double fraction) { run_.progress(done_ + part * fraction); });
-    done_ += part;
-    return waves;
-  }
-
- private:
-  const Run& run_;
-  double all_;
-  double done_ = 0;
-};
-
 Results compute(const Run& run) {
   const std::vector<PressureRegime> regimes = regimes_of(run);
-  double all = 0;
-  for (const PressureRegime& regime : regimes) all += regime.time * regime.time;
-  Share share(run, all);
+  // A part of the work is as the square of the time: a longer run has a longer channel too.
+  double whole = 0;
+  for (const PressureRegime& regime : regimes) whole += regime.time * regime.time;
+  double done = 0;
   Results results;
-  for (const PressureRegime& regime : regimes) results.regimes.push_back({regime, share.compute(regime)});
+  for (const PressureRegime& regime : regimes) {
+    const double part = regime.time * regime.time / whole;
+    results.regimes.push_back({regime, PressureWaves(regime.source, run_of(run, regime.time),
+                                                     [&](double fraction) { run.progress(done + part * fraction); })});
+    done += part;
+  }
   if (run.tier() != Tier::quick) {
     const PressureRegime& wide = regimes[wide_suction];
     results.fine.emplace(wide.source, run_of(run, wide.time, 2), [](double) {});
@@ -157,12 +146,9 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case moving_pressure_regimes() {
-  Case c;
+void moving_pressure_regimes(Case& c) {
   c.title = "Pressure and suction at the critical speed: solitons ahead, or none";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 3.3; T. Y. Wu, J. Fluid "
-      "Mech. 184 (1987) 75";
+  c.source = literature::frank + ", section 3.3; T. Y. Wu, J. Fluid Mech. 184 (1987) 75";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("h", 0.25, "H", {0.05, 0.5}, "distance of markers at rest"),
@@ -170,7 +156,6 @@ Case moving_pressure_regimes() {
   };
   c.published = {{.tiles = {"frank-pressure"}}};
   c.study = Study(claims, compute, show, "the scheme is of second order");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::moving_pressure_regimes

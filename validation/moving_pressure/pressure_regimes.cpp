@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -17,7 +16,6 @@ namespace {
 
 namespace model = dispersive_shallow_water_1d;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double behind = 250;     // length of the channel behind the start of the source
 constexpr double room_ahead = 90;  // and beyond where the fastest soliton gets
 constexpr double fastest_soliton = 1.25;
@@ -43,13 +41,13 @@ double smooth_elevation(const model::Flow& flow, double place) {
 }
 
 PressureSurface surface_of(const model::Flow& flow, const PressureSource& source) {
-  PressureSurface surface{.time = flow.time(), .place = {}, .elevation = {flow.y().begin(), flow.y().end()}};
+  PressureSurface surface{.time = flow.time(), .elevation = {flow.y().begin(), flow.y().end()}};
   for (const double x : flow.x()) surface.place.push_back(x - source.speed * flow.time());
   return surface;
 }
 
 PressureSurface ridge_of(const model::Flow& flow, const PressureSource& source) {
-  PressureSurface ridge{.time = flow.time(), .place = evenly(-70, 85, 311), .elevation = {}};
+  PressureSurface ridge{.time = flow.time(), .place = evenly(-70, 85, 311)};
   std::vector<double> x = each(ridge.place, [&](const double z) { return z + source.speed * flow.time(); });
   ridge.elevation = flow.elevation_at(x);
   return ridge;
@@ -110,7 +108,7 @@ std::vector<CurveCrest> PressureWaves::source_peaks() const {
 
 Period PressureWaves::period() const {
   const std::vector<CurveCrest> peaks = source_peaks();
-  if (peaks.empty()) return {unknown, unknown};
+  if (peaks.empty()) return {nan, nan};
   const auto first = std::lower_bound(time_.begin(), time_.end(), peaks.front().place) - time_.begin();
   return period_of(std::span(at_source_).subspan(static_cast<std::size_t>(first)), time_[1] - time_[0]);
 }
@@ -122,7 +120,7 @@ std::vector<CurveCrest> PressureWaves::solitons(const PressureSurface& surface, 
 }
 
 double PressureWaves::soliton_count(double threshold) const {
-  return std::isnan(maximum_ahead()) ? unknown : static_cast<double>(forward_solitons(threshold).size());
+  return std::isnan(maximum_ahead()) ? nan : static_cast<double>(forward_solitons(threshold).size());
 }
 
 double PressureWaves::maximum_ahead() const {
@@ -132,7 +130,7 @@ double PressureWaves::maximum_ahead() const {
 PressureWaves::Leader PressureWaves::leader(double threshold) const {
   const std::vector<CurveCrest> before = solitons(earlier_, threshold);
   const std::vector<CurveCrest> now = solitons(last_, threshold);
-  if (before.empty() || now.empty()) return {unknown, unknown, unknown};
+  if (before.empty() || now.empty()) return {nan, nan, nan};
   const CurveCrest here = now.back();
   return {.speed = source_.speed + (here.place - before.back().place) / (last_.time - earlier_.time),
           .height = here.height,

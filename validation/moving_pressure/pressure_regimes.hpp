@@ -43,7 +43,7 @@ struct PressureRun {
 /// Elevations along the channel; places are counted from the centre of the source.
 struct PressureSurface {
   double time = 0;
-  std::vector<double> place, elevation;
+  std::vector<double> place = {}, elevation = {};
 };
 
 class PressureWaves {

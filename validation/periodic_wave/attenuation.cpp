@@ -136,8 +136,7 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
                           "The height of the wave agrees with the exact wave within the tolerance, by default 3.5 %.",
                           attenuation_source, 1),
                       {.measure = Measure::shift,
-                       .criterion = Bound{.limit = per_wavelength * values.real("length") *
-                                                   static_cast<double>(values.integer("periods")),
+                       .criterion = Bound{.limit = per_wavelength * values.real("length") * values.number("periods"),
                                           .reason = per_wavelength_reason + ", over all of them"},
                        .text = "The phase of the wave agrees with the exact wave at every "
                                "instant within 0.5 % of the whole way.",

@@ -199,9 +199,9 @@ RefinementStudy study_of(const Values& values) {
 
 struct Results {
   std::shared_ptr<const Wave> wave;
-  Refinement refinement;
-  std::vector<Slip> slips;  ///< on each mesh
-  std::vector<Flow> flows;  ///< at the end, on the mesh that is drawn
+  Refinement refinement = {};
+  std::vector<Slip> slips = {};  ///< on each mesh
+  std::vector<Flow> flows = {};  ///< at the end, on the mesh that is drawn
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -209,7 +209,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.wave = std::make_shared<const Wave>(run.real("amplitude")), .refinement = {}, .slips = {}, .flows = {}};
+  Results r{.wave = std::make_shared<const Wave>(run.real("amplitude"))};
   const long finest = run.integer("n");
   for (const long n : meshes_up_to(finest)) {
     MeshAtEnd result = computed(run, r.wave, n);
@@ -257,21 +257,18 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case gerstner_mesh() {
-  Case c;
+void gerstner_mesh(Case& c) {
   c.former_names = {"gerstner_2d"};
   c.title = "Gerstner's wave on the two-dimensional Lagrangian mesh";
   c.source = "F. J. Gerstner (1804); model: A. M. Frank, doctoral thesis (1994), chapter 2";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("amplitude", 0.3, "1/k", {1e-3, 0.8}, "radius A of the surface's orbits"),
       integer("n", {32, 64, 128}, {32, 256}, "rows in a unit of depth on the finest of four meshes"),
       real("tau_over_h", 0.8, "1/sqrt(g k)", {1e-2, 2}, "time step over the height of a row"),
       real("time", 2.4, "1/sqrt(g k)", {0.1, 50}, "end of the run; a period is 2 pi"),
-      choice("scheme", std::string("one_step"), {"one_step", "conservative"}, "time stepping"),
+      choice("scheme", "one_step", {"one_step", "conservative"}, "time stepping"),
   };
   c.study = Study(claims, compute, show);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::gerstner_mesh

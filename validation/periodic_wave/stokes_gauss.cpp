@@ -145,7 +145,7 @@ WaveRun follow(const SetUp& s, const Values& values, const std::function<void(do
   r.end = flow.time();
   r.markers = flow.markers();
   r.rms = surface_rms(exact, r.markers, crest());
-  r.phase = surface_lead(exact, s.length, r.markers, crest()) / static_cast<double>(values.integer("periods"));
+  r.phase = surface_lead(exact, s.length, r.markers, crest()) / values.number("periods");
   r.loss = flow.model().penalty_loss() / kinetic;
   r.free_particles = flow.most_free_particles();
   return r;
@@ -166,7 +166,7 @@ Results compute(const Run& run) {
 void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& claims) {
   const StokesWave wave = s.wave();
   const double turn = 2 * std::numbers::pi / static_cast<double>(s.steps);
-  const auto periods = static_cast<double>(values.integer("periods"));
+  const auto periods = values.number("periods");
   const bool on_surface = values.text("gravity") == "surface";
   const Bound line{0.01 * s.height,
                    "a hundredth of the height: in a figure in which the wave is 3 cm high, the width of a line"};
@@ -216,9 +216,9 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
 void claims(const Values& values, const Claims<Results>& all) {
   const std::vector<SetUp> waves = set_ups(values);
   for (std::size_t k = 0; k < waves.size(); ++k) {
-    const Claims<WaveRun> claims = all.of([k](const Results& results) -> const WaveRun& { return results[k]; })
-                                       .at(fmt::format("{} cells, {} particles to a side, {} steps per period",
-                                                       waves[k].cells, values.integer("per_cell"), waves[k].steps));
+    const Claims<WaveRun> claims =
+        all.entry(k).at(fmt::format("{} cells, {} particles to a side, {} steps per period", waves[k].cells,
+                                    values.integer("per_cell"), waves[k].steps));
     claim_wave(waves[k], values,
                claims.only_if(values.text("scheme") == "conservative",
                               "the projection scheme loses energy, and with it the wave"));
@@ -259,11 +259,9 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
 
 }  // namespace
 
-Case stokes_gauss() {
-  Case c;
+void stokes_gauss(Case& c) {
   c.title = "Steep periodic waves: Gauss-principle particles";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("height", 0.0, "1", {0, 2}, "from trough to crest; 0: the four waves of the figure"),
       real("length", 2 * std::numbers::pi, "1", {0.1, 1000}, "of a wave; of all in the figure but the long one"),
@@ -277,12 +275,11 @@ Case stokes_gauss() {
            "C of the penalty on gradients of vorticity, which the source has not"),
       choice("gravity", {"surface", "particles", "particles"}, {"particles", "surface"},
              "on every particle, which needs the penalty, or as the potential energy under the line of markers"),
-      choice("scheme", std::string("conservative"), {"conservative", "dissipative"},
+      choice("scheme", "conservative", {"conservative", "dissipative"},
              "time stepping; dissipative: with gravity = particles"),
   };
   c.published = {{.tiles = {"frank-fig-9"}, .stated = {"gravity", "penalty"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::stokes_gauss

@@ -34,12 +34,14 @@ SPH does not. A longer wave has less dispersion, and the dispersive model less e
 
 #include "reports/evidence/claim.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/periodic_wave/surface_fit.hpp"
 #include "validation/periodic_wave/travelling_models.hpp"
+#include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::stokes_models {
 namespace {
@@ -64,11 +66,6 @@ struct Waves {
   }
   [[nodiscard]] Elevation serre_elevation() const {
     return [wave = serre](double x) { return wave.elevation(x); };
-  }
-  /// What its height adds to the wave's speed, over the speed of low waves.
-  [[nodiscard]] double excess() const {
-    const double k = euler.wavenumber();
-    return euler.phase_speed() / std::sqrt(std::tanh(k) / k) - 1;
   }
 };
 
@@ -97,43 +94,33 @@ struct Ladder {
 
 struct Results {
   Waves waves;
-  Ladder particles, mesh, dispersive, sph;
-  std::vector<double> own_error;  ///< of the dispersive model, against the wave of its own equations
+  Ladder particles = {}, mesh = {}, dispersive = {}, sph = {};
+  std::vector<double> own_error = {};  ///< of the dispersive model, against the wave of its own equations
 };
 
-/// Parts of the finest resolution, from coarse to fine.
-std::vector<long> ladder(long finest, const std::vector<double>& parts) {
-  std::vector<long> all;
-  for (const double part : parts) all.push_back(std::lround(static_cast<double>(finest) * part));
-  return all;
-}
 std::vector<long> cells_of(const Values& values) {
-  return ladder(values.integer("cells"), {5.0 / 14, 0.5, 5.0 / 7, 1});
+  return ladder_to(values.integer("cells"), {5.0 / 14, 0.5, 5.0 / 7, 1});
 }
 
 Results compute(const Run& run) {
-  Results r{.waves = waves_of(run), .particles = {}, .mesh = {}, .dispersive = {}, .sph = {}, .own_error = {}};
+  Results r{.waves = waves_of(run)};
   const Waves& waves = r.waves;
   std::vector<std::function<void()>> work;
   const auto each = [&](const std::vector<long>& resolutions, Ladder& ladder, auto travel) {
     for (const long n : resolutions) work.push_back([&waves, &ladder, travel, n] { ladder.add(waves, travel(n)); });
   };
-  each(ladder(run.integer("markers"), {0.125, 0.25, 0.5, 1}), r.dispersive, [&](long n) {
+  each(ladder_to(run.integer("markers"), {0.125, 0.25, 0.5, 1}), r.dispersive, [&](long n) {
     Followed followed = follow_dispersive(waves.serre, waves.period(), n);
     r.own_error.push_back(surface_rms(waves.serre_elevation(), followed.last().surface, waves.serre_crest()) /
                           waves.height());
     return followed;
   });
-  each(ladder(run.integer("rows"), {0.375, 0.5, 0.75, 1}), r.mesh, [&](long n) { return follow_mesh(waves.euler, n); });
+  each(ladder_to(run.integer("rows"), {0.375, 0.5, 0.75, 1}), r.mesh,
+       [&](long n) { return follow_mesh(waves.euler, n); });
   each(cells_of(run), r.particles, [&](long n) { return follow_particles(waves.euler, n); });
-  each(ladder(run.integer("sph_rows"), {0.5, std::numbers::sqrt2 / 2, 1}), r.sph,
+  each(ladder_to(run.integer("sph_rows"), {0.5, std::numbers::sqrt2 / 2, 1}), r.sph,
        [&](long n) { return follow_sph(waves.euler, n); });
-  // One after another and on one thread each, or their times would be those of their neighbours.
-  on_threads(
-      work.size(), 1, [&](std::size_t k) { work[k](); },
-      [&](std::size_t finished) {
-        run.progress(std::pow(static_cast<double>(finished) / static_cast<double>(work.size()), 3));
-      });
+  one_by_one(run, work);
   return r;
 }
 
@@ -212,7 +199,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_dispersion(all.at(fmt::format("{} markers, and three times half as many", values.integer("markers"))), waves);
   const double steps = std::ceil(static_cast<double>(cells) / particles_courant);
   const double turn = 2 * std::numbers::pi / steps;
-  const double excess = waves.excess();
+  const double excess = excess_speed(waves.euler);
   const Claims<Ladder> particles = all.at(fmt::format("{} cells", cells)).of(&Results::particles);
   particles.from("Frank (1994), chapter 6; exact for every space and step")
       .check("particles-energy", "The energy of the free particles is conserved to round-off.",
@@ -297,11 +284,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case stokes_models() {
-  Case c;
+void stokes_models(Case& c) {
   c.title = "Model comparison: a steep periodic wave";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 2, 3 and 6";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapters 2, 3 and 6";
   c.parameters = {
       real("height", 0.2, "depth", {0.05, 0.4}, "from trough to crest"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
@@ -311,7 +296,6 @@ Case stokes_models() {
       integer("sph_rows", {16, 32, 48}, {12, 96}, "of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::stokes_models

@@ -88,8 +88,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case stokes_wave() {
-  Case c;
+void stokes_wave(Case& c) {
   c.title = "A steep periodic wave of the Euler equations keeps its shape";
   c.source = "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; E. D. Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183";
   c.parameters = {
@@ -103,7 +102,6 @@ Case stokes_wave() {
   };
   c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::stokes_wave

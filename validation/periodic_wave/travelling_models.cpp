@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/instruments/processor_time.hpp"
+#include "validation/instruments/surface_points.hpp"
 #include "validation/periodic_wave/attenuation.hpp"
 #include "validation/studies/wcsph/periodic_water.hpp"
 
@@ -26,8 +26,6 @@ Point velocity_at(const StokesWave& wave, double x, double y) {
   const auto v = wave.velocity(x, std::min(y, wave.elevation(x) - 1e-13));
   return {v.u, v.v};
 }
-
-constexpr double not_counted = std::numeric_limits<double>::quiet_NaN();
 
 /// Exact path of a particle from where it is at the beginning.
 class Path {
@@ -112,6 +110,11 @@ PeriodicWater water_of(const StokesWave& wave) {
 
 }  // namespace
 
+double excess_speed(const StokesWave& wave) {
+  const double k = wave.wavenumber();
+  return wave.phase_speed() / std::sqrt(std::tanh(k) / k) - 1;
+}
+
 Followed follow_particles(const StokesWave& wave, long cells, const std::vector<double>& instants) {
   using gauss_particles::LatticePlan;
   const double began = processor_seconds();
@@ -175,7 +178,7 @@ Followed follow_mesh(const StokesWave& wave, long rows, const std::vector<double
       if (std::abs(flow.surface_x()[i] - n * length) > 0.5 * length) continue;
       surface.push_back({flow.surface_x()[i], flow.surface_y()[i]});
     }
-    followed.stations.push_back({flow.time(), std::move(surface), not_counted});
+    followed.stations.push_back({flow.time(), std::move(surface), nan});
   }
   followed.seconds = (processor_seconds() - began) / static_cast<double>(waves);
   return followed;
@@ -201,9 +204,7 @@ Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long 
   Followed followed{.size = spacing};
   for (const double n : instants) {
     march(flow, n * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()));
-    std::vector<Point> surface;
-    for (std::size_t i = 0; i < flow.x().size(); ++i) surface.push_back({flow.x()[i], flow.y()[i]});
-    followed.stations.push_back({flow.time(), std::move(surface), not_counted});
+    followed.stations.push_back({flow.time(), joined({flow.x(), flow.y()}), nan});
   }
   followed.seconds = processor_seconds() - began;
   return followed;
@@ -217,7 +218,7 @@ Followed follow_sph(const StokesWave& wave, long rows, const std::vector<double>
   Followed followed{.size = flow.spacing()};
   for (const double n : instants) {
     march(flow, n * period_of(wave));
-    followed.stations.push_back({flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), not_counted});
+    followed.stations.push_back({flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), nan});
   }
   followed.seconds = processor_seconds() - began;
   return followed;

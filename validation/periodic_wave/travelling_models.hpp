@@ -30,6 +30,9 @@ struct Followed {
   [[nodiscard]] const Station& last() const { return stations.back(); }
 };
 
+/// What its height adds to a wave's speed, over the speed of low waves.
+double excess_speed(const exact::StokesWave& wave);
+
 /// Way of the wave in a step of the particles, in cells.
 constexpr double particles_courant = 0.15;
 

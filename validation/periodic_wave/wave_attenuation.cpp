@@ -35,12 +35,12 @@ it.
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
@@ -104,31 +104,30 @@ Results compute(const Run& run) {
   const std::vector<double> instants = ways(run.integer("periods"));
   const std::vector<double> mesh_instants = ways(run.integer("mesh_periods"));
   Results results;
-  std::vector<std::function<Course()>> work;
+  std::vector<std::function<void()>> work;
+  const auto later = [&](const std::function<Course()>& compute) {
+    work.emplace_back([&results, compute] { results.push_back(compute()); });
+  };
   for (const double height : heights_of(run)) {
     const StokesWave wave = wave_of(height, length);
     for (const long n : ladder(run.tier(), run.integer("cells"))) {
-      work.emplace_back([=] { return course_of("particles", wave, follow_particles(wave, n, instants)); });
+      later([=] { return course_of("particles", wave, follow_particles(wave, n, instants)); });
     }
     for (const long n : ladder(run.tier(), run.integer("markers"))) {
-      work.emplace_back([=] {
+      later([=] {
         const SerreCnoidal own(height, length, 1, 1);
         return course_of("dispersive", wave, follow_dispersive(own, period_of(wave), n, instants));
       });
     }
     for (const long n : ladder(run.tier(), run.integer("rows"))) {
-      work.emplace_back([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_instants)); });
+      later([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_instants)); });
     }
   }
   const StokesWave steepest = wave_of(run.real("height"), length);
   for (const long n : ladder(run.tier(), run.integer("sph_rows"))) {
-    work.emplace_back([=] { return course_of("sph", steepest, follow_sph(steepest, n, instants)); });
+    later([=] { return course_of("sph", steepest, follow_sph(steepest, n, instants)); });
   }
-  results.resize(work.size());
-  // One after another and on one thread each, or their times would be those of their neighbours.
-  on_threads(
-      work.size(), 1, [&](std::size_t k) { results[k] = work[k](); },
-      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(work.size())); });
+  one_by_one(run, work);
   return results;
 }
 
@@ -153,12 +152,6 @@ Measurement worst_over_heights(const Results& results, const std::string& model,
     worst.add(number(one), one.height);
   }
   return {.value = worst.value(), .where = fmt::format("H = {:g}", worst.where())};
-}
-
-/// What its height adds to the wave's speed, over the speed of low waves.
-double excess_of(const StokesWave& wave) {
-  const double k = wave.wavenumber();
-  return wave.phase_speed() / std::sqrt(std::tanh(k) / k) - 1;
 }
 
 /// Of the dispersive model's own wave, over that of the Euler equations, less 1.
@@ -201,21 +194,21 @@ void claim_particles(const Claims<Results>& claims, const Values& values) {
       [turn](const Results& r) {
         return worst_over_heights(r, "particles", [&](const Course& one) { return one.rates.lead + turn * turn / 12; });
       },
-      Bound{.limit = 0.02 * excess_of(steepest),
+      Bound{.limit = 0.02 * excess_speed(steepest),
             .reason = "a fiftieth of what its height adds to the highest wave's speed; expected: -(omega tau)^2/12, "
                       "the lag of the discrete gradient"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check(
           "particles-energy", "Over all periods the free particles keep their energy to round-off.",
           "change over the kinetic energy", [](const Results& r) { return finest(r, "particles").energy_change; },
-          Roundoff{.operations = steps * static_cast<double>(values.integer("periods")),
+          Roundoff{.operations = steps * values.number("periods"),
                    .scale = 2,
                    .reason = "one rounding per step of the kinetic and of the potential energy"});
 }
 
 void claim_sph(const Claims<Results>& claims, const Values& values) {
   const double length = values.real("length");
-  const double spacing = length / std::round(length * static_cast<double>(values.integer("sph_rows")));
+  const double spacing = length / std::round(length * values.number("sph_rows"));
   const double viscous = viscous_decay(wave_of(values.real("height"), length), spacing);
   const auto decay = [](const Results& r) { return finest(r, "sph").rates.decay; };
   claims.from(attenuation_source)
@@ -278,13 +271,10 @@ struct Shown {
   std::string id, name;
   Role role;
 };
-const std::vector<Shown>& shown_models() {
-  static const std::vector<Shown> models{{"particles", "Gauss particles", Role::computed},
-                                         {"mesh", "Lagrangian mesh", Role::peer},
-                                         {"dispersive", "dispersive shallow water", Role::data},
-                                         {"sph", "SPH", Role::guide}};
-  return models;
-}
+const std::vector<Shown> shown_models{{"particles", "Gauss particles", Role::computed},
+                                      {"mesh", "Lagrangian mesh", Role::peer},
+                                      {"dispersive", "dispersive shallow water", Role::data},
+                                      {"sph", "SPH", Role::guide}};
 
 void show(const Results& results, const Values& /*values*/, evidence::Exhibit& exhibit) {
   auto& figure =
@@ -299,7 +289,7 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
                                      "Decay of the fundamental and lead of its phase in a wavelength of way.",
                                      {"model", "height [depth]", "size [depth]", "cells in the height", "decay [1]",
                                       "lead [wavelengths]", "time [s]"});
-  for (const Shown& model : shown_models()) {
+  for (const Shown& model : shown_models) {
     std::vector<double> cells, decays, phases, seconds, larger;
     for (const Course& one : results) {
       if (one.model != model.id) continue;
@@ -318,28 +308,22 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   auto& course = exhibit.figure("course", "The highest wave on its way", "The finest of each: its fundamental.");
   auto& height = course.panel({.x = "t/T", .y = "height over the exact wave's"});
   auto& lead = course.panel({.x = "t/T", .y = "lead [wavelengths]"});
-  for (const Shown& model : shown_models()) {
+  for (const Shown& model : shown_models) {
     const Course& one = finest(results, model.id);
-    std::vector<double> heights = each(one.stations, [](const Fundamental& station) { return station.height; });
-    std::vector<double> leads = each(one.stations, [](const Fundamental& station) { return station.lead; });
-    height.line(model.name, one.way, heights, model.role);
-    lead.line(model.name, one.way, leads, model.role);
+    height.line(model.name, one.way, each(one.stations, &Fundamental::height), model.role);
+    lead.line(model.name, one.way, each(one.stations, &Fundamental::lead), model.role);
   }
 }
 
 }  // namespace
 
-Case wave_attenuation() {
-  Case c;
+void wave_attenuation(Case& c) {
   c.title = "Attenuation and phase lag of waves over many wavelengths";
-  c.source =
-      "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; A. M. Frank, Discrete models of incompressible fluid, doctoral "
-      "thesis (1994)";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; " + literature::frank;
   c.parameters = {
       real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
-      choice("tank", std::string("box"), {"box", "flume"},
+      choice("tank", "box", {"box", "flume"},
              "what a submitted wave travels in: a periodic box, or a flume with gauges"),
       integer("periods", 10, {2, 100}, "that it is followed"),
       integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
@@ -351,7 +335,6 @@ Case wave_attenuation() {
   };
   c.study = Study(claims, compute, show, "Frank (1994), chapter 6");
   c.submission = {.tables = wanted_waves, .judge = judge_waves};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wave_attenuation

@@ -193,14 +193,13 @@ void judge(const Values& /*values*/, const Submitted& submitted, const SolverFac
 
 }  // namespace
 
-Case wave_kinematics() {
-  Case c;
+void wave_kinematics(Case& c) {
   c.title = "Velocities below a periodic and a solitary wave";
   c.source =
       "E. D. Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; M. S. Longuet-Higgins, J. D. Fenton, Proc. R. Soc. A 340 "
       "(1974) 471";
   c.parameters = {
-      choice("wave", std::string("stokes"), {"stokes", "solitary"}, "a periodic wave, or a solitary one"),
+      choice("wave", "stokes", {"stokes", "solitary"}, "a periodic wave, or a solitary one"),
       real("height", 0.3, "m", {1e-6, 1e6}, "from trough to crest; of a solitary wave above still water"),
       real("wavelength", 8.0, "m", {1e-6, 1e6}, "of the periodic wave"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "mean depth"),
@@ -210,7 +209,6 @@ Case wave_kinematics() {
   };
   c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted, .judge = judge};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wave_kinematics

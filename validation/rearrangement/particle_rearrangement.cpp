@@ -21,6 +21,7 @@ it, because the deep particle also pushes.
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 
@@ -59,8 +60,8 @@ struct Results {
   particles::Particles parabola;
   double area = 0;
   particles::Particles before;
-  particles::Particles after;
-  Worst area_change;
+  particles::Particles after = {};
+  Worst area_change = {};
 };
 
 void draw_channel(evidence::Exhibit& exhibit) {
@@ -77,8 +78,7 @@ void draw_channel(evidence::Exhibit& exhibit) {
 }
 
 void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parabola) {
-  std::vector<double> depth;
-  for (std::size_t i = 0; i < parabola.size(); ++i) depth.push_back(parabola.depth(i));
+  const std::vector<double> depth = each(indices(parabola.size()), [&](std::size_t i) { return parabola.depth(i); });
   const std::vector<double> x = evenly(-1, 1, 201);
   auto& panel = exhibit
                     .figure("parabola", "Rectangles approximating a parabola",
@@ -133,12 +133,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  const auto n = static_cast<std::size_t>(run.integer("particles"));
+  const auto n = run.count("particles");
   Results r{.parabola = particles::particles_from_profile(particles::equal_width_edges(-1, 1, n), parabola_depth,
                                                           [](double) { return 0.0; }),
-            .before = row(),
-            .after = {},
-            .area_change = {}};
+            .before = row()};
   for (const double mass : r.parabola.mass) r.area += mass;
   particles::ParticleFlow flow(row(), {.left = particles::Free{}, .right = particles::Free{}}, {},
                                {.level = particles::Level::godunov});
@@ -156,17 +154,15 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case particle_rearrangement() {
-  Case c;
+void particle_rearrangement(Case& c) {
   c.title = "Particles and their rearrangement";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 1 to 4";
+  c.source = literature::bogomolov + ", figures 1 to 4";
   c.parameters = {
       integer("particles", 10L, {4, 10000}, "rectangles under the parabola"),
       real("time_step", 0.12, "s", {1e-6, 0.2}, "time step of the rearrangement"),
   };
   c.published = {{.tiles = {"bzz-fig-1", "bzz-fig-2", "bzz-fig-3", "bzz-fig-4"}}};
   c.study = Study(claims, compute, show);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::particle_rearrangement

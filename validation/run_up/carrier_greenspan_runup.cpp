@@ -20,6 +20,7 @@ others: `seiche score carrier_greenspan_runup` takes the maximum run-up, and the
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/require.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 
@@ -75,12 +76,9 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case carrier_greenspan_runup() {
-  Case c;
+void carrier_greenspan_runup(Case& c) {
   c.title = "A solitary wave climbs a plane beach: the exact solution";
-  c.source =
-      "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; G. F. Carrier, H. P. Greenspan, J. "
-      "Fluid Mech. 4 (1958) 97";
+  c.source = literature::synolakis + "; G. F. Carrier, H. P. Greenspan, J. Fluid Mech. 4 (1958) 97";
   c.parameters = {
       real("amplitude", 0.019, "m", {1e-9, 1e6}, "crest height of the incident wave"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth before the beach"),
@@ -90,7 +88,6 @@ Case carrier_greenspan_runup() {
   };
   c.study = exact_study<wave_of, show>("Synolakis (1987)");
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::carrier_greenspan_runup

@@ -143,9 +143,8 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
 /// been reached.
 double deviation(const Passed& passed, const io::Table& data) {
   const std::vector<double>& angle = data.column("angle");
-  Mean off;
-  for (std::size_t k = 0; k < angle.size(); ++k) off.add(passed.at(angle[k]) / data.column("R_over_A")[k] - 1);
-  return off.rms();
+  const auto off = [&](std::size_t k) { return passed.at(angle[k]) / data.column("R_over_A")[k] - 1; };
+  return over<Mean>(indices(angle.size()), off).rms();
 }
 
 /// The surface from above.
@@ -157,8 +156,8 @@ struct Plan {
 };
 
 struct Results {
-  std::vector<std::vector<Passed>> passed;  ///< [wave][spacing], the finest first
-  Passed shown;                             ///< the wave of the parameters
+  std::vector<std::vector<Passed>> passed = {};  ///< [wave][spacing], the finest first
+  Passed shown;                                  ///< the wave of the parameters
   std::vector<Plan> plans;
 };
 
@@ -256,7 +255,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < waves_in(values.tier()); ++k) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
     const auto wave = claims.at(resolution(spacing, step));
-    const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
+    const auto spacings = wave.of(&Results::passed).entry(k);
     claim_runup(spacings, waves[k], spacing, measured(table, waves[k].stated));
     claim_whole(spacings, waves[k], spacing);
     if (waves[k].name == "A") {
@@ -282,7 +281,7 @@ Results compute(const Run& run) {
                      .z = {flow.z().begin(), flow.z().end()}});
   });
   run.progress(0.2);
-  Results r{.passed = {}, .shown = std::move(shown), .plans = std::move(plans)};
+  Results r{.shown = std::move(shown), .plans = std::move(plans)};
   for (std::size_t k = 0; k < waves_in(run.tier()); ++k) {
     std::vector<Passed>& passed = r.passed.emplace_back();
     for (const double factor : {1.0, 2.0}) {
@@ -370,8 +369,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case conical_island() {
-  Case c;
+void conical_island(Case& c) {
   c.title = "A solitary wave around a conical island";
   c.source =
       "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Laboratory experiments of tsunami runup on a "
@@ -381,7 +379,6 @@ Case conical_island() {
                   real("depth", 0.32, "m", {0.25, 0.45}, "of the water"),
                   real("spacing", {0.45, 0.5, 0.5}, "m", {0.2, 1}, "of the columns along the walls of the basin")};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::conical_island

@@ -67,8 +67,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case hall_watts_run_up() {
-  Case c;
+void hall_watts_run_up(Case& c) {
   c.title = "Run-up of solitary waves on plane beaches of 5 to 45 degrees: the experiments' law";
   c.source =
       "J. V. Hall, G. M. Watts, Laboratory investigation of the vertical rise of solitary waves on impermeable slopes, "
@@ -76,7 +75,6 @@ Case hall_watts_run_up() {
   c.parameters = {real("cot_slope", 2.747, "1", {1, 11.43}, "cotangent of the beach's angle")};
   c.study = exact_study<law_of, show>(source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::hall_watts_run_up

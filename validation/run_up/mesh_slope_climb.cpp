@@ -36,7 +36,7 @@ std::string MeshSlopeClimb::resolution() const {
 }
 
 MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(const Flow&)>& after_step) {
-  MeshSlopeRun run{.flow = climb.start(), .fold = {}};
+  MeshSlopeRun run{.flow = climb.start()};
   Flow& flow = run.flow;
   if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();

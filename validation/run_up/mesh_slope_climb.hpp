@@ -47,7 +47,7 @@ struct MeshSlopeRun {
     double time = 0;
     double place = 0;
   };
-  std::optional<Fold> fold;  ///< the first
+  std::optional<Fold> fold = {};  ///< the first
 };
 
 /// Runs until the contact point has fallen to 0.98 of its highest. Throws Divergence.

@@ -88,7 +88,7 @@ std::string MeshWallClimb::resolution() const {
 }
 
 MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(const Flow&)>& after_step) {
-  MeshWallRun run{.flow = climb.start(), .fold = {}};
+  MeshWallRun run{.flow = climb.start()};
   Flow& flow = run.flow;
   if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();
@@ -130,8 +130,7 @@ std::vector<Parameter> mesh_parameters(ByTier<double> spacing, ByTier<long> rows
       real("h1", spacing, "depth", {0.02, 2}, "width of the columns"),
       integer("rows", rows, {1, 64}, "rows of cells"),
       real("tau", tau, "sqrt(depth/g)", {1e-4, 0.5}, "time step"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
-             "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
       real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
   };
 }

@@ -60,7 +60,7 @@ struct MeshWallRun {
     double place = 0;
     std::string what;
   };
-  std::optional<Fold> fold;
+  std::optional<Fold> fold = {};
 
   /// NaN unless the water fell after its highest.
   [[nodiscard]] double runup() const { return fell ? highest : std::numeric_limits<double>::quiet_NaN(); }

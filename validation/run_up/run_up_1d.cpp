@@ -23,6 +23,7 @@ and, with finer markers, rises a little less: what dispersion does.
 
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
@@ -154,13 +155,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case run_up_1d() {
-  Case c;
+void run_up_1d(Case& c) {
   c.title = "A solitary wave climbs a plane slope";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 3.2; C. E. Synolakis, The "
-      "runup of solitary waves, J. Fluid Mech. 185 (1987) 523";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 3.2; " + literature::synolakis;
   c.parameters = joined({{
                              real("cot_slope", 10.0, "1", {0.5, 50}, "cotangent of the slope"),
                              real("amplitude", 0.03, "depth", {1e-3, 0.6}, "height of the incident wave"),
@@ -169,7 +166,6 @@ Case run_up_1d() {
                          climb_parameters({0.25, 0.125, 0.0625}),
                          slope_parameters()});
   c.study = Study(claims, compute, show, "Synolakis (1987)");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::run_up_1d

@@ -16,7 +16,6 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ranges>
 #include <span>
 #include <string>
@@ -26,6 +25,7 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include "seiche/divergence.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/peak.hpp"
@@ -38,17 +38,15 @@ namespace {
 // fails.
 
 struct RunDown {
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-  double runup = none;         ///< first maximum; NaN where it was not passed
-  double runup_time = none;    ///< of the highest shoreline, since the start
-  bool fell = false;           ///< that maximum was passed
-  double lowest = none;        ///< of the shoreline after it
-  double later = none;         ///< highest of the shoreline from then on
-  double energy = none;        ///< at the end, over that of the start
-  std::string failure;         ///< empty if the run went through
-  double failure_time = none;  ///< since the start
-  double failure_place = none;
+  double runup = nan;         ///< first maximum; NaN where it was not passed
+  double runup_time = nan;    ///< of the highest shoreline, since the start
+  bool fell = false;          ///< that maximum was passed
+  double lowest = nan;        ///< of the shoreline after it
+  double later = nan;         ///< highest of the shoreline from then on
+  double energy = nan;        ///< at the end, over that of the start
+  std::string failure;        ///< empty if the run went through
+  double failure_time = nan;  ///< since the start
+  double failure_place = nan;
   bool sound = true;  ///< the state before the failure is finite, and the place of failure in its water
 
   [[nodiscard]] bool through() const { return failure.empty(); }
@@ -100,7 +98,6 @@ RunDown run_down(const SolitaryClimb& climb) {
   return fate;
 }
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const std::string source = "Synolakis (1987); Frank (1994), chapter 3";
 
 struct Wave {
@@ -168,7 +165,7 @@ std::vector<Mapped> map_fates(const Run& run) {
 
 struct Results {
   std::vector<Told> told;
-  std::vector<Mapped> map;
+  std::vector<Mapped> map = {};
 };
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
@@ -181,8 +178,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
   for (const Told& one : all) {
     const RunDown& fate = one.fate;
     table.rows.push_back({one.wave.cot_slope, one.wave.amplitude, std::round(one.wave.over_limit() * 100) / 100,
-                          one.spacing, rounded(fate.runup), rounded(fate.fell ? fate.lowest : none),
-                          rounded(fate.fell ? fate.later : none), rounded(fate.energy),
+                          one.spacing, rounded(fate.runup), rounded(fate.fell ? fate.lowest : nan),
+                          rounded(fate.fell ? fate.later : nan), rounded(fate.energy),
                           fate.through() ? Cell("through")
                                          : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
                                                        fate.failure_time - fate.runup_time, fate.failure_place)});
@@ -278,7 +275,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.told = tell(run), .map = {}};
+  Results r{.told = tell(run)};
   r.map = map_fates(run);
   return r;
 }
@@ -314,16 +311,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case run_up_breaking() {
-  Case c;
+void run_up_breaking(Case& c) {
   c.title = "Breaking in run-down: limit of the dispersive model";
-  c.source =
-      "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; A. M. Frank, Discrete models of "
-      "incompressible fluid, doctoral thesis (1994), chapter 3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::synolakis + "; " + literature::frank + ", chapter 3";
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.125}), slope_parameters()});
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::run_up_breaking

@@ -24,7 +24,6 @@ more slowly than at a wall.
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -44,6 +43,7 @@ more slowly than at a wall.
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
@@ -96,7 +96,7 @@ struct GaussClimbRun {
   long steps = 0;
 
   /// NaN unless the water fell after its highest.
-  [[nodiscard]] double runup() const { return fell ? highest : std::numeric_limits<double>::quiet_NaN(); }
+  [[nodiscard]] double runup() const { return fell ? highest : nan; }
 };
 
 using gauss_particles::LatticePlan;
@@ -242,7 +242,7 @@ struct Results {
   GaussClimb climb;
   GaussClimbRun finest;
   std::vector<double> spacing, runup;  ///< of all lattices, the finest last
-  double exact = std::numeric_limits<double>::quiet_NaN();
+  double exact = nan;
 
   [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
   [[nodiscard]] double last_change() const { return runup.back() / runup[runup.size() - 2] - 1; }
@@ -423,13 +423,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case run_up_gauss() {
-  Case c;
+void run_up_gauss(Case& c) {
   c.title = "A solitary wave climbs a wall or a slope: Gauss-principle particles";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 3 and 6; C. H. Su, R. M. "
-      "Mirie, J. Fluid Mech. 98 (1980) 509; J. V. Hall, G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapters 3 and 6; " + literature::su_mirie + "; " + literature::hall_watts;
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.05, 0.6}, "height of the incident wave"),
       real("cot_slope", 0.0, "1", {0, 5}, "cotangent of the slope, 1 or more; 0: a vertical wall"),
@@ -437,7 +433,6 @@ Case run_up_gauss() {
       integer("per_cell", {12, 16, 16}, {6, 40}, "particles to a cell's side"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::run_up_gauss

@@ -23,7 +23,6 @@ half of it while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -31,6 +30,7 @@ half of it while the sheet falls.
 #include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
@@ -81,7 +81,7 @@ struct Reached {
 
 struct Climbed {
   Climb climb;
-  std::vector<Reached> on;  ///< the meshes, from coarse to fine
+  std::vector<Reached> on = {};  ///< the meshes, from coarse to fine
 
   template <class Of>
   [[nodiscard]] std::vector<double> each(const Of& of) const {
@@ -105,7 +105,7 @@ double exact_runup(const Values& values, const Climb& climb) {
   const auto found = climb.wall() ? entry_where(values.table("wall_runup_exact"), {{"a", climb.amplitude}}, "R")
                                   : entry_where(values.table("slope_runup_exact"),
                                                 {{"A", climb.amplitude}, {"cot_slope", climb.cot_slope}}, "R");
-  return found.value_or(std::numeric_limits<double>::quiet_NaN());
+  return found.value_or(nan);
 }
 
 std::string resolution(long rows) {
@@ -230,7 +230,7 @@ Results compute(const Run& run) {
   Results all;
   for (const Climb& climb : climbs) {
     const exact::SolitaryWave wave(climb.amplitude);
-    Climbed climbed{.climb = climb, .on = {}};
+    Climbed climbed{.climb = climb};
     for (const long part : parts) {
       climbed.on.push_back(reach(climb, wave, run.integer("rows") * part / parts.back(), run.real("drift")));
     }
@@ -259,7 +259,7 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
 }
 
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
-  const auto rows = static_cast<std::size_t>(values.integer("rows"));
+  const auto rows = values.count("rows");
   auto& figure = exhibit.figure("meshes", "The mesh at the maximum run-up", resolution(values.integer("rows")) + ".");
   for (const std::string& id : {std::string("wall-60"), std::string("cot-2-50")}) {
     const Climbed& one = find(all, id);
@@ -290,19 +290,14 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
 
 }  // namespace
 
-Case run_up_mesh_rezoned() {
-  Case c;
+void run_up_mesh_rezoned(Case& c) {
   c.title = "High solitary waves climb walls and slopes: rezoned Lagrangian mesh";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2; C. W. Hirt, A. A. "
-      "Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 2.2; C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
   c.parameters = {
       integer("rows", {8, 16, 16}, {8, 32}, "of the finest mesh; the others have 1/2, 5/8 and 3/4 of them"),
       real("drift", 0.2, "cells", {0.05, 0.5}, "farthest of a node from its place before the mesh is rezoned"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::run_up_mesh_rezoned

@@ -30,6 +30,7 @@ thesis's kinetic energy comes nearer to them there because it errs to the same s
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
@@ -65,7 +66,7 @@ struct Results {
 };
 
 std::size_t levels_of(const Values& values) {
-  return static_cast<std::size_t>(values.integer("halvings")) + 1;
+  return values.count("halvings") + 1;
 }
 
 /// rms of R/R_thesis - 1, a level of the V/4 tip.
@@ -350,19 +351,15 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case run_up_table() {
-  Case c;
+void run_up_table(Case& c) {
   c.title = "Run-up of solitary waves on six slopes: Frank's table";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), table of chapter 3; J. V. Hall, "
-      "G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";
+  c.source = literature::frank + ", table of chapter 3; " + literature::hall_watts;
   c.tiers = {Tier::full, Tier::paper};
   c.parameters = joined({{integer("halvings", {2, 2, 3}, {1, 5}, "how often the spacing is halved, from 1/4 depth on")},
                          step_parameters()});
   c.published = {
       {.tiles = {"frank-table-runup"}, .values = {{"halvings", 1L}}, .tier = Tier::full, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, thesis);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::run_up_table

@@ -19,6 +19,7 @@ tension, and no measured tongue is followed to where it is thinner than a film.
 #include "seiche/exact/overturning/slope_runup.hpp"
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
@@ -106,12 +107,10 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case slope_run_up_exact() {
-  Case c;
+void slope_run_up_exact(Case& c) {
   c.title = "A solitary wave climbs a plane slope: fully nonlinear potential flow";
-  c.source =
-      "S. T. Grilli, I. A. Svendsen, R. Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; J. V. Hall, "
-      "G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";
+  c.source = "S. T. Grilli, I. A. Svendsen, R. Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; " +
+             literature::hall_watts;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.02 to 0.5 depth"),
@@ -121,7 +120,6 @@ Case slope_run_up_exact() {
   };
   c.study = Study(claims, compute, show, "Hall and Watts (1953)");
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::slope_run_up_exact

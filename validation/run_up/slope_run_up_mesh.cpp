@@ -25,7 +25,6 @@ its error: 3 % of the highest wave on the mild slope with columns an eighth wide
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <ranges>
 #include <vector>
@@ -36,6 +35,7 @@ its error: 3 % of the highest wave on the mild slope with columns an eighth wide
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
@@ -66,8 +66,8 @@ constexpr std::size_t compared = 3;  // meshes of all tiers
 struct Row {
   double cot_slope = 0;
   double amplitude = 0;
-  double thesis = std::numeric_limits<double>::quiet_NaN();
-  double exact = std::numeric_limits<double>::quiet_NaN();
+  double thesis = nan;
+  double exact = nan;
 
   ///< of Hall and Watts
   [[nodiscard]] double formula() const { return exact::HallWatts(1, 1 / cot_slope).runup(amplitude); }
@@ -93,9 +93,8 @@ struct Climbed : Row {
   }
   /// Of the finest mesh's run-up; infinite where the meshes do not tell.
   [[nodiscard]] double mesh_uncertainty() const {
-    std::vector<double> spacings;
-    for (std::size_t m = 0; m < runup.size(); ++m) spacings.push_back(meshes[m].spacing);
-    return evidence::grid_convergence(spacings, runup, 1).uncertainty;
+    return evidence::grid_convergence(each(std::span(meshes).first(runup.size()), &MeshSize::spacing), runup, 1)
+        .uncertainty;
   }
   /// Of the difference from the exact run-up, from the last halving.
   [[nodiscard]] double order_of_error() const {
@@ -169,7 +168,7 @@ struct Climb {
 
 struct Results {
   Climb one;
-  std::vector<Climbed> all;
+  std::vector<Climbed> all = {};
 };
 
 std::size_t levels(const Values& values) {
@@ -327,7 +326,7 @@ Climb climb_one(const Values& values) {
 }
 
 Results compute(const Run& run) {
-  Results r{.one = climb_one(run), .all = {}};
+  Results r{.one = climb_one(run)};
   run.progress(0.1);
   const std::vector<Row> rows = rows_of(run);
   for (const Row& row : rows) {
@@ -411,13 +410,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case slope_run_up_mesh() {
-  Case c;
+void slope_run_up_mesh(Case& c) {
   c.former_names = {"slope_run_up_2d"};
   c.title = "A solitary wave climbs steep slopes: the two-dimensional Lagrangian mesh";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2 and table of chapter "
-      "3; J. V. Hall, G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";
+  c.source = literature::frank + ", section 2.2 and table of chapter 3; " + literature::hall_watts;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters =
       joined({{real("amplitude", 0.29, "depth", {0.01, 0.6}, "height of the incident wave"),
@@ -427,7 +423,6 @@ Case slope_run_up_mesh() {
                toggle("beyond_folds", true, "go on when a cell inverts, as Frank's model does")}});
   c.published = {{.tiles = {"frank-slopes-2d"}, .stated = {"tan_slope", "scheme"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::slope_run_up_mesh

@@ -82,8 +82,7 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
 std::vector<Parameter> step_parameters() {
   return {
       real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
-             "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
   };
 }
 
@@ -93,9 +92,9 @@ std::vector<Parameter> climb_parameters(ByTier<double> spacing) {
 
 std::vector<Parameter> slope_parameters() {
   return {
-      choice("tip_mass", std::string("elementary"), {"elementary", "consistent"},
+      choice("tip_mass", "elementary", {"elementary", "consistent"},
              "mass of the shoreline marker: V/4 of its triangle, as Frank has it, or V/6, which converges faster"),
-      choice("kinetics", std::string("frank"), {"frank", "green_naghdi"},
+      choice("kinetics", "frank", {"frank", "green_naghdi"},
              "kinetic energy over a slope: Frank's, or Green and Naghdi's"),
   };
 }

@@ -22,7 +22,6 @@ and flow without friction part. Elsewhere the model is nearer to the measurement
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -31,6 +30,7 @@ and flow without friction part. Elsewhere the model is nearer to the measurement
 
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/run_up/beach_profiles.hpp"
@@ -45,7 +45,6 @@ constexpr double cot_slope = beach_cot_slope;
 constexpr double laboratory_amplitude = 0.0185;
 constexpr double theory_amplitude = beach_theory_amplitude;
 constexpr double breaking_amplitude = 0.3;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const std::string source = "Synolakis (1987)";
 
 /// The model's surfaces at the times of a table of profiles, as far as it gets.
@@ -97,7 +96,7 @@ AsNear as_near(const Profiles& laboratory, const Profiles& model, const Profiles
     const double theory = difference(analytic.at(t), measured, laboratory_amplitude / theory_amplitude).off.rms();
     result.theory[t] = theory;
     result.by_theory += theory * theory;
-    result.by_model += std::pow(model.contains(t) ? difference(model.at(t), measured).off.rms() : none, 2);
+    result.by_model += std::pow(model.contains(t) ? difference(model.at(t), measured).off.rms() : nan, 2);
   }
   return result;
 }
@@ -315,25 +314,20 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure(fmt::format("rms_laboratory_of_theory_t{:g}", t), theory);
   }
   for (const Breaking& one : r.breaking) {
-    exhibit.measure(fmt::format("breaking_wave_stops_h_1_{:g}", 1 / one.spacing), one.followed.stopped.value_or(none));
+    exhibit.measure(fmt::format("breaking_wave_stops_h_1_{:g}", 1 / one.spacing), one.followed.stopped.value_or(nan));
   }
   draw_breaking_wave(exhibit, r.breaking_laboratory, r.breaking, r.closure.surfaces);
 }
 
 }  // namespace
 
-Case synolakis_beach() {
-  Case c;
+void synolakis_beach(Case& c) {
   c.title = "Solitary waves climb a beach 1 : 19.85: profiles against Synolakis' laboratory and theory";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), figure 5; C. E. Synolakis, The "
-      "runup of solitary waves, J. Fluid Mech. 185 (1987) 523";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", figure 5; " + literature::synolakis;
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.0625}), slope_parameters()});
   c.published = {{.tiles = {"frank-fig-5"}, .stated = {"kinetics", "scheme"}}};
   c.study = Study(claims, compute, show, source);
   c.submission = beach_submission();
-  return c;
 }
 
 }  // namespace seiche::validation::cases::synolakis_beach

@@ -21,6 +21,7 @@ at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theori
 #include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
@@ -167,16 +168,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case synolakis_runup() {
-  Case c;
+void synolakis_runup(Case& c) {
   c.title = "Run-up of solitary waves on a beach 1 : 19.85 against Synolakis' laboratory and law";
-  c.source = "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523";
+  c.source = literature::synolakis;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = joined({climb_parameters({0.25, 0.25, 0.125}),
                          slope_parameters(),
                          {integer("levels", {3, 4, 5}, {3, 6}, "spacings of the sequence 1/2, 1/4, ...")}});
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::synolakis_runup

@@ -131,11 +131,11 @@ Contender by_force(Contender one, const Wall& wall, Felt& felt) {
         const double before = std::exchange(*momentum, racer->momentum());
         felt.force.push_back((before - *momentum) / interval);
         const Sight at_wall = racer->look();
-        felt.level.push_back(at_wall.off.empty() ? std::numeric_limits<double>::quiet_NaN() : at_wall.off.back());
+        felt.level.push_back(at_wall.off.empty() ? nan : at_wall.off.back());
       }
     };
     const auto look = [racer, &wall, &felt] {
-      Sight sight{.off = {}, .energy = racer->look().energy};
+      Sight sight{.energy = racer->look().energy};
       for (std::size_t k = wall.first; k < felt.force.size(); ++k) {
         sight.off.push_back((felt.force[k] - wall.felt.force[k]) / wall.largest);
       }
@@ -344,13 +344,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case wall_force_models() {
-  Case c;
+void wall_force_models(Case& c) {
   c.title = "Model comparison: force and run-up of a solitary wave on a wall";
   c.source =
       "M. J. Cooker, P. D. Weidman, D. S. Bale, Reflection of a high-amplitude solitary wave at a vertical wall, J. "
       "Fluid Mech. 342 (1997) 141";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("amplitude", 0.5, "depth", {0.1, 0.6}, "crest above still water"),
       integer("particles", {4, 8, 8}, {2, 16}, "cells of the free particles to the depth, finest of three"),
@@ -361,7 +359,6 @@ Case wall_force_models() {
       toggle("heights", {false, true, true}, "heights of 0.1 to 0.6 depths beside this one"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_force_models

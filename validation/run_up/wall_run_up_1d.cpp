@@ -23,6 +23,7 @@ a velocity that is uniform over the depth knows nothing.
 #include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
@@ -37,13 +38,13 @@ const std::string source = "Su and Mirie (1980); Serre (1953)";
 /// One height with the spacing and twice and four times that.
 struct Converged {
   double amplitude = 0;
-  std::vector<double> spacing, runup;
+  std::vector<double> spacing = {}, runup = {};
 
   [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
 };
 
 Converged converge(const Values& values, double amplitude) {
-  Converged result{.amplitude = amplitude, .spacing = {}, .runup = {}};
+  Converged result{.amplitude = amplitude};
   for (const double factor : {4.0, 2.0, 1.0}) {
     SolitaryClimb climb = climb_from(values, 0, amplitude);
     climb.spacing *= factor;
@@ -56,7 +57,7 @@ Converged converge(const Values& values, double amplitude) {
 /// All heights of the table of exact values.
 struct Comparison {
   std::vector<double> amplitude, euler;
-  std::vector<Converged> heights;
+  std::vector<Converged> heights = {};
 
   [[nodiscard]] double serre(std::size_t k) const { return heights.at(k).limit().extrapolated; }
   [[nodiscard]] double gap(std::size_t k) const { return std::abs(serre(k) - euler[k]); }
@@ -64,7 +65,7 @@ struct Comparison {
 
 Comparison compare(const Run& run) {
   const io::Table table = run.table("wall_runup_exact");
-  Comparison all{.amplitude = table.column("a"), .euler = table.column("R"), .heights = {}};
+  Comparison all{.amplitude = table.column("a"), .euler = table.column("R")};
   for (const double a : all.amplitude) {
     all.heights.push_back(converge(run, a));
     run.progress(0.2 + 0.8 * static_cast<double>(all.heights.size()) / static_cast<double>(all.amplitude.size()));
@@ -74,17 +75,15 @@ Comparison compare(const Run& run) {
 
 /// Largest distance from the Euler equations over that of the second-order series.
 Worst over_series(const Comparison& all) {
-  Worst worst;
-  for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    worst.add(all.gap(k) / (WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]), all.amplitude[k]);
-  }
-  return worst;
+  return over<Worst>(
+      indices(all.amplitude.size()),
+      [&](std::size_t k) { return all.gap(k) / (WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]); },
+      [&](std::size_t k) { return all.amplitude[k]; });
 }
 
 void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   constexpr std::size_t lowest = 4;  // A = 0.1 to 0.4
-  std::vector<double> gap;
-  for (std::size_t k = 0; k < lowest; ++k) gap.push_back(all.gap(k));
+  const std::vector<double> gap = each(indices(lowest), [&](std::size_t k) { return all.gap(k); });
   // No theory says this power: it is shown, not judged.
   exhibit.measure("power_of_the_difference_from_euler",
                   evidence::observed_order({all.amplitude.begin(), all.amplitude.begin() + lowest}, gap).order);
@@ -114,10 +113,10 @@ void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 struct Results {
   SolitaryClimb climb;
-  RunUp up;
-  std::vector<double> time;  ///< since the undisturbed crest would be at the wall
-  std::vector<double> level;
-  Comparison comparison;
+  RunUp up = {};
+  std::vector<double> time = {};  ///< since the undisturbed crest would be at the wall
+  std::vector<double> level = {};
+  Comparison comparison = {};
 };
 
 SolitaryClimb climb_of(const Values& values) {
@@ -136,7 +135,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.climb = climb_of(run), .up = {}, .time = {}, .level = {}, .comparison = {}};
+  Results r{.climb = climb_of(run)};
   const double arrival = r.climb.time_to(0);
   r.up = run_up(r.climb, {.after_step = [&](const dispersive::Flow& flow) {
                   r.time.push_back(flow.time() - arrival);
@@ -162,17 +161,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case wall_run_up_1d() {
-  Case c;
+void wall_run_up_1d(Case& c) {
   c.title = "A solitary wave climbs a vertical wall: Serre's equations against Euler's";
-  c.source =
-      "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; F. Serre, La Houille Blanche 8 (1953) 374; A. M. Frank, "
-      "Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::su_mirie + "; F. Serre, La Houille Blanche 8 (1953) 374; " + literature::frank + ", chapter 3";
   c.parameters = joined({{real("amplitude", 0.4, "depth", {0.05, 0.6}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_run_up_1d

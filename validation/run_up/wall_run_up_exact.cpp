@@ -16,6 +16,7 @@ thin sheet, and the exact values leave every series.
 
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 
@@ -77,13 +78,10 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case wall_run_up_exact() {
-  Case c;
+void wall_run_up_exact(Case& c) {
   c.former_names = {"wall_runup"};
   c.title = "A solitary wave climbs a vertical wall: fully nonlinear potential flow";
-  c.source =
-      "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. "
-      "342 (1997) 141";
+  c.source = literature::su_mirie + "; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. 342 (1997) 141";
   c.parameters = {
       real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.05 to 0.6 depth"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
@@ -91,7 +89,6 @@ Case wall_run_up_exact() {
   };
   c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_run_up_exact

@@ -20,7 +20,6 @@ Above $A = 0.45$ they may tangle when the water falls again; the case then tells
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -30,6 +29,7 @@ Above $A = 0.45$ they may tangle when the water falls again; the case then tells
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
@@ -92,7 +92,7 @@ struct Sequence {
   std::vector<double> spacing, runup, still, bottom, force;
 
   void add(const MeshWallClimb& climb, const MeshWallRun& run) {
-    const double reached = run.fell ? 1 : std::numeric_limits<double>::quiet_NaN();
+    const double reached = run.fell ? 1 : nan;
     spacing.push_back(climb.spacing);
     runup.push_back(run.runup());
     still.push_back(reached * run.pressure_still);
@@ -237,7 +237,7 @@ Results compute(const Run& run) {
     all.add(climb, up);
   }
   const std::optional<double> tabled = tabled_runup(run);
-  double exact = std::numeric_limits<double>::quiet_NaN();
+  double exact = nan;
   if (tabled) {
     exact = *tabled;
   } else if (has_exact(climb.wave.amplitude())) {
@@ -300,21 +300,16 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case wall_run_up_mesh() {
-  Case c;
+void wall_run_up_mesh(Case& c) {
   c.former_names = {"wall_run_up_2d"};
   c.title = "A solitary wave climbs a vertical wall on the two-dimensional Lagrangian mesh";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; C. "
-      "H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
   c.parameters = mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125});
   c.parameters.insert(c.parameters.begin(),
                       real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave"));
   c.parameters.push_back(real("rezone", 0, "cells", {0, 0.5},
                               "farthest of a node from its place before the mesh is rezoned; 0: never, as Frank's"));
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_run_up_mesh

@@ -18,13 +18,13 @@ where the pressure begins like the elevation.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
@@ -45,7 +45,7 @@ struct Climbed {
 /// What one mesh makes of the waves that it carries to their largest run-up.
 struct Curve {
   long rows = 0;
-  std::vector<Climbed> points;
+  std::vector<Climbed> points = {};
   bool rezoned = false;
 
   [[nodiscard]] std::vector<double> column(double Climbed::*member) const { return each(points, member); }
@@ -57,7 +57,7 @@ struct Curve {
   /// NaN where the mesh folds.
   [[nodiscard]] double value(double amplitude, double Climbed::*member) const {
     const Climbed* point = at(amplitude);
-    return point == nullptr ? std::numeric_limits<double>::quiet_NaN() : point->*member;
+    return point == nullptr ? nan : point->*member;
   }
   [[nodiscard]] std::string name() const {
     const double h2 = 1 / static_cast<double>(rows);
@@ -101,9 +101,9 @@ void climb_on(Curve& curve, const exact::SolitaryWave& wave, const Run& run, dou
 
 Results compute(const Run& run) {
   Results r;
-  for (const long rows : meshes_of(run)) r.curves.push_back({.rows = rows, .points = {}});
+  for (const long rows : meshes_of(run)) r.curves.push_back({.rows = rows});
   for (const long part : rezoned_parts) {
-    r.rezoned.push_back({.rows = run.integer("rows") * part / rezoned_parts.back(), .points = {}, .rezoned = true});
+    r.rezoned.push_back({.rows = run.integer("rows") * part / rezoned_parts.back(), .rezoned = true});
   }
   constexpr int waves = 12;  // A = 0.05 to 0.6
   for (int k = 1; k <= waves; ++k) {
@@ -121,8 +121,7 @@ Results compute(const Run& run) {
 double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member) {
   const auto size = each(curves, [](const Curve& curve) { return 1 / static_cast<double>(curve.rows); });
   const auto value = each(curves, [&](const Curve& curve) { return curve.value(amplitude, member); });
-  return std::isnan(worst(value)) ? std::numeric_limits<double>::quiet_NaN()
-                                  : evidence::grid_convergence(size, value, 2).uncertainty;
+  return std::isnan(worst(value)) ? nan : evidence::grid_convergence(size, value, 2).uncertainty;
 }
 
 /// Difference of the finest mesh's value from a reference over its uncertainty, and that of the reference; of the
@@ -194,12 +193,11 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
 
 void claims(const Values& values, const Claims<Results>& all) {
   const std::vector<long> meshes = meshes_of(values);
-  claim_rezoned(all.of(&Results::rezoned)
-                    .where("A = {:g}")
-                    .at(Curve{.rows = values.integer("rows"), .points = {}, .rezoned = true}.name()),
-                values.table("wall_runup_exact"), values.table("wall_load_exact"));
+  claim_rezoned(
+      all.of(&Results::rezoned).where("A = {:g}").at(Curve{.rows = values.integer("rows"), .rezoned = true}.name()),
+      values.table("wall_runup_exact"), values.table("wall_load_exact"));
   const auto claims = all.of(&Results::curves).where("A = {:g}");
-  const auto finest = claims.at(Curve{.rows = meshes.back(), .points = {}}.name());
+  const auto finest = claims.at(Curve{.rows = meshes.back()}.name());
   claim_exact(finest, values.table("wall_runup_exact"));
   claim_loads(finest, values.table("wall_load_exact"));
 }
@@ -277,23 +275,17 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case wall_run_up_mesh_figures() {
-  Case c;
+void wall_run_up_mesh_figures(Case& c) {
   c.former_names = {"wall_run_up_2d_figures"};
   c.title = "Run-up and pressure on a vertical wall against the height of the wave";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; C. "
-      "H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
   c.parameters = {
       integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ..."),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
-             "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
       real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
   };
   c.published = {{.tiles = {"frank-fig-2", "frank-fig-3"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_run_up_mesh_figures

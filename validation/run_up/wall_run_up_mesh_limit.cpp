@@ -22,7 +22,6 @@ with barrier and wide columns besides it completes, but then the run-up is too l
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <ranges>
@@ -32,6 +31,7 @@ with barrier and wide columns besides it completes, but then the run-up is too l
 
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
@@ -94,7 +94,7 @@ struct Fate {
 
 struct Told {
   Variant variant;
-  std::vector<Fate> fates;
+  std::vector<Fate> fates = {};
 
   /// Null where it was not tried.
   [[nodiscard]] const Fate* at(double amplitude) const {
@@ -114,11 +114,11 @@ std::vector<Told> tell(const Run& run, Waves& waves) {
   constexpr double lowest = 0.5;
   constexpr double enough = 0.6;         // all variants are tried up to there
   constexpr double energy_limit = 0.01;  // a mesh that has crumpled against the barrier is no run-up
-  const double step = 0.1 / static_cast<double>(run.integer("heights"));
+  const double step = 0.1 / run.number("heights");
   std::vector<Told> all;
   const std::vector<Variant> tried = variants();
   for (const Variant& variant : tried) {
-    Told told{.variant = variant, .fates = {}};
+    Told told{.variant = variant};
     for (int k = 0;; ++k) {
       const double amplitude = lowest + k * step;
       if (amplitude > run.real("highest") + 1e-9) break;
@@ -159,7 +159,7 @@ Folded folded(Waves& waves, double amplitude, long rows) {
 
 struct Results {
   std::vector<Told> all;
-  std::vector<Folded> drawn;
+  std::vector<Folded> drawn = {};
 };
 
 const Told& find(const std::vector<Told>& all, const std::string& name) {
@@ -180,8 +180,7 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
       if (fate == nullptr || !fate->reached) {
         row.emplace_back("not reached");
       } else {
-        const double exactly =
-            entry_where(exact, {{"a", amplitude}}, "R").value_or(std::numeric_limits<double>::quiet_NaN());
+        const double exactly = entry_where(exact, {{"a", amplitude}}, "R").value_or(nan);
         const double error = fate->runup / exactly - 1;
         row.push_back(rounded(100 * error, 100));
         exhibit.measure(fmt::format("{}_a_{:g}_over_exact_less_1", told.variant.name, amplitude), error);
@@ -310,7 +309,7 @@ void claims(const Values& values, const Claims<Results>& all) {
 
 Results compute(const Run& run) {
   Waves waves;
-  Results r{.all = tell(run, waves), .drawn = {}};
+  Results r{.all = tell(run, waves)};
   for (const double amplitude : {0.5, 0.6}) r.drawn.push_back(folded(waves, amplitude, run.integer("rows")));
   return r;
 }
@@ -330,11 +329,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case wall_run_up_mesh_limit() {
-  Case c;
+void wall_run_up_mesh_limit(Case& c) {
   c.former_names = {"wall_run_up_2d_limit"};
   c.title = "Limit of the Lagrangian mesh: high solitary waves at a vertical wall";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
+  c.source = literature::frank + ", chapter 2";
   c.tiers = {Tier::full};
   c.parameters = {
       integer("rows", {8, 16, 16}, {4, 32}, "of the mesh; columns are twice as wide as rows are high"),
@@ -342,7 +340,6 @@ Case wall_run_up_mesh_limit() {
       real("highest", 0.7, "depth", {0.6, 0.8}, "of the heights tried"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wall_run_up_mesh_limit

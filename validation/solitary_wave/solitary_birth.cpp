@@ -43,6 +43,7 @@ left.
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
@@ -165,11 +166,11 @@ struct Surface {
 
 struct Results {
   Flow flow;  ///< of the wave of the parameters, at the end
-  Born own;
-  std::vector<Surface> birth;
-  EulerSpeed euler;
+  Born own = {};
+  std::vector<Surface> birth = {};
+  EulerSpeed euler = {};
   std::vector<Family> families;
-  Born from_exact;  ///< the exact wave, let run on the coarsest mesh
+  Born from_exact = {};  ///< the exact wave, let run on the coarsest mesh
 
   [[nodiscard]] const Family& coarsest() const { return families.front(); }
 };
@@ -188,11 +189,7 @@ Born follow_exact_wave(const MeshResolution& resolution) {
 
 Results compute(const Run& run) {
   Results r{.flow = raised({run.real("elevation"), run.real("width")}, own_mesh(run), run.real("hourglass")),
-            .own = {},
-            .birth = {},
-            .euler = {},
-            .families = families(run.tier()),
-            .from_exact = {}};
+            .families = families(run.tier())};
   double next = 0;
   const auto keep = [&] {
     if (r.flow.time() < next - 1e-9) return;
@@ -221,11 +218,9 @@ void claim_source_table(const Claims<Family>& claims, const io::Table& published
       "Speeds agree with the source's table at equal height within 0.005 sqrt(g h), its printed digits and its mesh.",
       "largest difference [sqrt(g depth)]",
       [published](const Family& coarse) {
-        Worst difference;
-        for (std::size_t k = 0; k < published.rows(); ++k) {
-          difference.add(coarse.speed_at(published.column("A")[k]) - published.column("C")[k]);
-        }
-        return difference;
+        return over<Worst>(indices(published.rows()), [&](std::size_t k) {
+          return coarse.speed_at(published.column("A")[k]) - published.column("C")[k];
+        });
       },
       Bound{.limit = 0.005,
             .reason = "half a unit of the last digit of A moves C by 0.002, half a unit of C is 0.0005; the source "
@@ -246,11 +241,9 @@ double speeds_approach(const Results& r, std::size_t mesh) {
 
 /// The same of profiles.
 double profiles_approach(const Results& r, std::size_t mesh) {
-  Largest ratio;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    ratio.add(r.families.at(mesh).waves.at(k).from_exact / r.families.at(mesh - 1).waves.at(k).from_exact);
-  }
-  return ratio.value();
+  const auto distance = [&](std::size_t on, std::size_t wave) { return r.families.at(on).waves.at(wave).from_exact; };
+  return over<Largest>(indices(starts.size()), [&](std::size_t k) { return distance(mesh, k) / distance(mesh - 1, k); })
+      .value();
 }
 
 /// Meshes one after the other come nearer to the Euler equations.
@@ -431,12 +424,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case solitary_birth() {
-  Case c;
+void solitary_birth(Case& c) {
   c.title = "A local elevation gives birth to a solitary wave";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2, figure 1 and table; E. "
-      "V. Laitone, J. Fluid Mech. 9 (1960) 430";
+  c.source = literature::frank + ", chapter 2, figure 1 and table; E. V. Laitone, J. Fluid Mech. 9 (1960) 430";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("elevation", 0.56, "depth", {0.05, 1.2}, "of the water at the wall"),
@@ -448,7 +438,6 @@ Case solitary_birth() {
   };
   c.published = {{.tiles = {"frank-table-celerity", "frank-fig-1"}, .stated = {"h1", "rows"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_birth

@@ -27,13 +27,13 @@ tangle. A small restoring force (`hourglass`) prevents it too.
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/mesh/crest_track.hpp"
@@ -49,7 +49,6 @@ using lagrangian_mesh_2d::Scheme;
 using lagrangian_mesh_2d::Settings;
 
 const std::string source = "Frank (1994), chapter 2";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double length = 60;  // of the tank
 constexpr double start = 15;
 constexpr double duration = 20;
@@ -311,28 +310,23 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case solitary_mesh() {
-  Case c;
+void solitary_mesh(Case& c) {
   c.former_names = {"solitary_2d"};
   c.title = "A solitary wave of the Euler equations on a Lagrangian mesh";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2; D. Dutykh, D. Clamond, "
-      "Wave Motion 51 (2014) 86";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapter 2; " + literature::dutykh_clamond;
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.65}, "crest above still water"),
       real("h1", {0.5, 0.25, 0.125}, "depth", {0.02, 2}, "width of the columns; changed to fill the tank"),
       integer("rows", {4, 8, 16}, {1, 100}, "of cells over the depth"),
       real("tau", {0.1, 0.05, 0.025}, "sqrt(depth/g)", {1e-3, 0.5}, "step"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
              "of the run whose measures are kept"),
-      choice("start", std::string("sampled"), {"sampled", "impulse"},
+      choice("start", "sampled", {"sampled", "impulse"},
              "first velocities, but for the coarsest mesh under a high wave"),
       real("hourglass", 0.0, "1", {0, 10},
            "kappa_0 of the force against node motions (-1)^(i+j), with the same exception"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_mesh

@@ -17,6 +17,7 @@ Boussinesq-type equations, has the wrong speed: the shift at the last time tells
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 
@@ -89,12 +90,9 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case solitary_wave() {
-  Case c;
+void solitary_wave(Case& c) {
   c.title = "A solitary wave of the Euler equations keeps its shape";
-  c.source =
-      "M. S. Longuet-Higgins, J. D. Fenton, Proc. R. Soc. A 340 (1974) 471; D. Dutykh, D. Clamond, Wave Motion 51 "
-      "(2014) 86";
+  c.source = "M. S. Longuet-Higgins, J. D. Fenton, Proc. R. Soc. A 340 (1974) 471; " + literature::dutykh_clamond;
   c.parameters = {
       real("amplitude", 0.3, "m", {1e-6, 1e6}, "crest above still water, up to 0.8331 depth"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
@@ -104,7 +102,6 @@ Case solitary_wave() {
   };
   c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_wave

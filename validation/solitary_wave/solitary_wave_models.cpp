@@ -32,6 +32,7 @@ wave is kinder to the dispersive model.
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::solitary_wave_models {
@@ -99,7 +100,7 @@ double equations_apart(const Values& values) {
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const SolitaryWave wave = wave_of(values);
   const double k = wave.decay_rate();
-  const double turn = k * 0.15 / static_cast<double>(values.integer("particles"));
+  const double turn = k * 0.15 / values.number("particles");
   claims_of(all, "particles")
       .check("particles-surface",
              "The surface error of Gauss-principle particles is below the lag of their steps, (k c tau)^2/12 of the "
@@ -110,14 +111,13 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                              "wave's tails: that, times the steepest slope of the surface; cells are to add less"});
   claims_of(all, "mesh")
       .check(
-          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface",
-          [](const Entry& entry) { return entry.order(); },
+          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface", &Entry::order,
           Order{.theory = 2,
                 .tolerance = 0.3,
                 .reason = "second order in space and time; at a crest half as high as the depth cells of a ninth of it "
                           "are not small, and the next terms are seen"});
   for (const Named& model : {Named{"dirichlet", "Dirichlet cells"}, variable_mass}) {
-    const double kh = k / static_cast<double>(values.integer("cells"));
+    const double kh = k / values.number("cells");
     claims_of(all, model.id)
         .check(model.id + "-surface",
                fmt::format("The rms error of the surface is below (k h)^2, k the decay rate of the wave's tails: {}.",
@@ -145,7 +145,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
 void claims(const Values& values, const Claims<Contest>& all) {
   const Claims<Contest> claims = all.at(fmt::format("the finest, after {:g} depths", values.real("way")));
   claim_accuracy(claims, values);
-  const double steps = values.real("way") * static_cast<double>(values.integer("particles")) / 0.15;
+  const double steps = values.real("way") * values.number("particles") / 0.15;
   claim_energy(claims_of(claims, "particles"), particles, steps, 2,
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
@@ -174,13 +174,9 @@ void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case solitary_wave_models() {
-  Case c;
+void solitary_wave_models(Case& c) {
   c.title = "Model comparison: a solitary wave";
-  c.source =
-      "D. Dutykh, D. Clamond, Wave Motion 51 (2014) 86; A. M. Frank, Discrete models of incompressible fluid, doctoral "
-      "thesis (1994)";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::dutykh_clamond + "; " + literature::frank;
   c.parameters = {
       real("amplitude", 0.5, "depth", {0.05, 0.6}, "crest above still water"),
       real("way", 8.0, "depth", {1, 50}, "of the crest until errors are compared"),
@@ -192,7 +188,6 @@ Case solitary_wave_models() {
       integer("sph", {7, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::solitary_wave_models

@@ -27,6 +27,7 @@ there in the end, long after the wave has gone, and the runs of two and three la
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/plan/plan_soliton.hpp"
@@ -67,7 +68,7 @@ std::vector<Travel> travels_of(const Values& values) {
   PlanSolitonRun run{.amplitude = values.real("amplitude"),
                      .time = values.real("time"),
                      .settled = 0.2 * values.real("time"),
-                     .rows = static_cast<std::size_t>(values.integer("rows")),
+                     .rows = values.count("rows"),
                      .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))}};
   std::vector<double> spacings{1, 0.7, 0.5};
   if (values.real("finest") < 0.495) spacings.push_back(values.real("finest"));
@@ -138,7 +139,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Travel> travels = travels_of(values);
   for (std::size_t k = 0; k < travels.size(); ++k) {
     claim_travel(claims.at(fmt::format("h = {:g}, tau = {:g}", travels[k].run.spacing, travels[k].run.tau))
-                     .of([k](const Results& r) -> const Travel& { return r.travels.at(k); }),
+                     .of(&Results::travels)
+                     .entry(k),
                  travels[k]);
   }
 }
@@ -210,23 +212,20 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case soliton_2dh() {
-  Case c;
+void soliton_2dh(Case& c) {
   c.title = "A solitary wave on a coarse grid: 2DH model and hexahedral mesh";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 4.3";
   c.parameters = {
       real("amplitude", 0.3, "H", {0.02, 0.5}, "of the wave at the beginning"),
       real("time", 100, "sqrt(H/g)", {20, 2000},
            "length of the runs of the 2DH model, and of the mesh up to 100; with one layer twice as long"),
       real("finest", {0.5, 0.25, 0.125}, "H", {0.05, 0.5}, "finest cells of the 2DH model, beside 1, 0.7 and 0.5"),
       integer("rows", 1, {1, 16}, "cells across the wave's way"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
   c.published = {{.tiles = {"frank-soliton-plan"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show);
   c.former_names = {"soliton_plan"};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::soliton_2dh

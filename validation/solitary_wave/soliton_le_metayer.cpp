@@ -22,7 +22,6 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,11 +93,10 @@ double from_crest(const SerreWave& wave, double x, double time) {
 /// Largest error of a marker's elevation over the amplitude.
 double largest_error(const Flow& flow, const SerreWave& wave) {
   const exact::SerreSolitary exact = wave.exact();
-  Worst largest;
-  for (std::size_t i = 0; i < flow.x().size(); ++i) {
-    largest.add((flow.y()[i] - exact.elevation(from_crest(wave, flow.x()[i], flow.time()))) / wave.amplitude);
-  }
-  return largest.value();
+  const auto off = [&](std::size_t i) {
+    return (flow.y()[i] - exact.elevation(from_crest(wave, flow.x()[i], flow.time()))) / wave.amplitude;
+  };
+  return over<Worst>(indices(flow.x().size()), off).value();
 }
 
 /// Largest error of the surface over the amplitude, also between the markers, where it is straight.
@@ -187,9 +185,8 @@ class StepLength {
   /// Error in time of a scheme for steps of half the time in which a long wave crosses a cell.
   [[nodiscard]] double time_error(Scheme scheme) const {
     const Flow flow = followed(wave_, pilot_, tau_ / 2, scheme);
-    Worst largest;
-    for (std::size_t i = 0; i < flow.y().size(); ++i) largest.add((flow.y()[i] - limit_.y()[i]) / wave_.amplitude);
-    return largest.value();
+    const auto off = [&](std::size_t i) { return (flow.y()[i] - limit_.y()[i]) / wave_.amplitude; };
+    return over<Worst>(indices(flow.y().size()), off).value();
   }
 
   /// tau(h) = factor h^(2/p) with the least work.
@@ -298,7 +295,7 @@ double against_peer(const Curve& curve) {
   for (const PeerPoint& point : peer) {
     const auto found = std::ranges::find(curve.cells, point.cells);
     ratio.add(found == curve.cells.end()
-                  ? std::numeric_limits<double>::quiet_NaN()
+                  ? nan
                   : curve.error[static_cast<std::size_t>(found - curve.cells.begin())] / point.error);
   }
   return ratio.value();
@@ -310,7 +307,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           values.integer("coarsest") == 64;
   for (std::size_t k = 0; k < std::size(contenders); ++k) {
     const Contender& contender = contenders[k];
-    const Claims<Curve> curve = claims.of([k](const Results& r) -> const Curve& { return r.curves.at(k); });
+    const Claims<Curve> curve = claims.of(&Results::curves).entry(k);
     const std::string name = title(contender.scheme);
     std::string id = contender.id;
     std::replace(id.begin(), id.end(), '_', '-');
@@ -394,8 +391,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case soliton_le_metayer() {
-  Case c;
+void soliton_le_metayer(Case& c) {
   c.title = "A solitary wave over 32 depths: what accuracy costs";
   c.source =
       "O. Le Metayer, S. Gavrilyuk, S. Hank, A numerical scheme for the Green-Naghdi model, J. Comput. Phys. 229 "
@@ -411,7 +407,6 @@ Case soliton_le_metayer() {
       integer("levels", {5, 6, 7}, {5, 8}, "how often it is doubled, plus one"),
   };
   c.study = Study(claims, compute, show, "Frank (1994), chapter 3");
-  return c;
 }
 
 }  // namespace seiche::validation::cases::soliton_le_metayer

@@ -33,6 +33,7 @@ shortest. Across, where the bottom is level, they agree to half a per cent.
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/peak.hpp"
 
@@ -186,7 +187,7 @@ struct Pair {
 using Results = std::vector<Pair>;  ///< the finest last
 
 std::vector<ShoalWave> waves_of(const Values& values) {
-  const auto finest = static_cast<std::size_t>(values.integer("layers"));
+  const auto finest = values.count("layers");
   std::vector<ShoalWave> waves;
   for (const std::size_t layers : {finest / 2, 3 * finest / 4, finest}) {
     waves.push_back({.amplitude = values.real("amplitude"), .height = values.real("shoal"), .layers = layers});
@@ -296,18 +297,15 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 
 }  // namespace
 
-Case soliton_over_shoal() {
-  Case c;
+void soliton_over_shoal(Case& c) {
   c.title = "A solitary wave over a round shoal: 2DH model and hexahedral mesh";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapter 4";
   c.parameters = {
       real("amplitude", 0.2, "depth", {0.05, 0.3}, "height of the incident wave"),
       real("shoal", 0.4, "depth", {0.05, 0.6}, "height of the shoal"),
       integer("layers", {4, 8, 8}, {4, 16}, "of the finest mesh; coarser ones have a half and three quarters of them"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::soliton_over_shoal

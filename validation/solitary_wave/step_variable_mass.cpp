@@ -38,6 +38,7 @@ short. The reflected wave comes back from the left wall and follows over the ste
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/oscillation.hpp"
 
@@ -53,11 +54,10 @@ using exact::SolitonFission;
 /// The surface at one instant, in ascending x.
 struct SurfaceLine {
   double time = 0;
-  std::vector<double> x, y;
+  std::vector<double> x = {}, y = {};
 
   /// Highest crest of a part of it; a height of NaN where there is none.
   [[nodiscard]] CurveCrest highest(double from, double to) const {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     CurveCrest top{nan, nan};
     for (const CurveCrest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
       if (!(one.height <= top.height)) top = one;
@@ -126,7 +126,7 @@ variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double cres
 }
 
 SurfaceLine surface_line(const Flow& flow) {
-  SurfaceLine line{.time = flow.time(), .x = {}, .y = {}};
+  SurfaceLine line{.time = flow.time()};
   for (const int k : flow.control().surface().nodes()) {
     const Point r = flow.nodes()[k];
     line.x.push_back(r.x);
@@ -188,21 +188,21 @@ std::vector<long> meshes(const Values& values) {
 /// What the waves of a run on one mesh are.
 struct Passage {
   SolitaryRun run;
-  std::vector<CurveCrest> peaks;  ///< on the shelf, from the highest back
-  double reflected = 0;           ///< highest crest before the step when it is half way to the left wall
+  std::vector<CurveCrest> peaks = {};  ///< on the shelf, from the highest back
+  double reflected = 0;                ///< highest crest before the step when it is half way to the left wall
 };
 
 struct Results {
   SolitaryWave wave;
   SolitonFission theory;
   double step = 0;
-  std::vector<Passage> passages;
+  std::vector<Passage> passages = {};
   [[nodiscard]] const Passage& own() const { return passages.back(); }
 };
 
 /// Height of crest n of those on the shelf; NaN where there are not as many.
 double peak(const Passage& p, std::size_t n) {
-  return n <= p.peaks.size() ? p.peaks[n - 1].height : std::numeric_limits<double>::quiet_NaN();
+  return n <= p.peaks.size() ? p.peaks[n - 1].height : nan;
 }
 
 double step_length(const Values& values, long rows) {
@@ -223,8 +223,7 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
                             .rate = run.real("rate"),
                             .surface_rate = run.real("surface_rate")},
                            {.stabilisation = run.real("stabilisation")});
-  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress),
-            .peaks = {}};
+  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress)};
   const SurfaceLine& last = p.run.last();
   const CurveCrest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
@@ -331,8 +330,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   Results r{.wave = SolitaryWave(run.real("amplitude")),
             .theory = SolitonFission(run.real("shelf_depth")),
-            .step = run.real("step"),
-            .passages = {}};
+            .step = run.real("step")};
   const std::vector<long> rows = meshes(run);
   const auto cost = [](long n) { return std::pow(static_cast<double>(n), 3); };
   double done = 0;
@@ -405,19 +403,16 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case step_variable_mass() {
-  Case c;
+void step_variable_mass(Case& c) {
   c.title = "A solitary wave passes over a step in the bed";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 5.3; O. S. Madsen, C. C. "
-      "Mei, J. Fluid Mech. 39 (1969) 781";
+  c.source = literature::frank + ", section 5.3; O. S. Madsen, C. C. Mei, J. Fluid Mech. 39 (1969) 781";
   c.tiers = {Tier::full};
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.02, 0.3}, "of the wave before the step"),
       real("shelf_depth", 0.5, "depth", {0.2, 0.9}, "of the water behind it"),
       integer("ny", {6, 12, 12}, {4, 24}, "rows of cells over the depth on the finest mesh"),
       real("courant", 0.48, "1", {0.05, 0.6}, "step over the height of a row, in sqrt(depth/g) and depths"),
-      choice("control", std::string("fixed_x"), {"none", "centroid", "mapped", "fixed_x"}, "of the nodes"),
+      choice("control", "fixed_x", {"none", "centroid", "mapped", "fixed_x"}, "of the nodes"),
       real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
       real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
       real("stabilisation", 0.01, "1", {0, 10}, "epsilon"),
@@ -428,7 +423,6 @@ Case step_variable_mass() {
   };
   c.published = {{.tiles = {"frank-step"}, .tier = Tier::full}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::step_variable_mass

@@ -35,6 +35,7 @@ waves are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "validation/instruments/each.hpp"
@@ -78,7 +79,7 @@ double coefficient(const StandingBox& box, double amplitude, double periods) {
 class Limit {
  public:
   explicit Limit(const Values& values)
-      : cells_(static_cast<std::size_t>(values.integer("cells"))),
+      : cells_(values.count("cells")),
         periods_(values.real("periods")),
         scheme_{.stepping = stepping_named(values.text("scheme"))} {}
 
@@ -167,12 +168,11 @@ struct Results {
 
   /// Of the improved model with s = 2.
   [[nodiscard]] Worst deviation() const {
-    Worst worst;
-    for (std::size_t k = 0; k < drawn_lengths.size(); ++k) {
-      const double theory = DispersiveStandingWave::frequency_correction(2 * pi / drawn_lengths[k], improved);
-      worst.add(curves[judged_model][k] - theory, drawn_lengths[k]);
-    }
-    return worst;
+    const auto off = [&](std::size_t k) {
+      return curves[judged_model][k] -
+             DispersiveStandingWave::frequency_correction(2 * pi / drawn_lengths[k], improved);
+    };
+    return over<Worst>(indices(drawn_lengths.size()), off, [](std::size_t k) { return drawn_lengths[k]; });
   }
   [[nodiscard]] double smallest() const { return seiche::smallest(curves[judged_model]); }
 };
@@ -262,9 +262,8 @@ Results compute(const Run& run) {
     run.progress(0.3 + 0.2 * static_cast<double>(r.curves.size()));
   }
   for (const double kh : drawn_depths) {
-    StandingBox box{.wavenumber = kh,
-                    .cells = 2 * static_cast<std::size_t>(run.integer("cells")),
-                    .scheme = {.stepping = stepping_named(run.text("scheme"))}};
+    StandingBox box{
+        .wavenumber = kh, .cells = 2 * run.count("cells"), .scheme = {.stepping = stepping_named(run.text("scheme"))}};
     box.tau = 0.4 * box.spacing();
     r.shifts.push_back(each(drawn_amplitudes, [&](double a) { return a * a * coefficient(box, a, periods); }));
   }
@@ -332,19 +331,15 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case standing_1d() {
-  Case c;
+void standing_1d(Case& c) {
   c.title = "The frequency of standing waves depends on their amplitude: the dispersive shallow-water model";
-  c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 3.3; I. Tadjbakhsh, J. B. "
-      "Keller, J. Fluid Mech. 8 (1960) 442";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", section 3.3; I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442";
   c.parameters = {
       real("wavenumber", 0.6, "1/H", {0.2, 6}, "of the wave; the walls are half a wavelength apart"),
       real("amplitude", 0.02, "H", {1e-3, 0.3}, "of the first harmonic of the elevation"),
       real("h", 0.05, "H", {1e-3, 1}, "of the markers; changed to fit a whole number of times between the walls"),
       real("tau", 0.02, "sqrt(H/g)", {1e-4, 1}, "time step"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("alpha", 1.0 / 3, "1", {1e-3, 10}, "factor of the vertical kinetic energy"),
       real("gamma", 0.0, "1", {0, 10}, "factor of the added energy of slopes; below alpha"),
       real("depth_power", 2.0, "1", {-10, 10}, "s: that energy is weighted with the depth to this power"),
@@ -353,7 +348,6 @@ Case standing_1d() {
   };
   c.published = {{.tiles = {"frank-standing"}, .stated = {"alpha", "gamma", "scheme"}}};
   c.study = Study(claims, compute, show, frank);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_1d

@@ -125,8 +125,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case standing_wave() {
-  Case c;
+void standing_wave(Case& c) {
   c.title = "A standing wave between walls, and its frequency";
   c.source = "I. Tadjbakhsh, J. B. Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442";
   c.parameters = {
@@ -138,7 +137,6 @@ Case standing_wave() {
   };
   c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_wave

@@ -21,7 +21,6 @@ ten periods.
 */
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -33,9 +32,11 @@ ten periods.
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/refinement.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
+#include "validation/instruments/surface_points.hpp"
 
 namespace seiche::validation::cases::standing_wave_free_lagrangian {
 namespace {
@@ -149,13 +150,6 @@ Wave follow(Flow& flow, const Model& model, const Surface& surface, double tau, 
   return wave;
 }
 
-template <class Nodes>
-std::vector<Point> places(std::span<const int> nodes, const Nodes& at) {
-  std::vector<Point> found;
-  for (const int node : nodes) found.push_back(at[node]);
-  return found;
-}
-
 Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double periods,
               const variable_mass::Control& control, double drift_feedback = 0) {
   const auto start = [amplitude](Point r) {
@@ -168,11 +162,7 @@ Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double 
         lagrangian_mesh_2d::layer_mesh(
             {.end = length, .columns = static_cast<std::size_t>(columns), .rows = static_cast<std::size_t>(rows)}),
         start);
-    const auto surface = [](const lagrangian_mesh_2d::Flow& f) {
-      std::vector<Point> found;
-      for (std::size_t i = 0; i < f.surface_x().size(); ++i) found.push_back({f.surface_x()[i], f.surface_y()[i]});
-      return found;
-    };
+    const auto surface = [](const lagrangian_mesh_2d::Flow& f) { return joined({f.surface_x(), f.surface_y()}); };
     return follow(flow, flow.model(), surface, tau, periods);
   }
   const free_lagrangian::Mesh rest =
@@ -183,20 +173,20 @@ Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double 
     return follow(
         flow, flow.model(),
         [&](const dirichlet_mesh::Flow& f) {
-          return places(top.nodes(), Places{f.x(), f.y()});
+          return chosen(top.nodes(), {f.x(), f.y()});
         },
         tau, periods);
   }
   variable_mass::Flow flow(rest, {.velocity = start}, control, {.stabilisation = kind.stabilisation}, drift_feedback);
   return follow(
-      flow, flow.water(), [&](const variable_mass::Flow& f) { return places(top.nodes(), f.nodes()); }, tau, periods);
+      flow, flow.water(), [&](const variable_mass::Flow& f) { return chosen(top.nodes(), f.nodes()); }, tau, periods);
 }
 
 /// A model on finer meshes: errors of the period, and noise.
 struct Results {
-  Refinement period;  ///< |T/T_0 - 1|, a quantity for each kind
-  Refinement noise;   ///< largest
-  std::vector<Wave> life;
+  Refinement period = {};  ///< |T/T_0 - 1|, a quantity for each kind
+  Refinement noise = {};   ///< largest
+  std::vector<Wave> life = {};
   double periods = 0;
 
   [[nodiscard]] double noise_ratio(std::size_t kind) const {
@@ -226,7 +216,7 @@ long rows_of(std::size_t kind_of_life) {
 }
 
 RefinementStudy study(const std::string& what) {
-  RefinementStudy s{.quantities = {}, .source = source};
+  RefinementStudy s{.source = source};
   for (const Kind& kind : kinds) {
     const bool noisy = kind.model == Kind::dirichlet;
     s.quantities.push_back(
@@ -337,7 +327,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.period = {}, .noise = {}, .life = {}, .periods = run.real("periods")};
+  Results r{.periods = run.real("periods")};
   const variable_mass::Control control{variable_mass::control_named(run.text("control")), run.real("rate"),
                                        run.real("surface_rate")};
   const std::vector<long> rows = meshes(run);
@@ -346,8 +336,7 @@ Results compute(const Run& run) {
     const double tau = 0.4 / static_cast<double>(n);
     for (const Kind& kind : kinds) {
       const Wave wave = run_wave(kind, small_amplitude, n, tau, small_periods, control);
-      const double found = wave.broke ? std::numeric_limits<double>::quiet_NaN()
-                                      : fit_oscillation(wave.amplitude, tau, {1, 3}).frequency;
+      const double found = wave.broke ? nan : fit_oscillation(wave.amplitude, tau, {1, 3}).frequency;
       periods.push_back(std::abs(frequency() / found - 1));
       noises.push_back(largest(wave.noise));
     }
@@ -391,23 +380,19 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case standing_wave_free_lagrangian() {
-  Case c;
+void standing_wave_free_lagrangian(Case& c) {
   c.title = "A standing wave in three free-Lagrangian models";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 2, 5.2 and 5.3";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = literature::frank + ", chapters 2, 5.2 and 5.3";
   c.parameters = {
       integer("ny", {16, 24, 24}, {16, 24}, "rows of the finest mesh: 16 or 24; 4, 8, 12, ... up to it"),
       real("amplitude", 0.1, "depth", {0.02, 0.2}, "of the high wave"),
       real("periods", {4.0, 10.0, 10.0}, "1", {1, 50}, "of the high wave"),
-      choice("control", std::string("mapped"), {"none", "centroid", "mapped", "fixed_x"},
-             "of the nodes of variable mass"),
+      choice("control", "mapped", {"none", "centroid", "mapped", "fixed_x"}, "of the nodes of variable mass"),
       real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
       real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
   };
   c.published = {{.tiles = {"frank-dirichlet"}}};
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_wave_free_lagrangian

@@ -29,6 +29,7 @@ Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its
 
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
@@ -81,8 +82,7 @@ struct OwnWave {
 };
 
 MeshTank own_tank(const Values& values) {
-  return tank_of(values, values.real("wavelength"), values.real("h"), static_cast<std::size_t>(values.integer("rows")),
-                 values.real("tau"));
+  return tank_of(values, values.real("wavelength"), values.real("h"), values.count("rows"), values.real("tau"));
 }
 
 OwnWave own_wave(const Values& values) {
@@ -136,7 +136,7 @@ struct Coefficients {
 };
 
 std::size_t finest_rows(const Values& values) {
-  return static_cast<std::size_t>(values.integer("finest_rows"));
+  return values.count("finest_rows");
 }
 
 Coefficients measure(const Run& run) {
@@ -194,12 +194,12 @@ std::vector<Frequencies> frequencies(const Run& run) {
 
 struct Results {
   OwnWave own;
-  Coefficients coefficients;
-  std::vector<Frequencies> frequencies;
+  Coefficients coefficients = {};
+  std::vector<Frequencies> frequencies = {};
 };
 
 Results compute(const Run& run) {
-  Results r{.own = own_wave(run), .coefficients = {}, .frequencies = {}};
+  Results r{.own = own_wave(run)};
   run.progress(0.1);
   r.coefficients = measure(run);
   run.progress(0.7);
@@ -328,14 +328,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case standing_wave_mesh() {
-  Case c;
+void standing_wave_mesh(Case& c) {
   c.former_names = {"standing_wave_2d"};
   c.title = "The frequency of standing waves depends on their amplitude: the Lagrangian mesh";
-  c.source =
-      "I. Tadjbakhsh, J. B. Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442; A. M. "
-      "Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "I. Tadjbakhsh, J. B. Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442; " +
+             literature::frank + ", chapter 2";
   c.parameters = {
       real("wavelength", 10.0, "H", {1, 100}, "of the wave; the walls are half of it apart"),
       real("amplitude", 0.05, "H", {1e-3, 0.5}, "first-order coefficient of cos kx"),
@@ -343,13 +340,12 @@ Case standing_wave_mesh() {
       integer("rows", 8, {1, 200}, "of cells"),
       real("tau", 0.02, "sqrt(H/g)", {1e-4, 1}, "time step"),
       real("hourglass", 0.02, "1", {0, 10}, "factor of the hourglass potential"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("time", 60.0, "sqrt(H/g)", {1, 1e4}, "length of the series"),
       integer("finest_rows", {16, 32, 32}, {4, 200}, "of the finer of the two meshes of the extrapolation; even"),
       real("periods", 6.0, "1", {2, 100}, "length of the series of the extrapolation"),
   };
   c.study = Study(claims, compute, show, water);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_wave_mesh

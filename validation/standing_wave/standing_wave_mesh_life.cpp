@@ -22,7 +22,6 @@ as at the beginning. Watch the corners.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -32,6 +31,7 @@ as at the beginning. Watch the corners.
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
@@ -43,7 +43,6 @@ using lagrangian_mesh_2d::Stepping;
 
 constexpr double length = 6;
 constexpr double wavenumber = std::numbers::pi / length;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::string frank = "Frank, Discrete models of incompressible fluids (1994), chapter 2";
 
 /// A wave in the tank and what became of its mesh.
@@ -113,9 +112,7 @@ std::string suffix(std::size_t wave) {
 }
 
 MeshTank tank_of(const Values& values) {
-  return {.wavenumber = wavenumber,
-          .columns = static_cast<std::size_t>(values.integer("columns")),
-          .rows = static_cast<std::size_t>(values.integer("rows"))};
+  return {.wavenumber = wavenumber, .columns = values.count("columns"), .rows = values.count("rows")};
 }
 
 struct Setting {
@@ -269,7 +266,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const Claims<Wave> wave = claims
                                   .at(fmt::format("{} x {} cells, tau = {:g}", values.integer("columns"),
                                                   values.integer("rows"), values.real("tau")))
-                                  .of([i](const Results& results) -> const Wave& { return results.at(i); });
+                                  .entry(i);
     claim_fold(wave, values, waves[i], suffix(i));
     claim_longer_life(wave, values, suffix(i));
     claim_rezoned(wave, values, suffix(i));
@@ -324,10 +321,9 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
 
 }  // namespace
 
-Case standing_wave_mesh_life() {
-  Case c;
+void standing_wave_mesh_life(Case& c) {
   c.title = "Time until a Lagrangian mesh tangles under a standing wave";
-  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
+  c.source = literature::frank + ", chapter 2";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", 0.15, "H", {1e-3, 0.5}, "of the first elevation, a cos kx"),
@@ -339,7 +335,6 @@ Case standing_wave_mesh_life() {
       real("time", {150.0, 400.0, 1000.0}, "sqrt(H/g)", {50, 1e5}, "length of the run"),
   };
   c.study = Study(claims, compute, show, frank);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_wave_mesh_life

@@ -31,6 +31,7 @@ keep it, with short waves on it. SPH loses height, and beyond some twelve rows i
 
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::standing_wave_models {
@@ -133,8 +134,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "mesh")
       .only_if(values.integer("mesh") <= 16, "finer meshes are nearer to the water than the exact wave of second order")
       .check(
-          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface",
-          [](const Entry& entry) { return entry.order(); },
+          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface", &Entry::order,
           Order{.theory = 2,
                 .tolerance = 0.4,
                 .reason = "second order in space and time; the exact wave is known to half of the error of the finest "
@@ -169,14 +169,13 @@ void claims(const Values& values, const Claims<Contest>& all) {
   const Trial trial = trial_of(values);
   const double omega = wave_of(values).frequency();
   const double speed = omega / wave_of(values).wavenumber();
-  claim_energy(claims_of(claims, "particles"), particles,
-               trial.end * speed * static_cast<double>(values.integer("particles")) / 0.15, 2,
+  claim_energy(claims_of(claims, "particles"), particles, trial.end * speed * values.number("particles") / 0.15, 2,
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
   const auto from_rest =
       claims.only_if(values.real("periods") == 1.25, "all energy is kinetic after a quarter of a period more");
-  claim_swing(from_rest, mesh, omega * 0.4 / static_cast<double>(values.integer("mesh")));
-  claim_swing(from_rest, dispersive, omega * 0.25 / static_cast<double>(values.integer("markers")));
+  claim_swing(from_rest, mesh, omega * 0.4 / values.number("mesh"));
+  claim_swing(from_rest, dispersive, omega * 0.25 / values.number("markers"));
   const auto low = claims.only_if(values.real("amplitude") <= 0.05 && values.real("last") <= 8,
                                   "higher waves, and longer times, end them");
   for (const Named& model : {particles, mesh, variable_mass}) {
@@ -203,13 +202,9 @@ void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& e
 
 }  // namespace
 
-Case standing_wave_models() {
-  Case c;
+void standing_wave_models(Case& c) {
   c.title = "Model comparison: a standing wave";
-  c.source =
-      "I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442; A. M. Frank, Discrete models of incompressible fluid, "
-      "doctoral thesis (1994)";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442; " + literature::frank;
   c.parameters = {
       real("amplitude", 0.05, "depth", {0.01, 0.2}, "first-order coefficient of cos kx"),
       real("wavelength", 6.0, "depth", {3, 12}, "of the wave; the walls are half of it apart"),
@@ -222,7 +217,6 @@ Case standing_wave_models() {
       integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::standing_wave_models

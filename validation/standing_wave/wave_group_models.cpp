@@ -31,6 +31,7 @@ periods.
 #include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::wave_group_models {
@@ -172,7 +173,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                             "model tells it four times finer than without"});
   }
   const Claims<Contest> claims = at_focus.of(&Results::contest);
-  const double spacing = 1 / static_cast<double>(values.integer("markers"));
+  const double spacing = 1 / values.number("markers");
   const exact::FrankDispersion law(1, 1, spacing);
   const double apart = rms_of_law(values, [&](double k) {
     return exact::discrete_frequency(law.frequency(k), 0.25 * spacing, exact::TimeScheme::one_step);
@@ -189,8 +190,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                 .reason = "the law says how late each wave is at the focus; linear theory's own error, a twenty-fifth "
                           "of the amplitude, is a tenth of it",
                 .expected = apart});
-  claim_energy(claims_of(claims, "particles"), particles,
-               values.real("focus") * static_cast<double>(values.integer("particles")) / 0.15, 2,
+  claim_energy(claims_of(claims, "particles"), particles, values.real("focus") * values.number("particles") / 0.15, 2,
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
   const auto low = claims.only_if(amplitude <= 0.1, "higher groups tangle the mesh");
@@ -223,13 +223,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case wave_group_models() {
-  Case c;
+void wave_group_models(Case& c) {
   c.title = "Model comparison: a wave group comes to a focus at a wall";
-  c.source =
-      "T. E. Baldock, C. Swan, P. H. Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; M. S. Longuet-Higgins, E. D. "
-      "Cokelet, Proc. R. Soc. Lond. A 350 (1976) 1";
-  c.tiers = {Tier::quick, Tier::full};
+  c.source = "T. E. Baldock, C. Swan, P. H. Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; " +
+             literature::longuet_higgins_cokelet;
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.001, 0.2}, "of the crest at the focus by linear theory"),
       real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "when the crests meet at the wall"),
@@ -240,7 +237,6 @@ Case wave_group_models() {
       integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wave_group_models

@@ -186,12 +186,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 }  // namespace
 
-Case macdonald_channel() {
-  Case c;
+void macdonald_channel(Case& c) {
   c.title = "A river reach with friction";
   c.source =
       "I. MacDonald et al., Analytic benchmark solutions for open-channel flows, J. Hydraul. Eng. 123 (1997) 1041";
-  c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       integer("particles", {25, 70, 100}, {8, 1e4}, "coarsest number of particles, up to 8 times as many run too"),
       real("time", {1000, 3000, 6000}, "s", {1, 1e6}, "time in which the flow settles"),
@@ -200,7 +198,6 @@ Case macdonald_channel() {
   };
   c.study = Study(claims, compute, show, "MacDonald et al. (1997)");
   c.submission = submission_of(judged_flow);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::macdonald_channel

@@ -26,7 +26,6 @@ linear waves are 25.9 m long and, for this stroke, 1.08 m high.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -34,6 +33,7 @@ linear waves are 25.9 m long and, for this stroke, 1.08 m high.
 #include "seiche/exact/wavemaker.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/literature.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
@@ -43,7 +43,7 @@ linear waves are 25.9 m long and, for this stroke, 1.08 m high.
 namespace seiche::validation::cases::flap_wave_sph {
 namespace {
 
-const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 5";
+const std::string publication = literature::plunging_sph + ", figure 5";
 const std::string theory = "Kennard (1949); Dean and Dalrymple (1991), chapter 6";
 const FlapScheme as_set{"as set", [](wcsph::Settings&) {}};
 const FlapScheme more_neighbours{"Wendland kernel, h = 1.7 dx", [](wcsph::Settings& s) {
@@ -376,9 +376,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
                           "Root of the mean square of the elevation after one period, over the exact transient's.",
                           {.x = "x/L", .y = "share of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
-    std::vector<double> share;
-    for (std::size_t k = 0; k < places.size(); ++k) share.push_back(r.share(one, k));
-    along.line(label, places, share, role);
+    along.line(label, places, each(indices(places.size()), [&](std::size_t k) { return r.share(one, k); }), role);
   };
   line("as set", r.runs.back(), Role::computed);
   line(more_neighbours.name, r.wide.back(), Role::guide);
@@ -396,12 +394,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case flap_wave_sph() {
-  Case c;
+void flap_wave_sph(Case& c) {
   c.title = "A flap makes a regular wave: weakly compressible SPH";
-  c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figure 5; E. H. Kennard, Quart. Appl. Math. "
-      "7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave mechanics (1991), chapter 6";
+  c.source = literature::plunging_sph +
+             ", figure 5; E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave "
+             "mechanics (1991), chapter 6";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with({real("depth", 4.0, "m", {1e-3, 1e3}, "still-water depth"),
                        real("period", 4.7, "s", {1e-3, 1e3}, "period of the flap"),
@@ -415,7 +412,6 @@ Case flap_wave_sph() {
                   .stated = {"alpha", "depth", "period", "stroke", "gauge", "sound", "courant", "diffusion", "filter",
                              "isotropic", "kernel", "nu0", "shifting", "smagorinsky", "smoothing", "walls", "xsph"}}};
   c.study = Study(claims, compute, show, theory);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::flap_wave_sph

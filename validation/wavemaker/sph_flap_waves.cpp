@@ -57,9 +57,7 @@ FlapWaves make_flap_waves(const Run& run, const FlapDesign& design, long layers,
       const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, settings.kernel);
       waves.time.push_back(flow.time());
       for (std::size_t k = 0; k < places.size(); ++k) {
-        waves.elevation[k].push_back(
-            fraction.elevation(places[k] * design.gauge).value_or(std::numeric_limits<double>::quiet_NaN()) -
-            scene.still_water);
+        waves.elevation[k].push_back(fraction.elevation(places[k] * design.gauge).value_or(nan) - scene.still_water);
       }
     }
   } catch (const Divergence& failure) {

@@ -30,6 +30,8 @@ and the difference falls as slowly. The second order has twice the frequency: cr
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
+#include "validation/case/literature.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wavemaker_mesh {
 namespace {
@@ -180,14 +182,14 @@ Series make_waves(const Paddle& paddle, const Mesh& resolution, mechanics::Stepp
 /// What changes sign with the stroke, over the stroke, and what does not, over its square.
 struct Orders {
   std::vector<double> time;
-  Gauges odd, even;
+  Gauges odd = {}, even = {};
 };
 
 Orders orders(const Paddle& paddle, const Mesh& mesh, const Run& run, double interval, double end) {
   const auto stepping = mechanics::stepping_named(run.text("scheme"));
   const Series plus = make_waves(paddle, mesh, stepping, interval, end);
   const Series minus = make_waves(paddle.with_stroke(-paddle.stroke), mesh, stepping, interval, end);
-  Orders result{.time = plus.time, .odd = {}, .even = {}};
+  Orders result{.time = plus.time};
   for (std::size_t g = 0; g < gauges.size(); ++g) {
     for (std::size_t n = 0; n < plus.time.size(); ++n) {
       const double a = plus.elevation[g][n];
@@ -267,9 +269,8 @@ struct Results {
 
 /// Largest distance of the second orders of the gauges.
 double second_order_changes(const Results& r) {
-  Worst off;
-  for (std::size_t g = 0; g < gauges.size(); ++g) off.add(distance(r.high.even[g], r.low.even[g]));
-  return off.value();
+  return over<Worst>(indices(gauges.size()), [&](std::size_t g) { return distance(r.high.even[g], r.low.even[g]); })
+      .value();
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -341,27 +342,22 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 }  // namespace
 
-Case wavemaker_mesh() {
-  Case c;
+void wavemaker_mesh(Case& c) {
   c.former_names = {"wavemaker_2d"};
   c.title = "A piston starts from rest: the two-dimensional Lagrangian mesh";
-  c.source =
-      "E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; A. M. Frank, Discrete models of incompressible fluid, doctoral "
-      "thesis (1994), chapter 2";
+  c.source = "E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; " + literature::frank + ", chapter 2";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("period", 10.0, "sqrt(depth/g)", {3, 30}, "of the piston"),
       real("stroke", 0.05, "depth", {1e-5, 0.3}, "from one end of the piston's motion to the other"),
-      choice("start", std::string("soft"), {"soft", "jump"}, "whether the piston's velocity rises or jumps"),
+      choice("start", "soft", {"soft", "jump"}, "whether the piston's velocity rises or jumps"),
       real("periods", 3.0, "1", {0.5, 10}, "periods that are run"),
       real("h1", 0.125, "depth", {0.02, 1}, "width of the columns"),
       integer("rows", 8, {4, 64}, "rows of cells"),
       real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.5}, "time step"),
-      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
-             "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
   };
   c.study = Study(claims, compute, show, source);
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wavemaker_mesh

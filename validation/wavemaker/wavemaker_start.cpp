@@ -82,14 +82,13 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 }  // namespace
 
-Case wavemaker_start() {
-  Case c;
+void wavemaker_start(Case& c) {
   c.title = "A wavemaker starts from rest";
   c.source =
       "T. H. Havelock, Phil. Mag. 8 (1929) 569; R. G. Dean, R. A. Dalrymple, Water Wave Mechanics for Engineers and "
       "Scientists, 1991, ch. 6";
   c.parameters = {
-      choice("paddle", std::string("flap"), {"piston", "flap"}, "motion of the paddle"),
+      choice("paddle", "flap", {"piston", "flap"}, "motion of the paddle"),
       real("depth", 4.0, "m", {1e-6, 1e6}, "depth"),
       real("period", 4.7, "s", {1e-6, 1e6}, "period of the paddle"),
       real("stroke", 0.1, "m", {1e-12, 1e6}, "stroke at the still-water level; linear theory wants it small"),
@@ -100,7 +99,6 @@ Case wavemaker_start() {
   };
   c.study = exact_study<start_of, show>(source);
   c.submission = {.tables = wanted};
-  return c;
 }
 
 }  // namespace seiche::validation::cases::wavemaker_start

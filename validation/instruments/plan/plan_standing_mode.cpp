@@ -11,6 +11,7 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 
@@ -83,9 +84,8 @@ PlanMode::Eigenvalue PlanMode::eigenvalue() const {
   mechanics::Projection<Model>(model).project(acceleration, {}, multipliers);
   const std::span<const double> vertical(acceleration.data() + 2 * n, n);
   const double square = -amplitude(first, vertical);
-  Worst rest_of_shape;
-  for (std::size_t k = 0; k < n; ++k) rest_of_shape.add(vertical[k] / square + at(first.x[k], first.y[k]));
-  return {.square = square, .rest = rest_of_shape.value()};
+  const auto rest_of_shape = [&](std::size_t k) { return vertical[k] / square + at(first.x[k], first.y[k]); };
+  return {.square = square, .rest = over<Worst>(indices(n), rest_of_shape).value()};
 }
 
 double PlanMode::measured_frequency(double tau, int steps, double first_amplitude) const {

@@ -108,10 +108,6 @@ Found find_crests(const SurfaceLattice& surface, double amplitude, const Reflect
 
 }  // namespace
 
-evidence::Measurement ReflectionPattern::wall_ratio() const {
-  return ratio(wall_amplitude, incident_amplitude);
-}
-
 evidence::Measurement ReflectionPattern::reflected_ratio() const {
   if (!reflected) throw std::logic_error("no reflected crest was found behind the front crests");
   return ratio(reflected->amplitude, incident_amplitude);

@@ -59,8 +59,7 @@ struct ReflectionPattern {
   /// None where fewer than 4 rows have a reflected crest at its distance.
   std::optional<ReflectedCrest> reflected;
 
-  /// a_w/a_i and a_r/a_i; throws std::logic_error without a reflected crest.
-  [[nodiscard]] evidence::Measurement wall_ratio() const;
+  /// a_r/a_i; throws std::logic_error without a reflected crest.
   [[nodiscard]] evidence::Measurement reflected_ratio() const;
 };
 

@@ -66,7 +66,7 @@ Channel Flume::channel() const {
 }
 
 Parameter dispersion_parameter() {
-  return choice("dispersion", std::string("one-parameter"), {"improved", "one-parameter", "serre"},
+  return choice("dispersion", "one-parameter", {"improved", "one-parameter", "serre"},
                 "law of the model's linear waves");
 }
 
@@ -158,7 +158,7 @@ std::vector<SubmittedGroup> gauge_records(Flow& flow, const Flume& flume, const 
                                           const std::vector<double>& places, double interval, double end,
                                           double origin) {
   std::vector<SubmittedGroup> records;
-  for (const double group : groups) records.push_back({.value = group, .abscissa = {}, .values = {}});
+  for (const double group : groups) records.push_back({.value = group});
   const auto note = [&] {
     const std::vector<double> eta = dispersive::water_surface_at(flow, places);
     for (std::size_t k = 0; k < records.size(); ++k) {

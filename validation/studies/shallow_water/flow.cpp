@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation {
@@ -56,15 +56,8 @@ particles::Scheme particle_scheme(const Discretisation& d) {
 }
 
 particles::End particle_end(FlowProblem::End kind, State at_start) {
-  switch (kind) {
-    case FlowProblem::End::wall:
-      return particles::Wall{};
-    case FlowProblem::End::dry:
-      return particles::Vacuum{};
-    case FlowProblem::End::stream:
-      break;
-  }
-  if (at_start.velocity == 0) return particles::Wall{};
+  if (kind == FlowProblem::End::dry) return particles::Vacuum{};
+  if (kind == FlowProblem::End::wall || at_start.velocity == 0) return particles::Wall{};
   return particles::Piston{[u = at_start.velocity](double) { return u; }};
 }
 
@@ -93,12 +86,17 @@ class ParticleRun : public Flow {
   particles::ParticleFlow flow_;
 };
 
-/// Of a method that has no curve of its own between edges.
-void add_steps(Profile& profile) {
+/// Of a method that has no curve of its own between edges. @param mean  state of cell i
+template <class MeanOf>
+Profile stepwise(const std::vector<double>& edges, MeanOf mean) {
+  Profile profile;
+  profile.edges = edges;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) profile.means.push_back(mean(i));
   profile.reconstruction = [edges = profile.edges, means = profile.means](double x) {
     const auto above = std::upper_bound(edges.begin(), edges.end(), x) - edges.begin();
     return means[static_cast<std::size_t>(std::clamp<long>(above - 1, 0, static_cast<long>(means.size()) - 1))];
   };
+  return profile;
 }
 
 class AsWrittenRun : public Flow {
@@ -108,11 +106,7 @@ class AsWrittenRun : public Flow {
 
   [[nodiscard]] double time() const override { return flow_.time(); }
   [[nodiscard]] Profile profile() const override {
-    Profile profile;
-    profile.edges = flow_.edges();
-    for (std::size_t i = 0; i < flow_.size(); ++i) profile.means.push_back({flow_.depth(i), flow_.velocity(i)});
-    add_steps(profile);
-    return profile;
+    return stepwise(flow_.edges(), [&](std::size_t i) { return State{flow_.depth(i), flow_.velocity(i)}; });
   }
   [[nodiscard]] double mass_defect() const override { return mass() - initial_mass_; }
   [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
@@ -124,11 +118,10 @@ class AsWrittenRun : public Flow {
     flow_.advance(tau);
   }
   [[nodiscard]] double largest_step(double courant) const override {
-    Smallest crossing;
-    for (std::size_t i = 0; i < flow_.size(); ++i) {
-      crossing.add(flow_.mass(i) / flow_.depth(i) / shallow_water::celerity(gravity(), flow_.depth(i)));
-    }
-    return courant * crossing.value();
+    const auto crossing = [&](std::size_t i) {
+      return flow_.mass(i) / flow_.depth(i) / shallow_water::celerity(gravity(), flow_.depth(i));
+    };
+    return courant * over<Smallest>(indices(flow_.size()), crossing).value();
   }
   [[nodiscard]] double mass() const {
     double sum = 0;
@@ -151,14 +144,8 @@ cells::Scheme cell_scheme(const std::string& name) {
 }
 
 cells::End cell_end(FlowProblem::End kind, State at_start) {
-  switch (kind) {
-    case FlowProblem::End::wall:
-      return cells::End::wall();
-    case FlowProblem::End::dry:
-      return cells::End::free();
-    case FlowProblem::End::stream:
-      break;
-  }
+  if (kind == FlowProblem::End::wall) return cells::End::wall();
+  if (kind == FlowProblem::End::dry) return cells::End::free();
   return cells::End::inflow(at_start);
 }
 
@@ -198,11 +185,7 @@ class CellRun : public Flow {
 
   [[nodiscard]] double time() const override { return flow_.time(); }
   [[nodiscard]] Profile profile() const override {
-    Profile profile;
-    profile.edges = flow_.edges();
-    for (std::size_t i = 0; i < flow_.cells(); ++i) profile.means.push_back({flow_.depth()[i], flow_.velocity()[i]});
-    add_steps(profile);
-    return profile;
+    return stepwise(flow_.edges(), [&](std::size_t i) { return State{flow_.depth()[i], flow_.velocity()[i]}; });
   }
   [[nodiscard]] double mass_defect() const override { return flow_.mass_defect(); }
   [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace seiche::validation {
 
@@ -66,8 +65,7 @@ ProfileCurve means_of(const Profile& profile) {
 namespace measures = shallow_water;
 
 ProfileErrors ProfileErrors::none() {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  constexpr measures::Norms norms{nothing, nothing, nothing};
+  constexpr measures::Norms norms{nan, nan, nan};
   return {.cell = {norms, norms}, .reconstructed = {norms, norms}, .constant = {norms, norms}};
 }
 
@@ -89,7 +87,7 @@ Worst excursion(const Profile& profile, double lowest, double highest) {
 }
 
 double front_width(const Profile& profile, const Front& front) {
-  if (std::isnan(front_position(profile, front))) return std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(front_position(profile, front))) return nan;
   const double from = front.position - front.reach;
   const double to = front.position + front.reach;
   Count between;

@@ -1,7 +1,6 @@
 #include "validation/studies/shallow_water/profile_points.hpp"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -27,7 +26,7 @@ WantedTable wanted_profile(double start, double end, long cells, const std::func
     centres.push_back(start + (end - start) * (static_cast<double>(i) + 0.5) / static_cast<double>(cells));
   const auto velocity = [exact](Place p) {  // dry bed has none
     const State state = exact(p.abscissa);
-    return state.depth > 0 ? state.velocity : std::numeric_limits<double>::quiet_NaN();
+    return state.depth > 0 ? state.velocity : nan;
   };
   return {
       .name = "profile",

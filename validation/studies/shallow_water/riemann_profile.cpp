@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -177,10 +176,10 @@ JudgedFront judged_front(const exact::Riemann& solution, double time) {
 double judged_position(const exact::Riemann& solution, const JudgedFront& judged, const Profile& profile,
                        bool particles) {
   if (judged.is_jump) return front_position(profile, judged.front);
-  if (solution.left().depth > 0 && solution.right().depth > 0) return std::numeric_limits<double>::quiet_NaN();
+  if (solution.left().depth > 0 && solution.right().depth > 0) return nan;
   if (particles) return solution.left().depth == 0 ? profile.edges.front() : profile.edges.back();
   const auto deepest = over<Largest>(profile.means, &State::depth);
-  if (!(deepest.value() > 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(deepest.value() > 0)) return nan;
   const auto is_wet = [&](const State& mean) { return mean.depth > wet_share * deepest.value(); };
   if (solution.left().depth == 0) {
     const auto first = std::find_if(profile.means.begin(), profile.means.end(), is_wet) - profile.means.begin();
@@ -226,14 +225,14 @@ double wet_end(const ProfilePoints& points, double level, bool dry_left) {
     const std::size_t dry = dry_left ? i - 1 : i + 1;
     return std::lerp(x[i], x[dry], (h[i] - level) / (h[i] - h[dry]));
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return nan;
 }
 
 /// Position of the bore, or of the end of the water, less the exact one.
 double front_error(const exact::Riemann& solution, double time, const ProfilePoints& points) {
   const JudgedFront judged = judged_front(solution, time);
   if (judged.is_jump) return front_position(points.cells(), judged.front) - judged.front.position;
-  if (!has_front(solution)) return std::numeric_limits<double>::quiet_NaN();
+  if (!has_front(solution)) return nan;
   const bool dry_left = solution.left().depth == 0;
   const double level = wet_share * std::max(solution.left().depth, solution.right().depth);
   const exact::Riemann::Wave fan = dry_left ? solution.right_wave() : solution.left_wave();

@@ -18,8 +18,6 @@
 namespace seiche::validation {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Standard error of the rms of so many points.
 double standard_error(const std::vector<double>& off) {
   const auto squares = over<Mean>(off, [](double one) { return one * one; });
@@ -47,7 +45,7 @@ const Entry& Contest::of(const std::string& id) const {
 }
 
 Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse) {
-  Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .asked = trial.last, .cause = {}};
+  Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .asked = trial.last};
   double began = processor_seconds();
   try {
     const Racer racer = start();
@@ -108,10 +106,7 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
       });
     }
   }
-  // One after another and on one thread each, or their times would be those of their neighbours.
-  on_threads(
-      work.size(), 1, [&](std::size_t k) { work[k](); },
-      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(work.size())); });
+  one_by_one(run, work);
   return {std::move(entries), trial};
 }
 

@@ -18,8 +18,8 @@ namespace seiche::validation {
 
 /// What is read off a model at one instant.
 struct Sight {
-  std::vector<double> off;  ///< of points of the surface from where they should be; empty: nothing to compare yet
-  double energy = 0;        ///< kinetic and potential, of the water
+  std::vector<double> off = {};  ///< of points of the surface from where they should be; empty: nothing to compare yet
+  double energy = 0;             ///< kinetic and potential, of the water
   double momentum = std::numeric_limits<double>::quiet_NaN();  ///< magnitude; NaN where walls take it
 };
 
@@ -60,8 +60,8 @@ struct Attempt {
   double energy = 0;       ///< change from the beginning to `end`, over the scale
   double momentum = 0;     ///< the same of the momentum; NaN where walls take it
   double lasted = 0;
-  double asked = 0;   ///< how long it was to last
-  std::string cause;  ///< of the breakdown; empty: none
+  double asked = 0;        ///< how long it was to last
+  std::string cause = {};  ///< of the breakdown; empty: none
 
   [[nodiscard]] bool broke() const { return !cause.empty() && lasted < asked; }
 };

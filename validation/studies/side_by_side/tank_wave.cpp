@@ -10,6 +10,7 @@
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
+#include "validation/instruments/surface_points.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -29,12 +30,6 @@ Racer racer_of(const std::shared_ptr<Flow>& flow, const TankWave& wave, double t
       [flow] { return momentum_of(*flow); }};
 }
 
-std::vector<Point> joined(std::span<const double> x, std::span<const double> y) {
-  std::vector<Point> points;
-  for (std::size_t k = 0; k < x.size(); ++k) points.push_back({x[k], y[k]});
-  return points;
-}
-
 Racer start_mesh(const TankWave& wave, long rows) {
   using lagrangian_mesh_2d::Flow;
   const double h = 1 / static_cast<double>(rows);
@@ -44,7 +39,7 @@ Racer start_mesh(const TankWave& wave, long rows) {
                                       .rows = static_cast<std::size_t>(rows),
                                       .elevation = wave.water.elevation}),
       wave.water.velocity);
-  return racer_of(flow, wave, 0.4 * h, [](const Flow& f) { return joined(f.surface_x(), f.surface_y()); });
+  return racer_of(flow, wave, 0.4 * h, [](const Flow& f) { return joined({f.surface_x(), f.surface_y()}); });
 }
 
 /// Square cells, in staggered rows.
@@ -57,13 +52,6 @@ free_lagrangian::Mesh cells_at_rest(const TankWave& wave, long rows) {
 constexpr double stabilisation = 0.01;  ///< of the pressures of cells: what travelling waves are to have
 constexpr variable_mass::Control control{.kind = variable_mass::ControlKind::mapped, .rate = 1, .surface_rate = 0.5};
 
-template <class At>
-std::vector<Point> chosen(std::span<const int> nodes, const At& at) {
-  std::vector<Point> points;
-  for (const int node : nodes) points.push_back(at[node]);
-  return points;
-}
-
 Racer start_dirichlet(const TankWave& wave, long rows) {
   using dirichlet_mesh::Flow;
   const free_lagrangian::Mesh rest = cells_at_rest(wave, rows);
@@ -72,7 +60,7 @@ Racer start_dirichlet(const TankWave& wave, long rows) {
       std::make_shared<Flow>(variable_mass::ControlVelocity(rest, control).raised(wave.water.elevation),
                              wave.water.velocity, dirichlet_mesh::Settings{.stabilisation = stabilisation});
   return racer_of(flow, wave, 0.4 / static_cast<double>(rows), [top](const Flow& f) {
-    return chosen(top->nodes(), Places{f.x(), f.y()});
+    return chosen(top->nodes(), {f.x(), f.y()});
   });
 }
 
@@ -136,7 +124,7 @@ Racer start_dispersive(const TankWave& wave, const DispersiveStart& start, long 
   const auto flow = std::make_shared<Flow>(start(spacing));
   return {[flow, spacing](double time) { march(*flow, time, 0.25 * spacing); },
           [flow, &wave] {
-            return Sight{.off = wave.off(joined(flow->x(), flow->y()), flow->time()), .energy = flow->energy()};
+            return Sight{.off = wave.off(joined({flow->x(), flow->y()}), flow->time()), .energy = flow->energy()};
           },
           [flow] { return momentum_of(*flow); }};
 }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/kernel.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
@@ -44,10 +45,18 @@ SpeedField speed_field(const wcsph::Particles& particles, double spacing, const 
       const auto node = static_cast<std::size_t>(j * (columns + 1) + i);
       field.x.push_back(frame.left + static_cast<double>(i) * step);
       field.z.push_back(frame.bottom + static_cast<double>(j) * step);
-      field.speed.push_back(near[node] ? sum[node] / weight[node] : std::numeric_limits<double>::quiet_NaN());
+      field.speed.push_back(near[node] ? sum[node] / weight[node] : nan);
     }
   }
   return field;
+}
+
+double fastest(const wcsph::Particles& particles) {
+  Largest speed;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] == wcsph::Kind::fluid) speed.add(std::hypot(particles.u[i], particles.w[i]));
+  }
+  return speed.value();
 }
 
 void draw_speed(evidence::Figure& figure, const wcsph::Particles& particles, double spacing, const SpeedPanel& panel) {

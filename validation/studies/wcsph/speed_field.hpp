@@ -23,6 +23,9 @@ struct Frame {
 /// @param spacing  of the particles; the lattice has half of it
 SpeedField speed_field(const wcsph::Particles& particles, double spacing, const Frame& frame);
 
+/// Largest speed of the fluid [m/s].
+double fastest(const wcsph::Particles& particles);
+
 /// One panel: the field, and the walls as points.
 /// @param unit  of lengths in the panel [m], named in `unit_name`
 struct SpeedPanel {
