@@ -224,10 +224,8 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   const Model& model = flow_->model();
   const mechanics::State& state = flow_->state();
   Remapped now = remap(model, state.q, state.u, places.x, places.y);
-  std::vector<Velocity> velocity;
-  for (std::size_t k = 0; k < model.nodes(); ++k) velocity.push_back({now.u[k], now.v[k], now.w[k]});
-  auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(velocity), scheme_, model.settings(), Forcing{},
-                                     Window{}, false);
+  auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(now.velocity), scheme_, model.settings(),
+                                     Forcing{}, Window{}, false);
   flow->continue_breaking(*flow_);
   // Of both lattices the potential counts from the first one's shoreline: its ways do not meet the bottom's moment.
   const mechanics::State& next = flow->state();
