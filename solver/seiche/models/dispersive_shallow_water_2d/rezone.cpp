@@ -56,16 +56,15 @@ ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
 ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
   const std::size_t n = shape_.nodes();
   const std::size_t count = shape_.columns + 1;
-  Places places;
+  Places places{.x = std::vector<double>(n), .y = std::vector<double>(n)};
   for (std::size_t j = 0; j < shape_.rows; ++j) {
     const plan_lattice::RowCurve row(q.subspan(j * count, count), q.subspan(n + j * count, count));
     std::vector<double> away;
     for (std::size_t i = 0; i < count; ++i) {
       const bool end = i == 0 || i == shape_.columns;
-      const Point place = end ? row.at(static_cast<double>(i)) : row.meet(i, first_[i], outer(i));
-      places.x.push_back(place.x);
-      places.y.push_back(place.y);
-      away.push_back(dot(place - first_[shape_.node(i, j)], line_[i]));
+      const std::size_t k = shape_.node(i, j);
+      places.put(k, end ? row.at(static_cast<double>(i)) : row.meet(i, first_[i], outer(i)));
+      away.push_back(dot(places[k] - first_[k], line_[i]));
     }
     const std::vector<double> rough = pattern(away);
     for (std::size_t i = 0; i < count; ++i) {
@@ -73,10 +72,7 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
       places.put(k, places[k] - rough[i] * line_[i]);
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    places.x.push_back(outer(i).x);
-    places.y.push_back(outer(i).y);
-  }
+  for (std::size_t i = 0; i < count; ++i) places.put(shape_.node(i, shape_.rows), outer(i));
   if (settings_.edge_slope > 0) draw_back_films(q, volumes, places);
   if (settings_.shore_slope > 0) cut_tongues(places);
   keep_widths(places);
