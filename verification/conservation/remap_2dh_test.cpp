@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <string>
@@ -53,11 +54,11 @@ double sum(std::span<const double> values) {
   return all.value();
 }
 
-Point momentum(std::span<const double> masses, std::span<const double> u, std::span<const double> v) {
+Point momentum(std::span<const double> masses, const std::function<Point(std::size_t)>& velocity) {
   CompensatedSum x, y;
   for (std::size_t k = 0; k < masses.size(); ++k) {
-    x.add(masses[k] * u[k]);
-    y.add(masses[k] * v[k]);
+    x.add(masses[k] * velocity(k).x);
+    y.add(masses[k] * velocity(k).y);
   }
   return {x.value(), y.value()};
 }
@@ -83,9 +84,9 @@ TEST_CASE("a remap of the 2DH model keeps a stream", "[conservation]") {
   const Remapped now = remap(model, state.q, u, x, y);
   Worst off;
   for (std::size_t k = 0; k < model.nodes(); ++k) {
-    off.add(now.u[k] - 1);
-    off.add(now.v[k] + 0.5);
-    off.add(now.w[k]);
+    off.add(now.velocity[k].u - 1);
+    off.add(now.velocity[k].v + 0.5);
+    off.add(now.velocity[k].w);
     off.add(now.lattice.z[k]);
   }
   check.that("stream", "A stream of one velocity under a level surface stays one.", "largest difference",
@@ -128,13 +129,15 @@ TEST_CASE("a remap of the 2DH model keeps water and momentum and lets no column 
              Bound{0.025 - 1e-6, "some, less than a twentieth", 0.025});
   check.from(source).that("water", "The volume of the water is conserved to round-off.", "change of the volume [m^3]",
                           {sum(next.first_volumes()) - sum(model.first_volumes())}, rounded);
-  const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
-  const Point after = momentum(next.node_masses(), now.u, now.v);
+  const Point before = momentum(model.node_masses(), [&](std::size_t k) { return Point{u[k], u[n + k]}; });
+  const Point after = momentum(next.node_masses(), [&](std::size_t k) {
+    return Point{now.velocity[k].u, now.velocity[k].v};
+  });
   check.from(source).that("momentum", "Momentum is conserved by the remap to round-off.",
                           "change of the momentum [m^4/s]", {std::hypot(after.x - before.x, after.y - before.y)},
                           rounded);
   Largest speed;
-  for (std::size_t k = 0; k < n; ++k) speed.add(std::hypot(now.u[k], now.v[k]));
+  for (std::size_t k = 0; k < n; ++k) speed.add(std::hypot(now.velocity[k].u, now.velocity[k].v));
 }
 
 TEST_CASE("a lattice that follows the shore draws films back and keeps its widths", "[conservation]") {
@@ -381,9 +384,9 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
   Worst risen;
   for (std::size_t k = 0; k < lake.shape.nodes(); ++k) {
     risen.add(same.lattice.z[k] - lake.z[k]);
-    risen.add(same.u[k]);
-    risen.add(same.v[k]);
-    risen.add(same.w[k]);
+    risen.add(same.velocity[k].u);
+    risen.add(same.velocity[k].v);
+    risen.add(same.velocity[k].w);
   }
   check.that("rest", "A remap to where it is leaves it at rest.", "largest elevation or velocity", {risen.value()},
              Roundoff{100, 20, "volumes of cells from places of 20 m"});

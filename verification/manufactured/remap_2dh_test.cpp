@@ -49,8 +49,8 @@ Errors errors(std::size_t n) {
   for (std::size_t k = 0; k < model.nodes(); ++k) {
     const Velocity exact = velocity(x[k], y[k]);
     sums.elevation += std::pow(now.lattice.z[k] - elevation(x[k], y[k]), 2);
-    sums.velocity +=
-        std::pow(now.u[k] - exact.u, 2) + std::pow(now.v[k] - exact.v, 2) + std::pow(now.w[k] - exact.w, 2);
+    sums.velocity += std::pow(now.velocity[k].u - exact.u, 2) + std::pow(now.velocity[k].v - exact.v, 2) +
+                     std::pow(now.velocity[k].w - exact.w, 2);
   }
   const auto nodes = static_cast<double>(model.nodes());
   return {std::sqrt(sums.elevation / nodes), std::sqrt(sums.velocity / nodes)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -13,16 +14,19 @@ namespace seiche::linear {
 namespace {
 
 constexpr std::size_t chunk = 4096;
+/// Of term(part), in the order of the parts.
+template <class Term>
+double sum_of_parts(std::size_t parts, bool worth_it, const Term& term) {
+  std::vector<double> partial(parts);
+  share_out(parts, worth_it, [&](std::size_t part) { partial[part] = term(part); });
+  return std::accumulate(partial.begin(), partial.end(), 0.0);
+}
+
 /// Calls kernel(first, length) for every chunk and adds up what it returns.
 template <class Kernel>
 double sum_over_chunks(std::size_t size, const Kernel& kernel) {
-  const std::size_t chunks = (size + chunk - 1) / chunk;
-  std::vector<double> partial(chunks);
-  share_out(chunks, size >= worth_threads,
-            [&](std::size_t c) { partial[c] = kernel(c * chunk, std::min(chunk, size - c * chunk)); });
-  double sum = 0;
-  for (const double p : partial) sum += p;
-  return sum;
+  return sum_of_parts((size + chunk - 1) / chunk, size >= worth_threads,
+                      [&](std::size_t c) { return kernel(c * chunk, std::min(chunk, size - c * chunk)); });
 }
 
 SEICHE_SIMD_CLONES double dot_chunk(const double* x, const double* y, std::size_t n) {
@@ -103,8 +107,7 @@ double StencilMatrix::multiply_and_dot(const LatticeArray& x, LatticeArray& resu
   const StencilMatrix& a = *this;
   const auto up = static_cast<std::ptrdiff_t>(columns_);
   const auto level = static_cast<std::ptrdiff_t>(columns_ * rows_);
-  std::vector<double> partial(rows_ * layers_);
-  share_out(partial.size(), size() >= worth_threads, [&](std::size_t row) {
+  return sum_of_parts(rows_ * layers_, size() >= worth_threads, [&](std::size_t row) {
     const std::size_t c = row * columns_;
     const std::size_t l = row / rows_;
     const double* const in = x.data() + c;
@@ -115,23 +118,21 @@ double StencilMatrix::multiply_and_dot(const LatticeArray& x, LatticeArray& resu
       return a[1 + later_neighbour(di, dj, dl)] + c - (dl * level + dj * up + di);
     };
     const auto after = [&](int di, int dj, int dl) { return a[1 + later_neighbour(di, dj, dl)] + c; };
-    partial[row] = add_layer(up,
-                             {before(1, 1, 0), before(0, 1, 0), before(-1, 1, 0), before(1, 0, 0), a[own] + c,
-                              after(1, 0, 0), after(-1, 1, 0), after(0, 1, 0), after(1, 1, 0)},
-                             in, up, in, out);
+    double dot = add_layer(up,
+                           {before(1, 1, 0), before(0, 1, 0), before(-1, 1, 0), before(1, 0, 0), a[own] + c,
+                            after(1, 0, 0), after(-1, 1, 0), after(0, 1, 0), after(1, 1, 0)},
+                           in, up, in, out);
     Nine nine;
     if (l + 1 < layers_) {
       for (int k = 0; k < 9; ++k) nine[static_cast<std::size_t>(k)] = after(k % 3 - 1, k / 3 - 1, 1);
-      partial[row] += add_layer(up, nine, in + level, up, in, out);
+      dot += add_layer(up, nine, in + level, up, in, out);
     }
     if (l > 0) {
       for (int k = 0; k < 9; ++k) nine[static_cast<std::size_t>(k)] = before(1 - k % 3, 1 - k / 3, 1);
-      partial[row] += add_layer(up, nine, in - level, up, in, out);
+      dot += add_layer(up, nine, in - level, up, in, out);
     }
+    return dot;
   });
-  double sum = 0;
-  for (const double p : partial) sum += p;
-  return sum;
 }
 
 const double& StencilMatrix::coefficient(std::size_t a, std::size_t b) const {

@@ -17,8 +17,6 @@ namespace {
 
 /// Modes whose systems are solved together: with 256 layers their data and factors fill half of a 1 MB cache.
 constexpr std::size_t block = 128;
-/// Rows along z that are transposed together: one cache line of each row along x.
-constexpr std::size_t tile = 16;
 
 /// At least n, whole vectors, and not a multiple of 512 bytes: the same place of successive rows would compete for the
 /// same few lines of a cache.
@@ -77,16 +75,19 @@ const CosineLattice::Shape& validated(const CosineLattice::Shape& shape) {
 }  // namespace
 
 CosineLattice::CosineLattice(Shape shape, const LayerMatrix& matrix)
-    : shape_(validated(shape)), along_x_(shape.nx), along_z_(shape.nz), row_stride_(stride(shape.nx)) {
-  if (shape.nz > 1) mode_stride_ = stride(shape.nz);
+    : shape_(validated(shape)),
+      along_x_(shape.nx),
+      along_z_(shape.nz),
+      row_stride_(stride(shape.nx)),
+      mode_stride_(shape.nz > 1 ? stride(shape.nz) : 1),
+      tile_(shape.nz > 1 ? 16 : block) {
   rows_.resize(shape.layers * shape.nz * row_stride_);
   factor(matrix);
 }
 
 void CosineLattice::factor(const LayerMatrix& matrix) {
   const std::size_t layers = shape_.layers;
-  const std::size_t modes = shape_.nz > 1 ? shape_.nx * mode_stride_ : row_stride_;
-  const std::size_t blocks = (modes + block - 1) / block;
+  const std::size_t blocks = (shape_.nx * mode_stride_ + block - 1) / block;
   inverse_pivot_.resize(blocks * layers * block);
   multiplier_.resize(blocks * layers * block);
   std::vector<double> diagonal(layers);
@@ -96,7 +97,7 @@ void CosineLattice::factor(const LayerMatrix& matrix) {
     for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
       const double psi = std::numbers::pi * static_cast<double>(along_z_.mode(iz)) / static_cast<double>(shape_.nz);
       matrix(theta, psi, diagonal, std::span(off_diagonal).first(layers - 1));
-      const std::size_t mode = ix * std::max<std::size_t>(mode_stride_, 1) + iz;
+      const std::size_t mode = ix * mode_stride_ + iz;
       const std::size_t first = mode / block * layers * block + mode % block;
       double pivot = diagonal[0];
       for (std::size_t j = 0;; ++j) {
@@ -116,11 +117,11 @@ void CosineLattice::solve(std::span<const double> right_hand_side, std::span<dou
   grow_workspaces();
   const double* const s = scale.empty() ? nullptr : scale.data();
   transform_rows(right_hand_side.data(), 1 / magnitude, s);
-  if (shape_.nz > 1) {
-    solve_tiles();
-  } else {
-    solve_layers();
-  }
+  const bool many = shape_.layers * shape_.nx * shape_.nz >= worth_threads;
+  share_out((shape_.nx + tile_ - 1) / tile_, many, [&](std::size_t t) {
+    solve_tile(t * tile_, std::min((t + 1) * tile_, shape_.nx),
+               workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
+  });
   transform_rows_back(magnitude / static_cast<double>(shape_.nx * shape_.nz), x.data(), s);
 }
 
@@ -130,7 +131,7 @@ void CosineLattice::grow_workspaces() {
   while (workspaces_.size() < threads) {
     workspaces_.push_back({CosineTransform::Workspace(along_x_), CosineTransform::Workspace(along_z_),
                            std::vector<float>(nx), std::vector<float>(nx), std::vector<float>(std::max(nx, shape_.nz)),
-                           std::vector<float>(shape_.layers * tile * mode_stride_)});
+                           std::vector<float>(shape_.nz > 1 ? shape_.layers * tile_ * mode_stride_ : 0)});
   }
 }
 
@@ -173,8 +174,16 @@ void CosineLattice::transform_rows_back(double factor, double* x, const double* 
 /// Along z, over the layers and back, for the positions [first, last) along x.
 void CosineLattice::solve_tile(std::size_t first, std::size_t last, Workspace& work) {
   const std::size_t layers = shape_.layers;
-  const std::size_t layer_stride = tile * mode_stride_;
-  const auto rows_of = [&](std::size_t layer) { return rows_.data() + layer * shape_.nz * row_stride_; };
+  const bool plane = shape_.nz == 1;
+  const std::size_t layer_stride = plane ? row_stride_ : tile_ * mode_stride_;
+  float* const tile = plane ? rows_.data() + first : work.modes.data();
+  // act(number of the mode in the tile, its place in the rows), position by position along x.
+  const auto each_mode = [&](std::size_t layer, const auto& act) {
+    for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
+      float* const row = rows_.data() + (layer * shape_.nz + iz) * row_stride_;
+      for (std::size_t ix = first; ix < last; ++ix) act((ix - first) * mode_stride_ + iz, row[ix]);
+    }
+  };
   // Pairs of rows along z, in place.
   const auto transform = [&](float* rows, const auto& along_z) {
     using From = std::array<const float*, 2>;
@@ -188,48 +197,23 @@ void CosineLattice::solve_tile(std::size_t first, std::size_t last, Workspace& w
       }
     }
   };
-  for (std::size_t layer = 0; layer < layers; ++layer) {
-    const float* const in = rows_of(layer);
-    float* const out = work.modes.data() + layer * layer_stride;
-    for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
-      for (std::size_t ix = first; ix < last; ++ix) out[(ix - first) * mode_stride_ + iz] = in[iz * row_stride_ + ix];
-    }
-    transform(out, [&](auto... rows) { along_z_.forward(rows..., work.along_z); });
+  for (std::size_t layer = 0; layer < layers && !plane; ++layer) {
+    float* const modes = tile + layer * layer_stride;
+    each_mode(layer, [modes](std::size_t mode, float value) { modes[mode] = value; });
+    transform(modes, [&](auto... rows) { along_z_.forward(rows..., work.along_z); });
   }
-  // A tile begins with a block of factors: it has a multiple of 256 modes.
-  const std::size_t modes = (last - first) * mode_stride_;
-  for (std::size_t mode = 0; mode < modes; mode += block) {
+  // A tile begins with a block of factors: it has a multiple of 128 modes.
+  const std::size_t count = (last - first) * mode_stride_;
+  for (std::size_t mode = 0; mode < count; mode += block) {
     const std::size_t factors = (first * mode_stride_ + mode) * layers;
-    solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, work.modes.data() + mode,
-                std::min(block, modes - mode), layers, layer_stride);
+    solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, tile + mode,
+                std::min(block, count - mode), layers, layer_stride);
   }
-  for (std::size_t layer = 0; layer < layers; ++layer) {
-    float* const in = work.modes.data() + layer * layer_stride;
-    float* const out = rows_of(layer);
-    transform(in, [&](auto... rows) { along_z_.backward(rows..., work.along_z); });
-    for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
-      for (std::size_t ix = first; ix < last; ++ix) out[iz * row_stride_ + ix] = in[(ix - first) * mode_stride_ + iz];
-    }
+  for (std::size_t layer = 0; layer < layers && !plane; ++layer) {
+    float* const modes = tile + layer * layer_stride;
+    transform(modes, [&](auto... rows) { along_z_.backward(rows..., work.along_z); });
+    each_mode(layer, [modes](std::size_t mode, float& value) { value = modes[mode]; });
   }
-}
-
-void CosineLattice::solve_tiles() {
-  const bool many = shape_.layers * shape_.nx * shape_.nz >= worth_threads;
-  share_out((shape_.nx + tile - 1) / tile, many, [&](std::size_t t) {
-    solve_tile(t * tile, std::min((t + 1) * tile, shape_.nx),
-               workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
-  });
-}
-
-void CosineLattice::solve_layers() {
-  const std::size_t layers = shape_.layers;
-  const std::size_t blocks = (row_stride_ + block - 1) / block;
-  share_out(blocks, layers * row_stride_ >= worth_threads, [&](std::size_t b) {
-    const std::size_t first = b * block;
-    const std::size_t factors = first * layers;
-    solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, rows_.data() + first,
-                std::min(block, row_stride_ - first), layers, row_stride_);
-  });
 }
 
 CosineLattice::LayerMatrix hexahedral_lattice(double hx, double hy, std::vector<double> heights, double density,

@@ -56,7 +56,7 @@ class CosineLattice {
   struct Workspace {
     CosineTransform::Workspace along_x, along_z;
     std::vector<float> row, next, mode_copy;
-    std::vector<float> modes;  // of a tile: [layer][position along x][position along z]
+    std::vector<float> modes;  // of a tile: [layer][position along x][position along z]; none in a plane
   };
 
   void factor(const LayerMatrix& matrix);
@@ -66,14 +66,13 @@ class CosineLattice {
   void transform_rows(const double* right_hand_side, double factor, const double* scale);
   void transform_rows_back(double factor, double* x, const double* scale);
   void solve_tile(std::size_t first, std::size_t last, Workspace& work);
-  void solve_tiles();
-  void solve_layers();
 
   Shape shape_;
   CosineTransform along_x_, along_z_;
   std::vector<Workspace> workspaces_;  // one per thread
   std::size_t row_stride_;             // from row to row along x
-  std::size_t mode_stride_ = 0;        // from row to row along z
+  std::size_t mode_stride_;            // from row to row along z
+  std::size_t tile_;                   // rows along z that are transposed together: one cache line of each row along x
   std::vector<float> rows_;            // transformed along x: [layer][iz][position]
   // L D L^T of the systems, in blocks of modes: [block][layer][mode of the block].
   std::vector<float> inverse_pivot_, multiplier_;

@@ -101,13 +101,6 @@ template <std::size_t count>
 /// Sums of a^T x over several blocks a.
 class RowSums {
  public:
-  [[gnu::always_inline]] void assign(const Block& a, const Segment& x) {
-#pragma GCC unroll 8
-    for (std::size_t k = 0; k < n; ++k) {
-#pragma omp simd
-      for (std::size_t i = 0; i < n; ++i) product_[k * n + i] = a.entry[k * n + i] * x.entry[i];
-    }
-  }
   [[gnu::always_inline]] void add(const Block& a, const Segment& x) {
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < n; ++k) {
@@ -132,7 +125,7 @@ class RowSums {
 
  private:
   static constexpr std::size_t n = Block::n;
-  double product_[n * n];
+  double product_[n * n] = {};
 };
 
 }  // namespace seiche::linear::dense_block

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numbers>
 
 #include <fftw3.h>
@@ -13,10 +12,14 @@
 namespace seiche::linear {
 namespace {
 
-fftw_plan_s* plan(std::size_t size, std::complex<double>* buffer, int sign) {
+void destroy(fftw_plan_s* plan) {
   const std::scoped_lock lock(planner());
-  auto* data = reinterpret_cast<fftw_complex*>(buffer);
-  return fftw_plan_dft_1d(static_cast<int>(size), data, data, sign, FFTW_ESTIMATE);
+  fftw_destroy_plan(plan);
+}
+
+void destroy(fftwf_plan_s* plan) {
+  const std::scoped_lock lock(planner());
+  fftwf_destroy_plan(plan);
 }
 
 fftwf_complex* fftw(std::complex<float>* data) {
@@ -120,28 +123,21 @@ SEICHE_SIMD_CLONES void join(const float* __restrict a, const float* __restrict 
 
 }  // namespace
 
-void Fourier::DestroyPlan::operator()(fftw_plan_s* plan) const {
-  const std::scoped_lock lock(planner());
-  fftw_destroy_plan(plan);
-}
-
-void Fourier::FreeBuffer::operator()(std::complex<double>* buffer) const {
-  fftw_free(buffer);
-}
-
-Fourier::Fourier(std::size_t size) : size_(size) {
+Fourier::Fourier(std::size_t size)
+    : size_(size), buffer_(size), forward_(nullptr, destroy), backward_(nullptr, destroy) {
   require_at_least("size", static_cast<long>(size), 1);
-  buffer_.reset(reinterpret_cast<std::complex<double>*>(fftw_alloc_complex(size)));
-  if (!buffer_) throw std::bad_alloc();
-  forward_.reset(plan(size, buffer_.get(), FFTW_FORWARD));
-  backward_.reset(plan(size, buffer_.get(), FFTW_BACKWARD));
+  const std::scoped_lock lock(planner());
+  auto* data = reinterpret_cast<fftw_complex*>(buffer_.data());
+  const int n = static_cast<int>(size);
+  forward_.reset(fftw_plan_dft_1d(n, data, data, FFTW_FORWARD, FFTW_ESTIMATE));
+  backward_.reset(fftw_plan_dft_1d(n, data, data, FFTW_BACKWARD, FFTW_ESTIMATE));
 }
 
 void Fourier::run(const Plan& plan, std::span<const std::complex<double>> in, std::span<std::complex<double>> out,
                   double factor) {
-  std::ranges::copy(in, buffer_.get());
+  std::ranges::copy(in, buffer_.data());
   fftw_execute(plan.get());
-  for (std::size_t i = 0; i < size_; ++i) out[i] = factor * buffer_.get()[i];
+  for (std::size_t i = 0; i < size_; ++i) out[i] = factor * buffer_.data()[i];
 }
 
 void Fourier::coefficients(std::span<const std::complex<double>> samples, std::span<std::complex<double>> result) {
@@ -152,25 +148,8 @@ void Fourier::samples(std::span<const std::complex<double>> coefficients, std::s
   run(backward_, coefficients, result, 1);
 }
 
-void CosineTransform::DestroyPlan::operator()(fftwf_plan_s* plan) const {
-  const std::scoped_lock lock(planner());
-  fftwf_destroy_plan(plan);
-}
-
-void CosineTransform::Workspace::Free::operator()(std::complex<float>* buffer) const {
-  fftwf_free(buffer);
-}
-
-CosineTransform::Workspace::Buffer CosineTransform::Workspace::allocate(std::size_t size) {
-  Buffer buffer(reinterpret_cast<std::complex<float>*>(fftwf_alloc_complex(size)));
-  if (!buffer) throw std::bad_alloc();
-  return buffer;
-}
-
-CosineTransform::Workspace::Workspace(const CosineTransform& transform)
-    : rows_(allocate(transform.size())), spectrum_(allocate(transform.size())) {}
-
-CosineTransform::CosineTransform(std::size_t size) : size_(size) {
+CosineTransform::CosineTransform(std::size_t size)
+    : size_(size), forward_(nullptr, destroy), backward_(nullptr, destroy) {
   require_at_least("size", static_cast<long>(size), 1);
   for (std::size_t m = 0; m <= size / 2; ++m) {
     const double angle = std::numbers::pi * static_cast<double>(m) / (2 * static_cast<double>(size));
@@ -178,8 +157,8 @@ CosineTransform::CosineTransform(std::size_t size) : size_(size) {
     sine_.push_back(static_cast<float>(std::sin(angle)));
   }
   Workspace workspace(*this);
-  auto* const rows = fftw(workspace.rows_.get());
-  auto* const spectrum = fftw(workspace.spectrum_.get());
+  auto* const rows = fftw(workspace.rows.data());
+  auto* const spectrum = fftw(workspace.spectrum.data());
   const std::scoped_lock lock(planner());
   const int n = static_cast<int>(size);
   forward_.reset(fftwf_plan_dft_1d(n, rows, spectrum, FFTW_FORWARD, FFTW_ESTIMATE));
@@ -188,8 +167,8 @@ CosineTransform::CosineTransform(std::size_t size) : size_(size) {
 
 void CosineTransform::forward(std::array<const float*, 2> rows, std::array<float*, 2> coefficients,
                               Workspace& workspace) const {
-  auto* const z = workspace.rows_.get();
-  auto* const spectrum = workspace.spectrum_.get();
+  auto* const z = workspace.rows.data();
+  auto* const spectrum = workspace.spectrum.data();
   pack(rows[0], rows[1], reinterpret_cast<float*>(z), size_);
   fftwf_execute_dft(forward_.get(), fftw(z), fftw(spectrum));
   separate(reinterpret_cast<const float*>(spectrum), cosine_.data(), sine_.data(), coefficients[0], coefficients[1],
@@ -198,8 +177,8 @@ void CosineTransform::forward(std::array<const float*, 2> rows, std::array<float
 
 void CosineTransform::backward(std::array<const float*, 2> coefficients, std::array<float*, 2> rows,
                                Workspace& workspace) const {
-  auto* const z = workspace.rows_.get();
-  auto* const spectrum = workspace.spectrum_.get();
+  auto* const z = workspace.rows.data();
+  auto* const spectrum = workspace.spectrum.data();
   join(coefficients[0], coefficients[1], cosine_.data(), sine_.data(), reinterpret_cast<float*>(spectrum), size_);
   fftwf_execute_dft(backward_.get(), fftw(spectrum), fftw(z));
   unpack(reinterpret_cast<const float*>(z), rows[0], rows[1], size_);

@@ -26,6 +26,21 @@ inline std::mutex& planner() {
   return mutex;
 }
 
+/// Memory for transforms, from the beginning of a line of the cache on.
+template <class Real>
+class FourierBuffer {
+ public:
+  explicit FourierBuffer(std::size_t size) : lines_((size + in_line - 1) / in_line) {}
+  [[nodiscard]] std::complex<Real>* data() { return lines_.front().numbers; }
+
+ private:
+  static constexpr std::size_t in_line = 64 / sizeof(std::complex<Real>);
+  struct alignas(64) Line {
+    std::complex<Real> numbers[in_line];
+  };
+  std::vector<Line> lines_;
+};
+
 class Fourier {
  public:
   /// @param size  number of samples N, at least 1. Throws std::invalid_argument.
@@ -44,21 +59,14 @@ class Fourier {
   void samples(std::span<const std::complex<double>> coefficients, std::span<std::complex<double>> result);
 
  private:
-  struct DestroyPlan {
-    void operator()(fftw_plan_s* plan) const;
-  };
-  struct FreeBuffer {
-    void operator()(std::complex<double>* buffer) const;
-  };
-  using Plan = std::unique_ptr<fftw_plan_s, DestroyPlan>;
+  using Plan = std::unique_ptr<fftw_plan_s, void (*)(fftw_plan_s*)>;
 
   void run(const Plan& plan, std::span<const std::complex<double>> in, std::span<std::complex<double>> out,
            double factor);
 
   std::size_t size_;
-  std::unique_ptr<std::complex<double>, FreeBuffer> buffer_;  // of size_ numbers
-  Plan forward_;
-  Plan backward_;
+  FourierBuffer<double> buffer_;
+  Plan forward_, backward_;
 };
 
 /// Discrete cosine transform (DCT-II) of rows of single-precision numbers, two rows at a time.
@@ -87,20 +95,10 @@ class CosineTransform {
   }
 
   /// Memory that one thread needs for its transforms.
-  class Workspace {
-   public:
-    explicit Workspace(const CosineTransform& transform);
+  struct Workspace {
+    explicit Workspace(const CosineTransform& transform) : rows(transform.size()), spectrum(transform.size()) {}
 
-   private:
-    friend class CosineTransform;
-    struct Free {
-      void operator()(std::complex<float>* buffer) const;
-    };
-    using Buffer = std::unique_ptr<std::complex<float>, Free>;  // of many
-    static Buffer allocate(std::size_t size);
-
-    Buffer rows_;
-    Buffer spectrum_;
+    FourierBuffer<float> rows, spectrum;
   };
 
   /// Coefficients of two rows. The two may be the same row.
@@ -109,16 +107,12 @@ class CosineTransform {
   void backward(std::array<const float*, 2> coefficients, std::array<float*, 2> rows, Workspace& workspace) const;
 
  private:
-  struct DestroyPlan {
-    void operator()(fftwf_plan_s* plan) const;
-  };
-  using Plan = std::unique_ptr<fftwf_plan_s, DestroyPlan>;
+  using Plan = std::unique_ptr<fftwf_plan_s, void (*)(fftwf_plan_s*)>;
 
   std::size_t size_;
   std::vector<float> cosine_;  // cos(pi m/2N), sin(pi m/2N), m = 0..N/2
   std::vector<float> sine_;
-  Plan forward_;
-  Plan backward_;
+  Plan forward_, backward_;
 };
 
 }  // namespace seiche::linear

@@ -32,45 +32,29 @@ struct NinePointCholesky::Kernels {
       const Block* const from = &s.middle_[(p - s.each_) * (s.most_reach_ + 2)];
       std::copy(from, from + s.most_reach_ + 2, column);
     }
-    const std::size_t begin = p * n;
-    const std::size_t cells = std::min(n, (end.reversed ? begin + n : s.front_cells_) - begin);
-    const std::ptrdiff_t sign = end.reversed ? -1 : 1;
-    const std::ptrdiff_t along = sign * static_cast<std::ptrdiff_t>(s.along_);
-    const std::ptrdiff_t line_feed = sign * static_cast<std::ptrdiff_t>(s.across_ - s.along_ * s.line_);
-    std::ptrdiff_t cell_index[n];
-    std::ptrdiff_t c = end.columns[p].cell;
-    std::size_t in_line = end.columns[p].in_line;
-    for (std::size_t i = 0; i < cells; ++i) {
-      cell_index[i] = c;
-      c += along;
-      if (++in_line == s.line_) {
-        in_line = 0;
-        c += line_feed;
-      }
-    }
-    const bool along_x = s.along_ == 1;
-    const std::array<const double*, couplings> coefficients = {
-        a[a.own], a[along_x ? a.right : a.up] + end.next, a[a.up_left] + end.behind,
-        a[along_x ? a.up : a.right] + end.across, a[a.up_right] + end.ahead};
-    double* const entry = column->entry;
-    for (std::size_t k = 0; k < couplings; ++k) {
-      const double* const from = coefficients[k];
-      const std::size_t* const place = s.place_[k].data();
-      if (p < s.each_ && s.line_ > 2) {
-        for (std::size_t i = 0; i < n; ++i) entry[place[i]] = from[cell_index[i]];
-      } else {
-        for (std::size_t i = 0; i < cells; ++i) entry[place[i]] += from[cell_index[i]];
+    const std::size_t* const cell = end.cells.data() + p * n;
+    const std::size_t cells = std::min(n, end.cells.size() - p * n);
+    const bool along_x = s.columns_ <= s.rows_;
+    const std::array coefficients{a[a.own], a[along_x ? a.right : a.up], a[a.up_left], a[along_x ? a.up : a.right],
+                                  a[a.up_right]};
+    const std::array distance{std::size_t{0}, std::size_t{1}, s.line_ - 1, s.line_, s.line_ + 1};
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      for (std::size_t i = 0; i < cells; ++i) {
+        const std::size_t row = i + distance[k];
+        column[row / n].entry[i * n + row % n] += coefficients[k][static_cast<std::ptrdiff_t>(cell[i] + end.offset[k])];
       }
     }
     if (p >= s.each_) {
       // Couplings of the middle with the back are the back's; what fills the last block is coupled with nothing.
       Block& last = column[s.front_.columns.size() - 1 - p];
-      for (std::size_t row = (s.front_cells_ - 1) % n + 1; row < n; ++row) {
+      for (std::size_t row = (s.front_.cells.size() - 1) % n + 1; row < n; ++row) {
         for (std::size_t i = 0; i < n; ++i) last.entry[i * n + row] = 0;
         if (&last == column) last.entry[row * n + row] = 1;
       }
     }
-    for (const auto [below, above] : s.mirror_) entry[above] = entry[below];
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t row = i + 1; row < n; ++row) column->entry[row * n + i] = column->entry[i * n + row];
+    }
   }
 
   /// U_ip = A_ip - sum_q L_iq U_pq^T over q < last, in place
@@ -98,7 +82,7 @@ struct NinePointCholesky::Kernels {
   /// Puts what the back's elimination leaves into block column t of the middle, turned to the numbering of the front.
   [[gnu::noinline]] static void turn(NinePointCholesky& s, std::size_t t) {
     const Block* const column = s.recent(s.back_, s.each_ + t);
-    const std::size_t cells = s.front_cells_ - s.each_ * n;
+    const std::size_t cells = s.front_.cells.size() - s.each_ * n;
     for (std::size_t e = 0; e < (s.most_reach_ - t) * n * n; ++e) {
       const std::size_t from_end_row = (t + e / (n * n)) * n + e % n;
       const std::size_t from_end_column = t * n + e / n % n;
@@ -108,7 +92,6 @@ struct NinePointCholesky::Kernels {
       const std::size_t in = cells - 1 - from_end_row;
       Block* const to = &s.middle_[in / n * (s.most_reach_ + 2)];
       to[row / n - in / n].entry[in % n * n + row % n] = column->entry[e];
-      if (row / n == in / n) to->entry[row % n * n + in % n] = column->entry[e];
     }
   }
 
@@ -121,42 +104,25 @@ struct NinePointCholesky::Kernels {
   [[gnu::always_inline]] static void backward(const End& end, std::size_t p, Segment* x) {
     const Block* const lower = end.lower.data() + end.columns[p].first;
     dense_block::RowSums sums;
-    sums.assign(end.minus_inverse[p], x[p]);
+    sums.add(end.minus_inverse[p], x[p]);
     for (std::size_t v = 0; v < end.columns[p].reach; ++v) sums.add(lower[v], x[p + 1 + v]);
     sums.negative(x[p]);
   }
 
-  /// The first pivot that was not positive and finite; no end if there is none.
-  struct Failure {
-    const End* end = nullptr;
-    std::size_t number = 0;
-    double pivot = 1;
-  };
-  [[gnu::always_inline]] static bool check(const End& end, std::size_t p, const double (&pivot)[n], Failure& failure) {
-    double smallest = pivot[0];
-    double sum = 0;  // not finite if one is not
-    for (std::size_t k = 0; k < n; ++k) {
-      smallest = pivot[k] < smallest ? pivot[k] : smallest;
-      sum += pivot[k];
-    }
-    if (smallest > 0 && is_good(sum)) return true;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (is_good(pivot[k])) continue;
-      failure = {&end, p * n + k, pivot[k]};
-      return false;
-    }
-    return true;
+  /// Throws NotPositiveDefinite at the first pivot that is not positive and finite.
+  [[gnu::always_inline]] static void check(const End& end, std::size_t p, const double (&pivot)[n]) {
+    const double* const bad = std::find_if_not(pivot, pivot + n, is_good);
+    if (bad == pivot + n) return;
+    throw NotPositiveDefinite(end.cells[p * n + static_cast<std::size_t>(bad - pivot)], *bad);
   }
 
-  static Failure factor(NinePointCholesky& s, const StencilMatrix& a);
+  static void factor(NinePointCholesky& s, const StencilMatrix& a);
   static void substitute(const NinePointCholesky& s);
 };
 
-SEICHE_SIMD_CLONES NinePointCholesky::Kernels::Failure NinePointCholesky::Kernels::factor(NinePointCholesky& s,
-                                                                                          const StencilMatrix& a) {
+SEICHE_SIMD_CLONES void NinePointCholesky::Kernels::factor(NinePointCholesky& s, const StencilMatrix& a) {
   End& front = s.front_;
   End& back = s.back_;
-  Failure failure;
   double pivot[2][n];
   if (s.each_ > 0) {
     load(s, a, front, 0);
@@ -173,7 +139,8 @@ SEICHE_SIMD_CLONES NinePointCholesky::Kernels::Failure NinePointCholesky::Kernel
       load(s, a, back, p + 1);
     }
     dense_block::invert<2>({&front.minus_inverse[p], &back.minus_inverse[p]}, pivot);
-    if (!check(front, p, pivot[0], failure) || !check(back, p, pivot[1], failure)) return failure;
+    check(front, p, pivot[0]);
+    check(back, p, pivot[1]);
     divide(s, front, p);
     divide(s, back, p);
   }
@@ -188,10 +155,9 @@ SEICHE_SIMD_CLONES NinePointCholesky::Kernels::Failure NinePointCholesky::Kernel
     subtract_previous(s, front, p, p);
     front.minus_inverse[p] = *s.recent(front, p);
     dense_block::invert<1>({&front.minus_inverse[p]}, last);
-    if (!check(front, p, last[0], failure)) return failure;
+    check(front, p, last[0]);
     divide(s, front, p);
   }
-  return failure;
 }
 
 SEICHE_SIMD_CLONES void NinePointCholesky::Kernels::substitute(const NinePointCholesky& s) {
@@ -202,9 +168,9 @@ SEICHE_SIMD_CLONES void NinePointCholesky::Kernels::substitute(const NinePointCh
     forward(s.back_, p, back);
   }
   // The cells that the back is coupled with are the last of the middle.
-  double* const last = front->entry + s.front_cells_ - 1;
+  double* const last = front->entry + s.front_.cells.size() - 1;
   double* const shared = back[s.each_].entry;
-  const std::size_t cells = std::min(s.most_reach_ * n, s.front_cells_ - s.each_ * n);
+  const std::size_t cells = std::min(s.most_reach_ * n, s.front_.cells.size() - s.each_ * n);
   for (std::size_t t = 0; t < cells; ++t) *(last - t) += shared[t];
   for (std::size_t p = s.each_; p < s.front_.columns.size(); ++p) forward(s.front_, p, front);
   for (std::size_t p = s.front_.columns.size(); p-- > s.each_;) backward(s.front_, p, front);
@@ -216,86 +182,52 @@ SEICHE_SIMD_CLONES void NinePointCholesky::Kernels::substitute(const NinePointCh
 }
 
 NinePointCholesky::NinePointCholesky(std::size_t columns, std::size_t rows)
-    : columns_(columns),
-      rows_(rows),
-      line_(std::min(columns, rows)),
-      along_(columns <= rows ? 1 : columns),
-      across_(columns <= rows ? columns : 1) {
+    : columns_(columns), rows_(rows), line_(std::min(columns, rows)) {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
   // The middle has to part the two ends: a line and a cell at least.
   const std::size_t middle = line_ + 1;
   each_ = size() > middle ? (size() - middle) / (2 * Block::n) : 0;
-  front_cells_ = size() - each_ * Block::n;
-
-  const auto along = static_cast<std::ptrdiff_t>(along_);
-  const auto across = static_cast<std::ptrdiff_t>(across_);
-  // Along y the neighbour behind, (i + 1, j - 1), is the one that has the coupling.
-  const std::ptrdiff_t behind = along_ == 1 ? 0 : across - along;
-  front_.behind = behind;
-  back_.reversed = true;
-  back_.next = -along;
-  back_.across = -across;
-  back_.ahead = -along - across;
-  back_.behind = behind + along - across;
-  lay_out(front_, front_cells_, (front_cells_ + Block::n - 1) / Block::n);
-  lay_out(back_, size(), each_);
+  // From a cell to the next of its line, and to its neighbour in the next line.
+  const std::size_t along = columns <= rows ? 1 : columns;
+  const std::size_t across = columns <= rows ? columns : 1;
+  // Offsets below zero wrap around. Along y the neighbour behind, (i + 1, j - 1), is the one that has the coupling.
+  const std::size_t behind = along == 1 ? 0 : across - along;
+  front_.offset = {0, 0, behind, 0, 0};
+  back_.offset = {0, -along, behind + along - across, -across, -along - across};
+  for (std::size_t number = 0; number < size(); ++number) {
+    const std::size_t cell = number / line_ * across + number % line_ * along;
+    if (number + each_ * Block::n < size()) front_.cells.push_back(cell);
+    if (number < each_ * Block::n) back_.cells.push_back(size() - 1 - cell);
+  }
+  lay_out(front_, front_.cells.size());
+  lay_out(back_, size());
   ring_ = std::bit_ceil(most_reach_ + 2) - 1;
   for (End* const end : {&front_, &back_}) end->recent.resize((ring_ + 1) * (most_reach_ + 2));
   back_.x.resize(each_ + most_reach_ + 1);
   front_.x.resize(front_.columns.size() + 1);
   middle_.resize((front_.columns.size() - each_) * (most_reach_ + 2));
-
-  const std::array<std::size_t, couplings> distance = {0, 1, line_ - 1, line_, line_ + 1};
-  for (std::size_t k = 0; k < couplings; ++k) {
-    for (std::size_t i = 0; i < Block::n; ++i) {
-      const std::size_t row = i + distance[k];
-      place_[k][i] = row / Block::n * Block::n * Block::n + i * Block::n + row % Block::n;
-      if (row > i && row < Block::n) mirror_.push_back({i * Block::n + row, row * Block::n + i});
-    }
-  }
 }
 
 /// Block columns as far as couplings with `cells` cells reach, also those that arise by elimination.
-void NinePointCholesky::lay_out(End& end, std::size_t cells, std::size_t blocks) {
+void NinePointCholesky::lay_out(End& end, std::size_t cells) {
   std::size_t first = 0;
-  for (std::size_t p = 0; p < blocks; ++p) {
+  for (std::size_t p = 0; p * Block::n < end.cells.size(); ++p) {
     const std::size_t last = std::min((p + 1) * Block::n, cells) - 1;
     const std::size_t coupled = std::min(last + line_ + (last % line_ + 1 < line_ ? 1 : 0), cells - 1);
-    end.columns.push_back(
-        {first, coupled / Block::n - p, static_cast<std::ptrdiff_t>(cell(end, p * Block::n)), p * Block::n % line_});
+    end.columns.push_back({first, coupled / Block::n - p});
     first += end.columns.back().reach;
     most_reach_ = std::max(most_reach_, end.columns.back().reach);
   }
-  end.minus_inverse.resize(blocks);
+  end.minus_inverse.resize(end.columns.size());
   end.lower.resize(first);
-}
-
-std::size_t NinePointCholesky::cell(const End& end, std::size_t number) const {
-  const std::size_t c = number / line_ * across_ + number % line_ * along_;
-  return end.reversed ? size() - 1 - c : c;
 }
 
 void NinePointCholesky::factor(const StencilMatrix& a) {
   require_that(a.columns() == columns_ && a.rows() == rows_ && a.layers() == 1,
                "matrix of a {} x {} x {} lattice; expected {} x {} x 1", a.columns(), a.rows(), a.layers(), columns_,
                rows_);
-  const Kernels::Failure failure = Kernels::factor(*this, a);
-  if (failure.end != nullptr) throw NotPositiveDefinite(cell(*failure.end, failure.number), failure.pivot);
-}
-
-/// action(number, cell) for every cell; those of the back are numbered backwards.
-template <class Action>
-void NinePointCholesky::for_each_cell(const Action& action) const {
-  double* const front = front_.x.data()->entry;
-  double* const back_end = back_.x.data()->entry + size() - 1;
-  std::size_t number = 0;
-  for (std::size_t line = 0; number < size(); ++line) {
-    std::size_t c = line * across_;
-    const std::size_t next = number + line_;
-    for (; number < std::min(next, front_cells_); ++number, c += along_) action(front[number], c);
-    for (; number < next; ++number, c += along_) action(*(back_end - number), c);
-  }
+  Kernels::factor(*this, a);
 }
 
 FactorWork NinePointCholesky::work() const {
@@ -314,11 +246,15 @@ FactorWork NinePointCholesky::work() const {
 void NinePointCholesky::solve(std::span<const double> right_hand_side, std::span<double> x) const {
   std::fill(front_.x.end() - 2, front_.x.end(), Segment{});
   std::fill(back_.x.begin() + static_cast<std::ptrdiff_t>(each_), back_.x.end(), Segment{});
-  const double* const from = right_hand_side.data();
-  double* const to = x.data();
-  for_each_cell([&](double& value, std::size_t c) { value = from[c]; });
+  for (End* const end : {&front_, &back_}) {
+    double* const numbers = end->x.front().entry;
+    for (std::size_t k = 0; k < end->cells.size(); ++k) numbers[k] = right_hand_side[end->cells[k]];
+  }
   Kernels::substitute(*this);
-  for_each_cell([&](double& value, std::size_t c) { to[c] = value; });
+  for (const End* const end : {&front_, &back_}) {
+    const double* const numbers = end->x.front().entry;
+    for (std::size_t k = 0; k < end->cells.size(); ++k) x[end->cells[k]] = numbers[k];
+  }
 }
 
 }  // namespace seiche::linear

@@ -46,20 +46,16 @@ class NinePointCholesky {
  private:
   using Block = dense_block::Block;
   using Segment = dense_block::Segment;
-  static constexpr std::size_t couplings = 5;
   /// Its blocks below the pivot are L_ij, i = j + 1, ..., j + reach, from `first` on.
   struct BlockColumn {
-    std::size_t first;
-    std::size_t reach;
-    std::ptrdiff_t cell;  // its first cell, and the place of that in its line
-    std::size_t in_line;
+    std::size_t first, reach;
   };
 
-  /// Elimination from one end of the numbering. A coefficient that couples cell c with a later cell is found at c plus
-  /// its offset.
+  /// Elimination from one end of the numbering. Coefficients of a cell with itself, the next of its line, and the one
+  /// behind, beside and ahead in the next line are found at the cell plus an offset.
   struct End {
-    bool reversed = false;
-    std::ptrdiff_t next = 0, behind = 0, across = 0, ahead = 0;
+    std::vector<std::size_t> cells;  // by their number
+    std::array<std::size_t, 5> offset{};
     std::vector<BlockColumn> columns;
     std::vector<Block> minus_inverse;  // -D^-1
     std::vector<Block> lower;
@@ -68,26 +64,17 @@ class NinePointCholesky {
   };
   struct Kernels;
 
-  void lay_out(End& end, std::size_t cells, std::size_t blocks);
+  void lay_out(End& end, std::size_t cells);
   [[nodiscard]] Block* recent(End& end, std::size_t column) const {
     return &end.recent[(column & ring_) * (most_reach_ + 2)];
   }
-  [[nodiscard]] std::size_t cell(const End& end, std::size_t number) const;
-  template <class Action>
-  void for_each_cell(const Action& action) const;
 
-  std::size_t columns_;
-  std::size_t rows_;
-  std::size_t line_;            // cells of a line
-  std::size_t along_, across_;  // from a cell to the next of its line, and of its neighbour line
+  std::size_t columns_, rows_;
+  std::size_t line_;  // cells of a line
   std::size_t most_reach_ = 0;
-  std::size_t ring_ = 0;         // columns of `recent`, a power of two, less one
-  std::size_t each_ = 0;         // block columns eliminated from each end before the middle
-  std::size_t front_cells_ = 0;  // with those of the middle, which is eliminated from the front
-  std::array<std::array<std::size_t, Block::n>, couplings>
-      place_{};                                     // of the coefficients of each cell of a block column
-  std::vector<std::array<std::size_t, 2>> mirror_;  // places in a pivot and across its diagonal
-  mutable End front_, back_;
+  std::size_t ring_ = 0;       // columns of `recent`, a power of two, less one
+  std::size_t each_ = 0;       // block columns eliminated from each end before the middle
+  mutable End front_, back_;   // the front with the middle
   std::vector<Block> middle_;  // what the back adds to the block columns of the middle
 };
 

@@ -125,9 +125,6 @@ void require_lower(const Eigen::SparseMatrix<double>& pattern) {
 
 }  // namespace
 
-SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern)
-    : SparseCholesky(pattern, std::span<const int>{}) {}
-
 SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering) {
   require_lower(pattern);
   require_that(ordering.empty() || ordering.size() == static_cast<std::size_t>(pattern.cols()),

@@ -27,11 +27,10 @@ struct FactorWork {
 
 class SparseCholesky {
  public:
-  /// @param pattern  lower triangle with its diagonal, compressed; its values do not matter. Throws
-  ///                 std::invalid_argument.
-  explicit SparseCholesky(const Eigen::SparseMatrix<double>& pattern);
+  /// @param pattern   lower triangle with its diagonal, compressed; its values do not matter. Throws
+  ///                  std::invalid_argument.
   /// @param ordering  the elimination order of a pattern that was nearly the same: spares finding one
-  SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering);
+  explicit SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering = {});
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;

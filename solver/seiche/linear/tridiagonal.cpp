@@ -24,14 +24,6 @@ void require_shape(TridiagonalMatrix a, std::size_t least_rows, std::size_t coup
                couplings);
 }
 
-/// Inverse pivots are stored, so that failure is looked for only after the elimination.
-void require_positive_pivots(const std::vector<double>& inverse_pivot) {
-  const auto bad = std::find_if_not(inverse_pivot.begin(), inverse_pivot.end(), [](double r) { return r > 0; });
-  if (bad != inverse_pivot.end()) {
-    throw NotPositiveDefinite(static_cast<std::size_t>(bad - inverse_pivot.begin()), 1 / *bad);
-  }
-}
-
 }  // namespace
 
 void TwoEndedTridiagonal::factor(TridiagonalMatrix a) {
@@ -65,8 +57,10 @@ void TwoEndedTridiagonal::factor(TridiagonalMatrix a) {
   if (middle > 0) join(middle - 1, top);
   if (middle + 1 < n) join(middle, bottom);
   pivot[middle] = 1 / rest;
-  if (!std::all_of(inverse_pivot_.begin(), inverse_pivot_.end(), [](double r) { return r > 0; })) {
-    require_positive_pivots(inverse_pivot_);
+  // Inverse pivots are stored, so that failure is looked for only now.
+  const auto bad = std::find_if_not(inverse_pivot_.begin(), inverse_pivot_.end(), [](double r) { return r > 0; });
+  if (bad != inverse_pivot_.end()) {
+    throw NotPositiveDefinite(static_cast<std::size_t>(bad - inverse_pivot_.begin()), 1 / *bad);
   }
 }
 

@@ -19,8 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/step_parts.hpp"
@@ -96,10 +97,10 @@ class ConservativeStep {
     }
     total_sweeps_ += sweeps_;
     if (settings_.fixed_sweeps == 0 && sweeps_ == most && change.largest_change > noise(change)) {
-      std::ostringstream message;
-      message << "implicit step not converged in " << most << " sweeps: velocity changes by "
-              << change.largest_change / change.largest_rate << " of its largest; take a shorter step";
-      throw Divergence(message.str(), state.time, state.steps, 0);
+      throw Divergence(fmt::format("implicit step not converged in {} sweeps: velocity changes by {:g} of its largest; "
+                                   "take a shorter step",
+                                   most, change.largest_change / change.largest_rate),
+                       state.time, state.steps, 0);
     }
   }
 

@@ -84,17 +84,6 @@ double LatticeInterpolant::value(std::span<const double> values, const LatticePl
   return std::clamp(sum, least, most);
 }
 
-Point LatticeInterpolant::point(const LatticePlace& at) const {
-  const Stencil nodes = stencil(at);
-  Point place;
-  nodes.each(shape_.columns + 1, [&](std::size_t k, std::size_t a, std::size_t b) {
-    const double weight = nodes.along_i.weight[a] * nodes.along_j.weight[b];
-    place.x += weight * x_[k];
-    place.y += weight * y_[k];
-  });
-  return place;
-}
-
 /// Newton's steps on one stencil's polynomials at a time. False where they lead away.
 bool LatticeInterpolant::refine(Point place, LatticePlace& at) const {
   const auto columns = static_cast<double>(shape_.columns);

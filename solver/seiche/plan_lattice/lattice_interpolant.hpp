@@ -99,8 +99,6 @@ class LatticeInterpolant {
     at.cubic = false;
     return value(values, at);
   }
-  /// The place itself.
-  [[nodiscard]] Point point(const LatticePlace& at) const;
 
  private:
   struct Stencil;

@@ -130,6 +130,9 @@ struct BoundNode {
 std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<const double> x,
                                    std::span<const double> y, bool shores = false);
 
+/// Nodes of the south, east, north and west side in the order of a walk around the lattice with the water on the left.
+std::array<std::vector<std::size_t>, 4> nodes_around(Shape shape);
+
 /// Edges of shorelines, with the water on the left.
 std::vector<std::array<std::size_t, 2>> shore_edges(Shape shape, const Sides& sides);
 

@@ -6,6 +6,8 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/plan_lattice/lattice_interpolant.hpp"
 #include "seiche/samples.hpp"
 
@@ -45,6 +47,16 @@ Point RowCurve::meet(std::size_t node, Point from, Point to) const {
   const Point beside = at(here);
   const Point line = to - from;
   return from + dot(line, beside - from) / dot(line, line) * line;
+}
+
+void require_convex(const Shape& shape, std::span<const double> x, std::span<const double> y) {
+  using namespace bilinear_patch;
+  for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
+    const auto corners = shape.corners(cell);
+    if (smallest(jacobians(at_corners(x, corners), at_corners(y, corners))) > 0) continue;
+    const Point corner{x[corners[0]], y[corners[0]]};
+    throw mechanics::Infeasible(corner.x, "cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y);
+  }
 }
 
 double farthest(const Shape& shape, std::span<const double> q, const RezonedPlaces& places) {

@@ -113,6 +113,9 @@ class RowCurve {
   std::span<const double> x_, y_;
 };
 
+/// Throws mechanics::Infeasible for a cell that is not convex.
+void require_convex(const Shape& shape, std::span<const double> x, std::span<const double> y);
+
 struct RezonedPlaces {
   std::vector<double> x, y;
 

@@ -38,11 +38,6 @@ double surely_stable_step(const Model& model) {
   return fastest > 0 ? 2 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
-void require_movable(const Window& window, const Model& model) {
-  require_that(!window.reach || !model.has_shoreline(), "a moving window with a shoreline; allowed: one of them");
-  require_that(!window.reach || !model.absorbs(), "a moving window with absorption; allowed: one of them");
-}
-
 constexpr double above = DispersiveSurface::above;
 constexpr double below = DispersiveSurface::below;
 
@@ -54,7 +49,8 @@ Flow::Flow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Sett
            Window window, bool smooth_start)
     : LatticeFlow(scheme, window) {
   auto model = std::make_unique<Model>(std::move(lattice), settings, std::move(forcing));
-  require_movable(window, *model);
+  require_that(!window.reach || !model->has_shoreline(), "a moving window with a shoreline; allowed: one of them");
+  require_that(!window.reach || !model->absorbs(), "a moving window with absorption; allowed: one of them");
   begin_between(model->lattice().sides, model->shape(), std::move(model), model->state(velocity),
                 surely_stable_step(*model), smooth_start && !model->has_driven_sides());
 }

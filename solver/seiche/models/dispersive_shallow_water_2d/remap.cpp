@@ -26,15 +26,9 @@ Corners jacobians(const Quadrilateral& at) {
 
 /// Throws mechanics::Infeasible for a cell that is not convex.
 Lattice moved(Lattice lattice, std::vector<double> x, std::vector<double> y) {
+  plan_lattice::require_convex(lattice.shape, x, y);
   lattice.x = std::move(x);
   lattice.y = std::move(y);
-  for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
-    const auto corners = lattice.shape.corners(cell);
-    const auto at = [&](std::span<const double> values) { return bilinear_patch::at_corners(values, corners); };
-    if (smallest(bilinear_patch::jacobians(at(lattice.x), at(lattice.y))) > 0) continue;
-    const Point corner{lattice.x[corners[0]], lattice.y[corners[0]]};
-    throw mechanics::Infeasible(corner.x, "cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y);
-  }
   return lattice;
 }
 
@@ -54,7 +48,7 @@ class Remap {
         n_(shape_.nodes()),
         q_(q),
         u_(u),
-        now_{.lattice = moved(model.lattice(), std::move(x), std::move(y)), .u = {}, .v = {}, .w = {}},
+        now_{.lattice = moved(model.lattice(), std::move(x), std::move(y)), .velocity = {}},
         swept_(shape_, q.first(n_), q.subspan(n_, n_), now_.lattice.x, now_.lattice.y, shares_of(now_.lattice)),
         quadrilateral_({1, 1}, model.lattice().bottom) {
     for (std::size_t k = 0; k < n_; ++k) {
@@ -101,9 +95,7 @@ class Remap {
       const LatticePlace& at = swept_.place(k);
       bed_.push_back(bottom(swept_.new_point(k)));
       now_.lattice.z[k] = bed_[k] + (on_shore(k) ? 0.0 : old_depth(swept_.new_point(k), at));
-      now_.u.push_back(old_value(0, at));
-      now_.v.push_back(old_value(1, at));
-      now_.w.push_back(old_value(2, at));
+      now_.velocity.push_back({old_value(0, at), old_value(1, at), old_value(2, at)});
     }
   }
 
@@ -280,10 +272,12 @@ class Remap {
   void level_momentum() {
     std::vector<double> after;
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) after.push_back(new_level(cell) - under_[cell]);
-    const auto change = swept_.lacking(after, momentum_, [&](std::size_t k) { return Point{now_.u[k], now_.v[k]}; });
+    const auto change = swept_.lacking(after, momentum_, [&](std::size_t k) {
+      return Point{now_.velocity[k].u, now_.velocity[k].v};
+    });
     for (std::size_t k = 0; k < n_; ++k) {
-      now_.u[k] += change[k].x;
-      now_.v[k] += change[k].y;
+      now_.velocity[k].u += change[k].x;
+      now_.velocity[k].v += change[k].y;
     }
   }
 

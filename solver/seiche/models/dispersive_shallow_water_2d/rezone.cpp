@@ -52,16 +52,15 @@ ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
 ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
   const std::size_t n = shape_.nodes();
   const std::size_t count = shape_.columns + 1;
-  Places places;
+  Places places{.x = std::vector<double>(n), .y = std::vector<double>(n)};
   for (std::size_t j = 0; j < shape_.rows; ++j) {
     const plan_lattice::RowCurve row(q.subspan(j * count, count), q.subspan(n + j * count, count));
     std::vector<double> away;
     for (std::size_t i = 0; i < count; ++i) {
       const bool end = i == 0 || i == shape_.columns;
-      const Point place = end ? row.at(static_cast<double>(i)) : row.meet(i, first_[i], outer(i));
-      places.x.push_back(place.x);
-      places.y.push_back(place.y);
-      away.push_back(dot(place - first_[shape_.node(i, j)], line_[i]));
+      const std::size_t k = shape_.node(i, j);
+      places.put(k, end ? row.at(static_cast<double>(i)) : row.meet(i, first_[i], outer(i)));
+      away.push_back(dot(places[k] - first_[k], line_[i]));
     }
     const std::vector<double> rough = pattern(away);
     for (std::size_t i = 0; i < count; ++i) {
@@ -69,10 +68,7 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
       places.put(k, places[k] - rough[i] * line_[i]);
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    places.x.push_back(outer(i).x);
-    places.y.push_back(outer(i).y);
-  }
+  for (std::size_t i = 0; i < count; ++i) places.put(shape_.node(i, shape_.rows), outer(i));
   if (settings_.edge_slope > 0) draw_back_films(q, volumes, places);
   if (settings_.shore_slope > 0) cut_tongues(places);
   keep_widths(places);
@@ -220,10 +216,8 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   const Model& model = flow_->model();
   const mechanics::State& state = flow_->state();
   Remapped now = remap(model, state.q, state.u, places.x, places.y);
-  std::vector<Velocity> velocity;
-  for (std::size_t k = 0; k < model.nodes(); ++k) velocity.push_back({now.u[k], now.v[k], now.w[k]});
-  auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(velocity), scheme_, model.settings(), Forcing{},
-                                     Window{}, false);
+  auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(now.velocity), scheme_, model.settings(),
+                                     Forcing{}, Window{}, false);
   flow->continue_breaking(*flow_);
   // Of both lattices the potential counts from the first one's shoreline: its ways do not meet the bottom's moment.
   const mechanics::State& next = flow->state();

@@ -74,7 +74,7 @@ namespace seiche::dispersive_shallow_water_2d {
 /// A lattice and what its nodes carry.
 struct Remapped {
   Lattice lattice;
-  std::vector<double> u, v, w;
+  std::vector<Velocity> velocity;
   double displaced = 0;  ///< water elsewhere than it was swept [m^3]
 };
 

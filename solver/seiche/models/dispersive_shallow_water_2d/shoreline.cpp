@@ -26,12 +26,10 @@ Shoreline::Shoreline(plan_lattice::Shape shape, const plan_lattice::Sides& sides
                      std::shared_ptr<const PlanBottom> bottom, Input q)
     : nodes_(shape.nodes()), bottom_(std::move(bottom)), marks_(shape.nodes(), 0) {
   for (const auto& nodes : plan_lattice::shore_edges(shape, sides)) {
-    const std::size_t column =
-        std::min({nodes[0] % (shape.columns + 1), nodes[1] % (shape.columns + 1), shape.columns - 1});
-    const std::size_t row = std::min({nodes[0] / (shape.columns + 1), nodes[1] / (shape.columns + 1), shape.rows - 1});
-    Edge edge{.nodes = nodes, .cell = row * shape.columns + column, .first = {}};
-    edge.first = ends(edge, q);
-    edges_.push_back(edge);
+    const std::size_t first = std::min(nodes[0], nodes[1]);
+    const std::size_t column = std::min(first % (shape.columns + 1), shape.columns - 1);
+    const std::size_t row = std::min(first / (shape.columns + 1), shape.rows - 1);
+    edges_.push_back({.nodes = nodes, .cell = row * shape.columns + column, .first = ends(nodes, q)});
     for (const std::size_t k : nodes) marks_[k] = 1;
   }
   for (std::size_t k = 0; k < nodes_; ++k) {
@@ -59,8 +57,8 @@ void Shoreline::tilt_between(Input q0, Input q1, Normals& normals) const {
   }
 }
 
-Shoreline::Ends Shoreline::ends(const Edge& edge, Input q) const {
-  const auto [p, r] = edge.nodes;
+Shoreline::Ends Shoreline::ends(const std::array<std::size_t, 2>& nodes, Input q) const {
+  const auto [p, r] = nodes;
   return {Point{q[p], q[nodes_ + p]}, Point{q[r], q[nodes_ + r]}};
 }
 
@@ -121,7 +119,7 @@ Shoreline::Moment Shoreline::moment_between(const Edge& edge, const Ends& from, 
 double Shoreline::bottom_moment(Input q, std::span<const char> counted) const {
   double sum = 0;
   for (const Edge& edge : edges_) {
-    if (counted.empty() || counted[edge.cell] != 0) sum += moment(edge, ends(edge, q)).value;
+    if (counted.empty() || counted[edge.cell] != 0) sum += moment(edge, ends(edge.nodes, q)).value;
   }
   return sum;
 }
@@ -129,8 +127,8 @@ double Shoreline::bottom_moment(Input q, std::span<const char> counted) const {
 /// Pi = -g bottom_moment, so that the force is g times its gradient.
 void Shoreline::push(Input q0, Input q1, double gravity, Output forces) const {
   for (const Edge& edge : edges_) {
-    const Ends from = ends(edge, q0);
-    const Moment there = q0.data() == q1.data() ? moment(edge, from) : moment_between(edge, from, ends(edge, q1));
+    const Ends from = ends(edge.nodes, q0);
+    const Moment there = q0.data() == q1.data() ? moment(edge, from) : moment_between(edge, from, ends(edge.nodes, q1));
     for (std::size_t k = 0; k < 2; ++k) {
       forces[edge.nodes[k]] += gravity * there.gradient[k].x;
       forces[nodes_ + edge.nodes[k]] += gravity * there.gradient[k].y;

@@ -66,7 +66,7 @@ class Shoreline {
     Ends gradient{};
   };
 
-  [[nodiscard]] Ends ends(const Edge& edge, Input q) const;
+  [[nodiscard]] Ends ends(const std::array<std::size_t, 2>& nodes, Input q) const;
   [[nodiscard]] Moment moment(const Edge& edge, const Ends& at) const;
   [[nodiscard]] Moment moment_between(const Edge& edge, const Ends& from, const Ends& to) const;
 

@@ -39,39 +39,28 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
   rezone_where_due();
-  Walls walls = walls_now();
+  const double before = time();
+  std::vector<double> y_before(y().begin(), y().end());
   step(tau);
-  walls_ = std::move(walls);
-}
-
-Flow::Walls Flow::walls_now() const {
-  Walls walls{.time = state_.time, .y = {}};
-  const Mesh& mesh = model_->mesh();
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t j = 0; j <= mesh.rows; ++j) {
-      walls.y[side].push_back(y()[mesh.node(side == 0 ? 0 : mesh.columns, j)]);
-    }
-  }
-  return walls;
+  time_before_ = before;
+  y_before_ = std::move(y_before);
 }
 
 WallLoad Flow::wall_load(WallSide side) const {
   const Mesh& mesh = model_->mesh();
-  if (!knows_loads()) {
-    throw std::logic_error("the load of a wall is known after two steps");
-  }
+  if (!knows_loads()) throw std::logic_error("the load of a wall is known after two steps");
   const double weight = model_->settings().density * model_->settings().gravity;
-  const std::vector<double>& y = walls_.y[side == WallSide::left ? 0 : 1];
   const std::size_t column = side == WallSide::left ? 0 : mesh.columns - 1;
-  WallLoad load{.time = walls_.time, .contact = y[mesh.rows], .y = {}, .pressure = {}, .force = 0};
+  const auto y = [&](std::size_t row) { return y_before_[mesh.node(side == WallSide::left ? 0 : mesh.columns, row)]; };
+  WallLoad load{.time = time_before_, .contact = y(mesh.rows), .y = {}, .pressure = {}, .force = 0};
   for (std::size_t j = 0; j < mesh.rows; ++j) {
     const std::size_t cell = j * mesh.columns + column;
     const double dynamic = 0.5 * (state_.multipliers[cell] + state_.earlier_multipliers[cell]);
-    const double middle = 0.5 * (y[j] + y[j + 1]);
+    const double middle = 0.5 * (y(j) + y(j + 1));
     load.y.push_back(middle);
     load.pressure.push_back(dynamic - weight * middle);
     // Hydrostatic pressure is linear in y: its integral over a cell is exact.
-    load.force += (dynamic - weight * middle) * (y[j + 1] - y[j]);
+    load.force += (dynamic - weight * middle) * (y(j + 1) - y(j));
   }
   return load;
 }

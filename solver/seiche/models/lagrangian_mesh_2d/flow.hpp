@@ -10,7 +10,6 @@
 /// with time, step and place, when a cell folds, a node leaves its curve, a solver fails or a value is not finite.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -79,22 +78,18 @@ class Flow : public lattice::Flow<Model> {
   [[nodiscard]] bool knows_loads() const { return !state_.multipliers.empty() && !state_.earlier_multipliers.empty(); }
 
  private:
-  struct Walls {
-    double time = 0;
-    std::array<std::vector<double>, 2> y;  // of the nodes, left and right
-  };
-
   [[nodiscard]] std::span<const double> top(std::span<const double> values) const {
     return values.last(model_->mesh().columns + 1);
   }
-  [[nodiscard]] Walls walls_now() const;
   void rezone(const UprightColumns::Places& places);
   void rezone_where_due();
 
   std::unique_ptr<const UprightColumns> upright_;  // or none
   double drift_ = 0;
   Rezoning rezoning_;
-  Walls walls_;  // before the last step
+  // Before the last step.
+  double time_before_ = 0;
+  std::vector<double> y_before_;
 };
 
 }  // namespace seiche::lagrangian_mesh_2d

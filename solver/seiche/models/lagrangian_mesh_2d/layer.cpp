@@ -76,13 +76,6 @@ void fill_columns(Mesh& mesh, const std::vector<double>& x, const std::function<
   }
 }
 
-void require_layer(const Layer& layer) {
-  require_finite("begin", layer.begin);
-  require_finite("end", layer.end);
-  require_positive("end - begin", layer.end - layer.begin);
-  require_positive("depth", layer.depth);
-}
-
 /// Puts the bottom and the slope on one curve, along which the toe slides too.
 void round_toe(Mesh& mesh, Point toe, double tan_slope, double rounding) {
   const auto curve = std::make_shared<BentLine>(toe, Point{1, 0}, Point{1, tan_slope}, rounding);
@@ -111,7 +104,10 @@ Mesh free_patch(std::size_t columns, std::size_t rows, Point lower_left, Point u
 }
 
 Mesh layer_mesh(const Layer& layer) {
-  require_layer(layer);
+  require_finite("begin", layer.begin);
+  require_finite("end", layer.end);
+  require_positive("end - begin", layer.end - layer.begin);
+  require_positive("depth", layer.depth);
   Mesh mesh = empty_mesh(layer.columns, layer.rows);
   const std::vector<double> x = equal_columns(layer);
   fill_columns(

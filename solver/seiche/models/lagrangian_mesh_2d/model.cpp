@@ -31,9 +31,9 @@ std::vector<double> areas_of(const Mesh& mesh) {
   return areas;
 }
 
-/// Speed along the curve of the velocity (u, v) = d s'.
-double speed_along(Point direction, double u, double v) {
-  return dot(direction, {u, v}) / dot(direction, direction);
+/// Speed along the curve of the velocity d s'.
+double speed_along(Point direction, Point velocity) {
+  return dot(direction, velocity) / dot(direction, direction);
 }
 
 double mean_area(const Mesh& mesh) {
@@ -96,16 +96,11 @@ mechanics::State Model::state(const InitialVelocity& velocity, double time) cons
     state.u[n_ + k] = nodes_.wy()[k] > 0 ? given[k].y : 0.0;
   }
   for (const Slide& slide : nodes_.slides()) {
-    const Point node{mesh_.x[slide.node], mesh_.y[slide.node]};
-    const double s = slide.curve->arc_length_at(node);
+    const double s = slide.curve->arc_length_at(nodes_.label(slide.node));
     const Point tangent = slide.curve->tangent(s);
-    const double speed = dot(tangent, given[slide.node]);
-    state.u[slide.node] = speed * tangent.x;
-    state.u[n_ + slide.node] = speed * tangent.y;
+    put_point(dot(tangent, given[slide.node]) * tangent, state.u, n_, slide.node);
     // On the curve to the last bit, where it will be put after every step.
-    const Point position = slide.curve->position(s);
-    state.q[slide.node] = position.x;
-    state.q[n_ + slide.node] = position.y;
+    put_point(slide.curve->position(s), state.q, n_, slide.node);
     state.q.push_back(s);
   }
   settle({time, 0}, state.q, state.u);
@@ -116,10 +111,7 @@ Input Model::with_driven(Input q) {
   if (nodes_.driven().empty()) return q;
   patched_.assign(q.begin(), q.end());
   for (const Driven& node : nodes_.driven()) {
-    const Point begin = nodes_.driven_place(node, when_.begin);
-    const Point end = nodes_.driven_place(node, when_.end());
-    patched_[node.node] = 0.5 * (begin.x + end.x);
-    if (node.path != nullptr) patched_[n_ + node.node] = 0.5 * (begin.y + end.y);
+    node.put(0.5 * (node.place(when_.begin) + node.place(when_.end())), patched_, n_);
   }
   return patched_;
 }
@@ -159,8 +151,7 @@ void Model::turn_slides(Input q0, Input q1) {
     if (slide.contact_sign == 0) continue;
     const double along =
         -slide.contact_sign * settings_.density * settings_.gravity * slide.curve->mean_moment_rate(s0, s1) / dot(d, d);
-    push_[k] += along * d.x;
-    push_[n_ + k] += along * d.y;
+    add_point(along * d, push_, n_, k);
   }
 }
 
@@ -190,44 +181,29 @@ void Model::advance_along(Input from, Input u, double h, Output to, bool by_tang
     const Slide& slide = nodes_.slides()[i];
     const double s = from[2 * n_ + i];
     const Point way = by_tangents ? slide.curve->tangent(s) : slide.direction;
-    to[2 * n_ + i] = s + h * speed_along(way, u[slide.node], u[n_ + slide.node]);
-    const Point position = slide.curve->position(to[2 * n_ + i]);
-    to[slide.node] = position.x;
-    to[n_ + slide.node] = position.y;
+    to[2 * n_ + i] = s + h * speed_along(way, point_at(u, n_, slide.node));
+    put_point(slide.curve->position(to[2 * n_ + i]), to, n_, slide.node);
   }
 }
 
 void Model::enter(Input q, Output u) const {
   for (std::size_t i = 0; i < nodes_.slides().size(); ++i) {
     const Slide& slide = nodes_.slides()[i];
-    const double speed = dot(slide.curve->tangent(q[2 * n_ + i]), {u[slide.node], u[n_ + slide.node]});
-    u[slide.node] = speed * slide.direction.x;
-    u[n_ + slide.node] = speed * slide.direction.y;
+    const double speed = dot(slide.curve->tangent(q[2 * n_ + i]), point_at(u, n_, slide.node));
+    put_point(speed * slide.direction, u, n_, slide.node);
   }
-  for (const Driven& node : nodes_.driven()) {
-    const Point rate = nodes_.driven_rate(node, when_);
-    u[node.node] = rate.x;
-    if (node.path != nullptr) u[n_ + node.node] = rate.y;
-  }
+  for (const Driven& node : nodes_.driven()) node.put(node.rate(when_), u, n_);
 }
 
 void Model::settle(Interval when, Output q, Output u) const {
   for (std::size_t i = 0; i < nodes_.slides().size(); ++i) {
     const Slide& slide = nodes_.slides()[i];
-    const double speed = speed_along(slide.direction, u[slide.node], u[n_ + slide.node]);
-    const Point tangent = slide.curve->tangent(q[2 * n_ + i]);
-    u[slide.node] = speed * tangent.x;
-    u[n_ + slide.node] = speed * tangent.y;
+    const double speed = speed_along(slide.direction, point_at(u, n_, slide.node));
+    put_point(speed * slide.curve->tangent(q[2 * n_ + i]), u, n_, slide.node);
   }
   for (const Driven& node : nodes_.driven()) {
-    const Point place = nodes_.driven_place(node, when.end());
-    const Point velocity = nodes_.driven_velocity(node, when.end());
-    q[node.node] = place.x;
-    u[node.node] = velocity.x;
-    if (node.path != nullptr) {
-      q[n_ + node.node] = place.y;
-      u[n_ + node.node] = velocity.y;
-    }
+    node.put(node.place(when.end()), q, n_);
+    node.put(node.velocity(when.end()), u, n_);
   }
 }
 
@@ -248,13 +224,11 @@ void Model::curvature(Input u, Input v, Output b) const {
     b[cell] = bilinear(mesh_.corners(cell), u.data(), u.data() + n_, v.data(), v.data() + n_);
   }
   for (const Slide& slide : nodes_.slides()) {
-    const auto speed = [&](Input rates) {
-      return slide.direction.x * rates[slide.node] + slide.direction.y * rates[n_ + slide.node];
-    };
+    const auto speed = [&](Input rates) { return dot(slide.direction, point_at(rates, n_, slide.node)); };
     const double product = speed(u) * speed(v);
     const Around cells = cells_around(slide.node);
     for (std::size_t a = 0; a < cells.count; ++a) {
-      b[cells.cell[a]] += product * (cells.gradient[a][0] * slide.bend.x + cells.gradient[a][1] * slide.bend.y);
+      b[cells.cell[a]] += product * dot({cells.gradient[a][0], cells.gradient[a][1]}, slide.bend);
     }
   }
 }

@@ -34,7 +34,7 @@ bool level_at(const Wall& wall, Point place) {
 }  // namespace
 
 Nodes::Nodes(const Mesh& mesh, std::span<const double> areas, double density, bool tuned_surface_inertia)
-    : sides_(std::make_shared<const Sides>(mesh.sides)), label_x_(mesh.x), label_y_(mesh.y), mass_(mesh.nodes(), 0.0) {
+    : sides_(std::make_shared<const Sides>(mesh.sides)), mass_(mesh.nodes(), 0.0) {
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     for (const std::size_t node : mesh.corners(cell)) mass_[node] += 0.25 * density * areas[cell];
   }
@@ -48,17 +48,18 @@ Nodes::Nodes(const Mesh& mesh, std::span<const double> areas, double density, bo
     }
   }
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    labels_.push_back({mesh.x[k], mesh.y[k]});
     wx_.push_back(1 / mass_[k]);
     wy_.push_back(1 / inertia_y_[k]);
   }
   const Sides& sides = *sides_;
   for (std::size_t i = 1; i < mesh.columns; ++i) {
-    hold(mesh, mesh.node(i, 0), {&sides.bottom});
-    hold(mesh, mesh.node(i, mesh.rows), {&sides.top});
+    hold(mesh.node(i, 0), {&sides.bottom});
+    hold(mesh.node(i, mesh.rows), {&sides.top});
   }
   for (std::size_t j = 1; j < mesh.rows; ++j) {
-    hold(mesh, mesh.node(0, j), {&sides.left});
-    hold(mesh, mesh.node(mesh.columns, j), {&sides.right});
+    hold(mesh.node(0, j), {&sides.left});
+    hold(mesh.node(mesh.columns, j), {&sides.right});
   }
   for (const std::size_t i : {std::size_t{0}, mesh.columns}) {
     for (const std::size_t j : {std::size_t{0}, mesh.rows}) hold_corner(mesh, i, j);
@@ -74,14 +75,15 @@ void Nodes::hold_corner(const Mesh& mesh, std::size_t i, std::size_t j) {
   require_that(!contact || !level(*wall),
                "the free side ends at a level wall, at ({:g}, {:g}); allowed: walls with a slope", mesh.x[node],
                mesh.y[node]);
-  hold(mesh, node, {&beside, &across});
+  hold(node, {&beside, &across});
   if (contact && !slides_.empty() && slides_.back().node == node) {
     // Pi = ... + W at the left end of the surface, - W at its right end; reversed at a free bottom.
     slides_.back().contact_sign = (i == 0) == (j != 0) ? 1 : -1;
   }
 }
 
-void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Side*>& sides) {
+void Nodes::hold(std::size_t node, const std::vector<const Side*>& sides) {
+  const Point first = label(node);
   const MovingWall* moving = nullptr;
   const PrescribedSide* path = nullptr;
   std::vector<const Wall*> walls;
@@ -92,14 +94,26 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
   }
   if (path != nullptr) {
     wx_[node] = wy_[node] = 0;
-    driven_.push_back({node, nullptr, path});
+    driven_.push_back({.node = node,
+                       .both = true,
+                       .place = [path, first](double time) { return path->position(first, time); },
+                       .velocity = [path, first](double time) { return path->velocity(first, time); }});
   } else if (moving != nullptr) {
-    require_that(walls.empty() || level_at(*walls.front(), label(node)),
-                 "a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there",
-                 mesh.x[node], mesh.y[node]);
+    require_that(walls.empty() || level_at(*walls.front(), first),
+                 "a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there", first.x,
+                 first.y);
     wx_[node] = 0;
     if (!walls.empty()) wy_[node] = 0;
-    driven_.push_back({node, moving, nullptr});
+    driven_.push_back({.node = node,
+                       .both = false,
+                       .place =
+                           [moving, first](double time) {
+                             return Point{moving->place(time), first.y};
+                           },
+                       .velocity =
+                           [moving](double time) {
+                             return Point{moving->velocity(time), 0};
+                           }});
   } else if (walls.size() == 2 && !joined(*sides[0], *sides[1])) {
     wx_[node] = wy_[node] = 0;
   } else if (!walls.empty()) {
@@ -110,55 +124,34 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
     } else {
       const Curve& curve = *walls.front()->curve;
       wx_[node] = wy_[node] = 0;
-      slides_.push_back({.node = node, .curve = &curve, .direction = curve.tangent(curve.arc_length_at(label(node)))});
+      slides_.push_back({.node = node, .curve = &curve, .direction = curve.tangent(curve.arc_length_at(first))});
     }
   }
 }
 
-Point Nodes::driven_place(const Driven& node, double time) const {
-  if (node.path != nullptr) return node.path->position(label(node.node), time);
-  return {node.wall->place(time), label(node.node).y};
+Point Driven::rate(mechanics::Interval when) const {
+  if (when.length == 0) return velocity(when.begin);
+  const Point way = place(when.end()) - place(when.begin);
+  return {way.x / when.length, way.y / when.length};
 }
 
-Point Nodes::driven_velocity(const Driven& node, double time) const {
-  if (node.path != nullptr) return node.path->velocity(label(node.node), time);
-  return {node.wall->velocity(time), 0};
+void Driven::put(Point value, Output values, std::size_t nodes) const {
+  values[node] = value.x;
+  if (both) values[nodes + node] = value.y;
 }
-
-Point Nodes::driven_rate(const Driven& node, mechanics::Interval when) const {
-  if (when.length == 0) return driven_velocity(node, when.begin);
-  const Point begin = driven_place(node, when.begin);
-  const Point end = driven_place(node, when.end());
-  return {(end.x - begin.x) / when.length, (end.y - begin.y) / when.length};
-}
-
-namespace {
-
-/// Of nodes at q = (x, y, ...).
-Point at(Input q, std::size_t nodes, std::size_t k) {
-  return {q[k], q[nodes + k]};
-}
-
-void add(Output push, std::size_t nodes, std::size_t k, Point force) {
-  push[k] += force.x;
-  push[nodes + k] += force.y;
-}
-
-}  // namespace
 
 FreeEdges::FreeEdges(const Mesh& mesh) : n_(mesh.nodes()) {
   const auto free = [](const Side& side) { return std::holds_alternative<FreeSide>(side); };
   const bool top_only = !free(mesh.sides.left) && !free(mesh.sides.right) && !free(mesh.sides.bottom);
   first_node_ = top_only ? mesh.node(0, mesh.rows) : 0;
-  // Clockwise around the water.
-  const auto pass = [&](const Side& side, std::size_t first, std::size_t stride, std::size_t edges) {
-    for (std::size_t a = first; free(side) && edges > 0; a += stride, --edges) edges_.push_back({a, a + stride});
-  };
-  const std::size_t row = mesh.columns + 1;
-  pass(mesh.sides.top, mesh.node(0, mesh.rows), 1, mesh.columns);
-  pass(mesh.sides.right, n_ - 1, -row, mesh.rows);
-  pass(mesh.sides.bottom, mesh.columns, -std::size_t{1}, mesh.columns);
-  pass(mesh.sides.left, 0, row, mesh.rows);
+  // Clockwise around the water, from the top on.
+  const auto walks = plan_lattice::nodes_around(mesh);
+  const std::array sides{&mesh.sides.bottom, &mesh.sides.right, &mesh.sides.top, &mesh.sides.left};
+  for (const std::size_t s : {2, 1, 0, 3}) {
+    for (std::size_t k = walks[s].size() - 1; free(*sides[s]) && k > 0; --k) {
+      edges_.push_back({walks[s][k], walks[s][k - 1]});
+    }
+  }
 }
 
 double FreeEdges::moment(Input q) const {
@@ -178,16 +171,16 @@ void FreeEdges::push_down(Input q, double weight, Output push) const {
     const double yb = q[n_ + b];
     const double square = sixth * (ya * ya + ya * yb + yb * yb);
     const double width = sixth * (q[b] - q[a]);
-    add(push, n_, a, {square, -width * (2 * ya + yb)});
-    add(push, n_, b, {-square, -width * (ya + 2 * yb)});
+    add_point({square, -width * (2 * ya + yb)}, push, n_, a);
+    add_point({-square, -width * (ya + 2 * yb)}, push, n_, b);
   }
 }
 
 void FreeEdges::press(const std::function<double(double)>& pressure, Input q, double weight, Output push) const {
   for (const auto [a, b] : edges_) {
-    const Point way = at(q, n_, b) - at(q, n_, a);
+    const Point way = point_at(q, n_, b) - point_at(q, n_, a);
     const double half = 0.5 * weight * pressure(0.5 * (q[a] + q[b]));
-    for (const std::size_t end : {a, b}) add(push, n_, end, {half * way.y, -half * way.x});
+    for (const std::size_t end : {a, b}) add_point({half * way.y, -half * way.x}, push, n_, end);
   }
 }
 
@@ -203,9 +196,9 @@ void over_sharp_corners(const Mesh& mesh, Input first_areas, Input q, const Visi
     const auto r = mesh.corners(cell);
     for (std::size_t c = 0; c < 4; ++c) {
       const std::array k{r[c], r[(c + 1) % 4], r[(c + 3) % 4]};
-      const Point own = at(q, mesh.nodes(), k[0]);
-      const Point next = at(q, mesh.nodes(), k[1]) - own;
-      const Point previous = at(q, mesh.nodes(), k[2]) - own;
+      const Point own = point_at(q, mesh.nodes(), k[0]);
+      const Point next = point_at(q, mesh.nodes(), k[1]) - own;
+      const Point previous = point_at(q, mesh.nodes(), k[2]) - own;
       const double shape = cross(next, previous) / first_areas[cell];
       if (shape < onset) visit(k, next, previous, shape, first_areas[cell]);
     }
@@ -230,9 +223,9 @@ void CornerBarrier::push(const Mesh& mesh, Input first_areas, Input q, double we
     const double force = weight * stiffness_ * std::sqrt(area) * 2 * (onset / shape - 1) * onset / (shape * shape);
     const Point on_next = force * Point{previous.y, -previous.x};
     const Point on_previous = force * Point{-next.y, next.x};
-    add(push, n, k[1], on_next);
-    add(push, n, k[2], on_previous);
-    add(push, n, k[0], -1 * (on_next + on_previous));
+    add_point(on_next, push, n, k[1]);
+    add_point(on_previous, push, n, k[2]);
+    add_point(-1 * (on_next + on_previous), push, n, k[0]);
   });
 }
 
@@ -241,7 +234,7 @@ namespace {
 Point alternating(const Mesh& mesh, Input q, std::size_t cell) {
   const auto [r0, r1, r2, r3] = mesh.corners(cell);
   const std::size_t n = mesh.nodes();
-  return at(q, n, r0) - at(q, n, r1) + at(q, n, r2) - at(q, n, r3);
+  return point_at(q, n, r0) - point_at(q, n, r1) + point_at(q, n, r2) - point_at(q, n, r3);
 }
 
 }  // namespace
@@ -265,7 +258,7 @@ void Hourglass::push(const Mesh& mesh, Input q, double weight, Output push) cons
     const Point off = alternating(mesh, q, cell) - rest_[cell];
     const auto r = mesh.corners(cell);
     for (std::size_t c = 0; c < 4; ++c) {
-      add(push, mesh.nodes(), r[c], (c % 2 == 0 ? -weight : weight) * stiffness_ * off);
+      add_point((c % 2 == 0 ? -weight : weight) * stiffness_ * off, push, mesh.nodes(), r[c]);
     }
   }
 }

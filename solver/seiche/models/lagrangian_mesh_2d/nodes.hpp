@@ -32,9 +32,27 @@ struct Slide {
 /// A node whose place in x, or in both, is a function of time.
 struct Driven {
   std::size_t node;
-  const MovingWall* wall;      ///< x only
-  const PrescribedSide* path;  ///< both
+  bool both;
+  std::function<Point(double time)> place, velocity;
+
+  /// Mean velocity over an interval; the velocity at an instant.
+  [[nodiscard]] Point rate(mechanics::Interval when) const;
+  /// Among values along x of all nodes, then along y.
+  void put(Point value, Output values, std::size_t nodes) const;
 };
+
+/// Of node k, from values along x of all nodes, then along y, ...; and back.
+inline Point point_at(Input values, std::size_t nodes, std::size_t k) {
+  return {values[k], values[nodes + k]};
+}
+inline void put_point(Point value, Output values, std::size_t nodes, std::size_t k) {
+  values[k] = value.x;
+  values[nodes + k] = value.y;
+}
+inline void add_point(Point value, Output values, std::size_t nodes, std::size_t k) {
+  values[k] += value.x;
+  values[nodes + k] += value.y;
+}
 
 class Nodes {
  public:
@@ -52,18 +70,15 @@ class Nodes {
   [[nodiscard]] std::span<Slide> slides() { return slides_; }
   [[nodiscard]] std::span<const Driven> driven() const { return driven_; }
 
-  [[nodiscard]] Point driven_place(const Driven& node, double time) const;
-  [[nodiscard]] Point driven_velocity(const Driven& node, double time) const;
-  /// Mean velocity over an interval; the velocity at an instant.
-  [[nodiscard]] Point driven_rate(const Driven& node, mechanics::Interval when) const;
-  [[nodiscard]] Point label(std::size_t node) const { return {label_x_[node], label_y_[node]}; }
+  /// Where it was at first.
+  [[nodiscard]] Point label(std::size_t node) const { return labels_[node]; }
 
  private:
-  void hold(const Mesh& mesh, std::size_t node, const std::vector<const Side*>& sides);
+  void hold(std::size_t node, const std::vector<const Side*>& sides);
   void hold_corner(const Mesh& mesh, std::size_t i, std::size_t j);
 
   std::shared_ptr<const Sides> sides_;  // what slides and driven nodes point to, in copies too
-  std::vector<double> label_x_, label_y_;
+  std::vector<Point> labels_;
   std::vector<double> mass_, inertia_y_, wx_, wy_;
   std::vector<Slide> slides_;
   std::vector<Driven> driven_;

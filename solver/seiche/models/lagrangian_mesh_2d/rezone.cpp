@@ -135,14 +135,7 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
   Remapped now{.mesh = was, .velocity = {}};
   now.mesh.x = std::move(x);
   now.mesh.y = std::move(y);
-  std::vector<double> area;
-  for (std::size_t cell = 0; cell < was.cells(); ++cell) {
-    area.push_back(cell_area(now.mesh, now.mesh.x, now.mesh.y, cell));
-    if (area[cell] > 0 && least_triangle(now.mesh, now.mesh.x, now.mesh.y, cell) > 0) continue;
-    const std::size_t corner = was.corners(cell)[0];
-    throw mechanics::Infeasible(now.mesh.x[corner], "cell {} at ({:g}, {:g}) would fold", cell, now.mesh.x[corner],
-                                now.mesh.y[corner]);
-  }
+  plan_lattice::require_convex(was, now.mesh.x, now.mesh.y);
   const plan_lattice::SweptRemap sweep(was, q.first(n), q.subspan(n, n), now.mesh.x, now.mesh.y,
                                        std::vector<double>(n, 0.25));
   const auto velocity_at = [&](const plan_lattice::LatticePlace& place) {
@@ -150,8 +143,10 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
   };
   for (std::size_t k = 0; k < n; ++k) now.velocity.push_back(velocity_at(sweep.place(k)));
   // Momenta per density: those of the old cells, and what edges sweep.
+  std::vector<double> area;
   std::vector<Point> momentum;
   for (std::size_t cell = 0; cell < was.cells(); ++cell) {
+    area.push_back(cell_area(now.mesh, now.mesh.x, now.mesh.y, cell));
     momentum.push_back(cell_area(was, q.first(n), q.subspan(n, n), cell) * sweep.mean(cell, [&](std::size_t k) {
       return Point{u[k], u[n + k]};
     }));

@@ -29,30 +29,28 @@ std::vector<double> volumes_of(const Mesh& mesh) {
   return volumes;
 }
 
+double mean_height(const Mesh& mesh, std::size_t cell) {
+  const auto r = mesh.corners(cell);
+  double height = 0;
+  for (std::size_t a = 0; a < 4; ++a) height += (mesh.z[r[a + 4]] - mesh.z[r[a]]) / 4;
+  return height;
+}
+
 /// The undeformed lattice nearest to a mesh, which preconditions its systems: cells of the mesh's mean sides in plan,
 /// layers of their mean heights.
 linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
-  const auto distance = [&](std::size_t a, std::size_t b) {
-    return std::hypot(mesh.x[b] - mesh.x[a], mesh.y[b] - mesh.y[a]);
-  };
   const auto [columns, rows] = mesh.plan;
   double along = 0;
   double across = 0;
-  for (std::size_t j = 0; j <= rows; ++j) {
-    for (std::size_t i = 0; i <= columns; ++i) {
-      const std::size_t k = mesh.node(i, j, 0);
-      if (i < columns) along += distance(k, k + 1);
-      if (j < rows) across += distance(k, mesh.node(i, j + 1, 0));
-    }
-  }
+  mesh.plan.each_edge([&](std::size_t p, std::size_t q, std::size_t, std::size_t) {
+    (q == p + 1 ? along : across) += std::hypot(mesh.x[q] - mesh.x[p], mesh.y[q] - mesh.y[p]);
+  });
   along /= static_cast<double>(columns * (rows + 1));
   across /= static_cast<double>((columns + 1) * rows);
   double area = 0;
   std::vector<double> heights(mesh.layers, 0.0);
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    const auto r = mesh.corners(cell);
-    double height = 0;
-    for (std::size_t a = 0; a < 4; ++a) height += (mesh.z[r[a + 4]] - mesh.z[r[a]]) / 4;
+    const double height = mean_height(mesh, cell);
     heights[cell / mesh.plan.cells()] += height / static_cast<double>(mesh.plan.cells());
     area +=
         hexahedron_volume(corners_of(mesh, mesh.x, mesh.y, mesh.z, cell)) / height / static_cast<double>(mesh.cells());
@@ -201,10 +199,7 @@ double surely_stable_step(const Model& model) {
   const Mesh& mesh = model.mesh();
   double height = std::numeric_limits<double>::infinity();
   for (std::size_t cell = mesh.cells() - mesh.plan.cells(); cell < mesh.cells(); ++cell) {
-    const auto r = mesh.corners(cell);
-    double mean = 0;
-    for (std::size_t a = 0; a < 4; ++a) mean += (mesh.z[r[a + 4]] - mesh.z[r[a]]) / 4;
-    height = std::min(height, mean);
+    height = std::min(height, mean_height(mesh, cell));
   }
   return std::sqrt(2 * height / model.settings().gravity);
 }
