@@ -196,9 +196,10 @@ struct ConformalSolution {
 struct WaveFamily {
   /// Nodes for a wave of about this speed and crest; coarse ones to get there on.
   std::function<std::shared_ptr<const ConformalNodes>(double speed_squared, double crest_speed, bool fine)> nodes;
-  double least_speed;            ///< at the crest of a wave that is tried
-  std::string limit, described;  ///< what is above which limiting wave, and what Newton's method stopped at
-  double share;                  ///< amplitude over height
+  double least_speed;     ///< at the crest of a wave that is tried
+  std::string limit;      ///< which wave is above which limiting wave, for the message
+  std::string described;  ///< the wave asked for, for the message
+  double share;           ///< amplitude over height
 };
 
 /// The wave on these nodes, from a first guess of its values and of the square of its speed.
