@@ -101,7 +101,7 @@ void Flow<Kind>::advance(double tau) {
   }
 }
 
-/// As plan_lattice::follow, which looks at the last two nodes of the lattice's first row.
+/// As plan_lattice::LatticeFlow, which looks at the last two nodes of the lattice's first row.
 template <class Kind>
 void Flow<Kind>::follow() {
   if (!window_.reach) return;

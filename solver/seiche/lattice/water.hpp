@@ -107,6 +107,12 @@ void shift_rows(std::span<T> values, std::size_t length) {
   }
 }
 
+/// to = from + h u, of a row of numbers.
+inline void advance_row(std::size_t count, const double* from, const double* u, double h, double* to) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + h * u[i];
+}
+
 /// @tparam E      the element
 /// @tparam Model  derives from it and gives
 ///                   mobility()                 pointers to the nodes' inverse masses along the axes
@@ -138,13 +144,9 @@ class Water {
     sweeping_ = true;
   }
   void advance(Input from, Input u, double h, Output to) const {
-    const double* const begin = from.data();
-    const double* const rate = u.data();
-    double* const end = to.data();
     const std::size_t count = shape_.columns + 1;
     linear::share_out(E::axes * node_rows(), worth_sharing(), [&](std::size_t row) {
-#pragma omp simd
-      for (std::size_t i = row * count; i < (row + 1) * count; ++i) end[i] = begin[i] + h * rate[i];
+      advance_row(count, from.data() + row * count, u.data() + row * count, h, to.data() + row * count);
     });
   }
   /// Of what is pushed, from `first_pushed_row_` on, and of `held_`.
@@ -253,16 +255,10 @@ class Water {
     return sum.value();
   }
 
-  [[nodiscard]] std::span<const double> first_volumes() const {
-    return volume_;
-  }
-  [[nodiscard]] const linear::ConstraintSolver& solver() const {
-    return solver_;
-  }
+  [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
+  [[nodiscard]] const linear::ConstraintSolver& solver() const { return solver_; }
   /// A of the last linearisation.
-  [[nodiscard]] const linear::StencilMatrix& matrix() const {
-    return matrix_;
-  }
+  [[nodiscard]] const linear::StencilMatrix& matrix() const { return matrix_; }
   /// A warning when below 0.2.
   [[nodiscard]] Corner worst_corner(Input q) const {
     return lattice::worst_corner(volume_.size(), [&](std::size_t cell) { return self().cell_shape(q, cell); });
@@ -294,18 +290,10 @@ class Water {
         solver_(std::move(solver)),
         tolerance_(tolerance) {}
 
-  [[nodiscard]] const Model& self() const {
-    return static_cast<const Model&>(*this);
-  }
-  [[nodiscard]] bool worth_sharing() const {
-    return volume_.size() > linear::worth_threads;
-  }
-  [[nodiscard]] std::size_t cell_rows() const {
-    return shape_.rows * shape_.layers;
-  }
-  [[nodiscard]] std::size_t node_rows() const {
-    return n_ / (shape_.columns + 1);
-  }
+  [[nodiscard]] const Model& self() const { return static_cast<const Model&>(*this); }
+  [[nodiscard]] bool worth_sharing() const { return volume_.size() > linear::worth_threads; }
+  [[nodiscard]] std::size_t cell_rows() const { return shape_.rows * shape_.layers; }
+  [[nodiscard]] std::size_t node_rows() const { return n_ / (shape_.columns + 1); }
   /// Rows of nodes around a row of cells, of quantities that begin at these places.
   template <std::size_t count>
   [[nodiscard]] std::array<Rows<E>, count> around(std::size_t row, const std::array<const double*, count>& from) const {
@@ -318,9 +306,7 @@ class Water {
     }
     return rows;
   }
-  [[nodiscard]] NodeVectors<E> around(std::size_t row, Input values) const {
-    return around(row, axes_of(values));
-  }
+  [[nodiscard]] NodeVectors<E> around(std::size_t row, Input values) const { return around(row, axes_of(values)); }
   [[nodiscard]] std::array<const double*, E::axes> axes_of(Input values) const {
     std::array<const double*, E::axes> from;
     for (std::size_t axis = 0; axis < E::axes; ++axis) from[axis] = values.data() + axis * n_;

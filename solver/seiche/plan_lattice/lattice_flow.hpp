@@ -32,19 +32,6 @@ void require_movable(const Window& window, const Sides& sides);
 void require_straight_walls(const Window& window, const Sides& sides, Shape shape, std::span<const double> x,
                             std::span<const double> y);
 
-/// Moves the window to where it must be at the state's time, by model.shift_east(state); returns by how many columns.
-template <class Model>
-long follow(const Window& window, std::size_t columns, Model& model, mechanics::State& state) {
-  if (!window.reach) return 0;
-  const double reach = window.reach(state.time);
-  long shifts = 0;
-  while (reach > state.q[columns] + (state.q[columns] - state.q[columns - 1])) {
-    model.shift_east(state);
-    ++shifts;
-  }
-  return shifts;
-}
-
 /// @tparam Model  in space, with shift_east
 template <class Model>
 class LatticeFlow : public lattice::Flow<Model> {
@@ -53,7 +40,15 @@ class LatticeFlow : public lattice::Flow<Model> {
   /// step, but that a moving window has moved.
   void advance(double tau) override {
     mechanics::require_step(tau);
-    shifts_ += follow(window_, shape_.columns, *this->model_, this->state_);
+    if (window_.reach) {
+      const double reach = window_.reach(this->time());
+      const std::vector<double>& x = this->state_.q;
+      const std::size_t east = shape_.columns;
+      while (reach > x[east] + (x[east] - x[east - 1])) {
+        this->model_->shift_east(this->state_);
+        ++shifts_;
+      }
+    }
     this->step(tau);
   }
 

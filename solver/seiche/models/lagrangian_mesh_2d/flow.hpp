@@ -92,13 +92,6 @@ class Flow : public lattice::Flow<Model> {
   std::vector<double> y_before_;
 };
 
-}  // namespace seiche::lagrangian_mesh_2d
-
-/// Compiled once, in flow.cpp.
-extern template class seiche::lattice::Flow<seiche::lagrangian_mesh_2d::Model>;
-
-namespace seiche::lagrangian_mesh_2d {
-
 /// First velocities of a mesh of water in potential flow, from the potential on its surface.
 ///
 /// An impulsive pressure -rho phi on the free surface sets water at rest into the potential flow with phi there. On the
@@ -113,3 +106,6 @@ namespace seiche::lagrangian_mesh_2d {
 std::vector<Point> impulsive_start(const Mesh& mesh, const std::function<double(double x)>& potential);
 
 }  // namespace seiche::lagrangian_mesh_2d
+
+/// Compiled once, in flow.cpp.
+extern template class seiche::lattice::Flow<seiche::lagrangian_mesh_2d::Model>;

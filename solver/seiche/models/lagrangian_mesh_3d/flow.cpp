@@ -22,12 +22,6 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
                 surely_stable_step(*model), smooth_start && model->nodes().driven().empty());
 }
 
-}  // namespace seiche::lagrangian_mesh_3d
-
-template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;
-
-namespace seiche::lagrangian_mesh_3d {
-
 namespace {
 
 /// int N_a dr x dr of the corners of a patch.
@@ -125,3 +119,5 @@ Mesh layer_mesh(const Layer& layer) {
 }
 
 }  // namespace seiche::lagrangian_mesh_3d
+
+template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;

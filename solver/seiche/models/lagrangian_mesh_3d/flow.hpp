@@ -62,13 +62,6 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   [[nodiscard]] std::span<const double> surface_z() const { return z().last(shape().nodes()); }
 };
 
-}  // namespace seiche::lagrangian_mesh_3d
-
-/// Compiled once, in flow.cpp.
-extern template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;
-
-namespace seiche::lagrangian_mesh_3d {
-
 /// First velocities of a mesh of water in potential flow, from the potential on its surface.
 ///
 /// An impulsive pressure -rho phi on the free surface sets water at rest into the potential flow with phi there. On the
@@ -86,3 +79,6 @@ namespace seiche::lagrangian_mesh_3d {
 std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double(double x, double y)>& potential);
 
 }  // namespace seiche::lagrangian_mesh_3d
+
+/// Compiled once, in flow.cpp.
+extern template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;
