@@ -48,12 +48,9 @@ struct RateSums {
   using Values = SideBySide<Lanes>;
   using Shape = LaneKernel<Values, Kernel>;
 
-  /// Adds (or subtracts) a b of each candidate.
+  /// Adds a b of each candidate.
   SEICHE_INLINE static void add(Pack& sum, const Values& a, const Values& b) {
     for (int k = 0; k < abreast; ++k) sum += a.at[k] * b.at[k];
-  }
-  SEICHE_INLINE static void subtract(Pack& sum, const Values& a, const Values& b) {
-    for (int k = 0; k < abreast; ++k) sum -= a.at[k] * b.at[k];
   }
 
   /// c of (5) for gamma = 7 without powers, times sound_scale.
@@ -99,43 +96,47 @@ struct RateSums {
     }
     const Pack own_sound = sound(work, a.density);
     Pack du{}, dw{}, ddensity{}, smooth_u{}, smooth_w{}, sigma{};
-    visit<Kernel, Separation>(work, a, [&](const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
-      const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
-      const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
-      const Values approach = pair.x * u + pair.z * w;
-      const Values squared = pair.inverse_width * pair.inverse_width;
-      const Values scaled_mass = Values::of([&](int k) { return b[k]->mass * squared.at[k]; });
-      const Values slope = scaled_mass * shape.slope;
-      const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
-      Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
-      if constexpr (friction == Friction::artificial) {
-        const Values sounds = Values::of([&](int k) { return own_sound + sound(work, b[k]->density); });
-        pressures = pressures + sounds * negative(approach) * pair.viscous;
-      }
-      const Values push = pressures * slope;
-      add(ddensity, slope, approach);
-      subtract(du, push, pair.x);
-      subtract(dw, push, pair.z);
-      add(smooth_u, weight, u);
-      add(smooth_w, weight, w);
-      if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
-        const Values square = pair.x * pair.x + pair.z * pair.z;
-        const double viscosity = 4 * work.kinematic_viscosity;
-        const Values drag = viscosity * square * (pair.viscous * pair.inverse_width) * slope;
-        add(du, drag, u);
-        add(dw, drag, w);
-      }
-      if constexpr (friction == Friction::turbulent) {
-        const Values sum_xz = Values::of([&](int k) { return xz + work.stress[candidate[k]].xz; });
-        add(du, slope, Values::of([&](int k) {
-              return (xx + work.stress[candidate[k]].xx) * pair.x.at[k] + sum_xz.at[k] * pair.z.at[k];
-            }));
-        add(dw, slope, Values::of([&](int k) {
-              return sum_xz.at[k] * pair.x.at[k] + (zz + work.stress[candidate[k]].zz) * pair.z.at[k];
-            }));
-      }
-      if constexpr (limited) add_limit(sigma, a, b, pair, approach);
-    });
+    visit<Kernel, Separation>(
+        work, a, [&]([[maybe_unused]] const auto* candidate, const auto& b, const auto& pair, const auto& shape) {
+          const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
+          const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
+          const Values approach = pair.x * u + pair.z * w;
+          const Values squared = pair.inverse_width * pair.inverse_width;
+          const Values scaled_mass = Values::of([&](int k) { return b[k]->mass * squared.at[k]; });
+          const Values slope = scaled_mass * shape.slope;
+          const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
+          Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
+          if constexpr (friction == Friction::artificial) {
+            const Values sounds = Values::of([&](int k) { return own_sound + sound(work, b[k]->density); });
+            pressures = pressures + sounds * negative(approach) * pair.viscous;
+          }
+          const Values push = pressures * slope;
+          add(ddensity, slope, approach);
+          add(smooth_u, weight, u);
+          add(smooth_w, weight, w);
+          Values drag;
+          if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
+            const Values square = pair.x * pair.x + pair.z * pair.z;
+            const double viscosity = 4 * work.kinematic_viscosity;
+            drag = viscosity * square * (pair.viscous * pair.inverse_width) * slope;
+          }
+          // Candidate by candidate: where a group of them begins shall not matter.
+          for (int k = 0; k < abreast; ++k) {
+            du -= push.at[k] * pair.x.at[k];
+            dw -= push.at[k] * pair.z.at[k];
+            if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
+              du += drag.at[k] * u.at[k];
+              dw += drag.at[k] * w.at[k];
+            }
+            if constexpr (friction == Friction::turbulent) {
+              const Stress& stress = work.stress[candidate[k]];
+              const Pack sum_xz = xz + stress.xz;
+              du += slope.at[k] * ((xx + stress.xx) * pair.x.at[k] + sum_xz * pair.z.at[k]);
+              dw += slope.at[k] * (sum_xz * pair.x.at[k] + (zz + stress.zz) * pair.z.at[k]);
+            }
+          }
+          if constexpr (limited) add_limit(sigma, a, b, pair, approach);
+        });
     // Deferred constants; densities were sums, not means.
     const double xsph = 2 * work.xsph * Shape::weight_factor;
     a.store(a.u - xsph * smooth_u, work.dx);

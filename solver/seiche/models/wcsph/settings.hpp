@@ -124,7 +124,6 @@ class TaitFluid {
   [[nodiscard]] double hydrostatic_density(double gravity, double depth) const;
 
   [[nodiscard]] double reference_density() const { return density_; }
-  [[nodiscard]] double reference_sound_speed() const { return sound_speed_; }
   [[nodiscard]] double stiffness() const { return stiffness_; }  ///< B [Pa]
 
  private:
