@@ -5,11 +5,14 @@
 #include <limits>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "verification/check.hpp"
 #include "verification/exact/wave_extremum.hpp"
+#include "verification/self_test_claims.hpp"
 
 namespace stokes_wave_test {
 
@@ -134,6 +137,14 @@ TEST_CASE("a gentle Stokes wave has the speed of Stokes's series", "[exact]") {
             Bound{2e-15, "10 roundings; the next term of the series is of order a^8 = 1e-16",
                   1 + a * a + std::pow(a, 4) / 2 + std::pow(a, 6) / 4});
   CHECK_NOTHROW(wave.velocity(0.7, wave.elevation(0.7)));
+}
+
+TEST_CASE("high Stokes waves in shallow water satisfy their identities", "[exact]") {
+  Check check("exact_stokes_wave_shallow", "High Stokes waves in shallow water",
+              "Crests as sharp as the water is shallow, k d = 0.2, up to three per cent below the limiting height.");
+  for (const double amplitude : {0.2, 0.3, 0.35, 0.36}) {
+    self_test_holds(check, fmt::format("a = {:g}", amplitude), StokesWave(amplitude, 5 * wavelength, 1, 1));
+  }
 }
 
 TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]") {
