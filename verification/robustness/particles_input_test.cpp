@@ -33,6 +33,7 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
         {0, 1, 2, 3, 4}, [](double x) { return 2.25 - x; }, level));
   });
   refusals.refused({"bore"}, [] { bore(9.81, 0, 5, 10, 1, 2, 10); });
+  refusals.refused({"depth ahead", "= 0", "positive"}, [] { bore(9.81, 0, 5, 10, 2, 0, 10); });
   refusals.outside_ranges("Forcing", Forcing{}, [](const Forcing& f) { ParticleFlow(still_water(), {}, f); });
   refusals.outside_ranges("Scheme", Scheme{}, [](const Scheme& s) { ParticleFlow(still_water(), {}, {}, s); });
   refusals.refused({"bed"}, [] {

@@ -31,9 +31,6 @@ DoubleShear::DoubleShear(const Parameters& parameters) : parameters_(parameters)
 }
 
 DoubleShear::Sample DoubleShear::at(double label_x, double label_y, double t) const {
-  require_finite("label_x", label_x);
-  require_finite("label_y", label_y);
-  require_finite("t", t);
   const auto& [e1, e2, k, l, top_pressure] = parameters_;
   const double s = std::sin(t);
   const double c = std::cos(t);

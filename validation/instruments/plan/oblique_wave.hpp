@@ -45,9 +45,9 @@ class ObliqueWave {
 
 /// The window of a run.
 struct ReflectionWindow {
-  double spacing = 0.5;  ///< of the lattice at rest, both ways
-  double height = 50;    ///< along y, at least
-  double rear = 30;      ///< behind the crest on the wall
+  double spacing;  ///< of the lattice at rest, both ways
+  double height;   ///< along y, at least
+  double rear;     ///< behind the crest on the wall
   /// The first wave is higher than the undisturbed one by this part next to the wall, and faster; at six width units
   /// from it by a third of that. For runs that show how little the end owes to the start.
   double excess = 0;
