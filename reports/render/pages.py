@@ -114,6 +114,7 @@ def overview(cases, broken, problems):
     """What the first page says at a glance."""
     records = [record for case in cases for record in case.records]
     own = [record for record in records if record.own] or records
+    others = [record for record in records if not record.own and own is not records]
     claims = [claim for record in own for claim in record.claims]
     count = collections.Counter((claim.verdict, claim.unexpected) for claim in claims)
     surprises, declared = [], []
@@ -126,8 +127,8 @@ def overview(cases, broken, problems):
         "crashed": [record for record in records if record.status == "error"],
         "broken": broken, "problems": problems,
         "unexpected_count": len(surprises),
-        "own_unexpected": sum(1 for record, _ in surprises if record in own),
-        "evidence": _evidence(own) + _others([record for record in records if record not in own]), "deviations": by_cause(declared),
+        "own_unexpected": sum(1 for record, _ in surprises if record not in others),
+        "evidence": _evidence(own) + _others(others), "deviations": by_cause(declared),
         "wall_time": sum(record.wall_time or 0 for record in own),
         "slowest": sorted(own, key=lambda record: -(record.wall_time or 0))[:5],
         "quiet": not (surprises or broken or any(record.status == "error" for record in records)),
@@ -151,9 +152,9 @@ def _evidence(records):
 
 
 def _others(records):
-    """The same row for what other solvers' results were scored by."""
+    """The same of the results of other solvers, where there are some."""
     claims = [claim for record in records for claim in record.claims]
-    return [("Other solvers", f"{plural(len(records), 'scored result')}, none of ours",
+    return [("Other solvers", f"claims on {plural(len(records), 'scored result')}",
              sum(1 for claim in claims if claim.verdict == "pass"), len(claims))] if records else []
 
 

@@ -1,10 +1,11 @@
-/// Ranges of the numbers in a struct of parameters, declared once: constructors refuse by them, and one test tries
-/// every number that is not allowed.
+/// Ranges of the numbers in a struct of parameters, declared in it: constructors refuse by them, and tests try the
+/// numbers next to them on both sides.
 ///
 ///     struct Settings {
 ///       double courant = 0.4;
-///       static constexpr auto ranges() { return std::array{Number{"courant", &Settings::courant, Range::within(0,
-///       1)}}; }
+///       static constexpr auto ranges() {
+///         return std::array{Number{"courant", &Settings::courant, Range::within(0, 1)}};
+///       }
 ///     };
 ///     require_ranges(settings);  // std::invalid_argument: courant = 2 is out of range: must be in [0, 1]
 #pragma once
@@ -27,7 +28,6 @@ struct Range {
   static constexpr Range positive() { return {0, most, true}; }
   static constexpr Range not_negative() { return {0}; }
   static constexpr Range within(double lowest, double highest) { return {lowest, highest}; }
-  static constexpr Range above_until(double lowest, double highest) { return {lowest, highest, true}; }
 
   [[nodiscard]] constexpr bool holds(double value) const {
     return (open ? value > lowest : value >= lowest) && value <= highest;

@@ -12,8 +12,10 @@ namespace seiche {
 
 std::vector<double> Range::outside() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {open ? lowest : std::nextafter(lowest, -infinity), std::nextafter(highest, infinity), -infinity, infinity,
-          std::numeric_limits<double>::quiet_NaN()};
+  std::vector<double> numbers{-infinity, infinity, std::numeric_limits<double>::quiet_NaN()};
+  if (lowest > -most) numbers.push_back(open ? lowest : std::nextafter(lowest, -infinity));
+  if (highest < most) numbers.push_back(std::nextafter(highest, infinity));
+  return numbers;
 }
 
 std::string Range::words() const {

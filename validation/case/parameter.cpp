@@ -32,7 +32,7 @@ bool parse(const std::string& text, Number& number) {
 
 /// Whether a value of the right type lies in the declared range.
 bool allowed(const Parameter& parameter, const Value& value) {
-  const auto inside = [&](double v) { return std::isfinite(v) && v >= parameter.lowest && v <= parameter.highest; };
+  const auto inside = [&](double v) { return Range::within(parameter.lowest, parameter.highest).holds(v); };
   if (const auto* v = std::get_if<double>(&value)) return inside(*v);
   if (const auto* v = std::get_if<long>(&value)) return inside(static_cast<double>(*v));
   if (const auto* v = std::get_if<std::string>(&value)) {

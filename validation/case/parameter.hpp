@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "seiche/io/text_table.hpp"
+#include "seiche/ranges.hpp"
 #include "validation/case/tier.hpp"
 
 namespace seiche::validation {
@@ -32,10 +33,6 @@ struct Parameter {
 
   /// "in [0, 100]" or "one of G1, M2, H2".
   [[nodiscard]] std::string range() const;
-};
-
-struct Range {
-  double lowest, highest;
 };
 
 /// Declarations. Ranges are closed; NaN and infinities are never accepted.

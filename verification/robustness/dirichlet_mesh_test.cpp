@@ -152,7 +152,9 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
     m.held[0].one = 3;
   });
   refused({"direction of wall 0", "= 0", "positive"}, [](Mesh& m) { m.walls = {{{0, 0}, {0, 0}}}; });
-  refusals.outside_ranges("Settings", Settings{}, [](const Settings& s) { Flow(square(), {}, s); });
+  refusals.outside_ranges(
+      "Settings", "gravity non-negative and finite; density positive and finite; stabilisation non-negative and finite",
+      Settings{}, [](const Settings& s) { Flow(square(), {}, s); });
   refusals.refused({"drift_feedback", "= 1.5", "[0, 1]"}, [] { Flow flow(square(), {}, {}, 1.5); });
   refusals.refused({"u[", "nan", "finite"}, [] { Flow flow(square(), [](Point) { return Point{not_a_number, 0}; }); });
   refusals.refused({"part", "= 0.5"}, [] { jittered(square(), 0.5, 1); });

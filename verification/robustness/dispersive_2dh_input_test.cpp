@@ -71,9 +71,13 @@ TEST_CASE("bad lattices and settings of the 2DH model are refused with name, val
   });
   const auto settings =
       refusals.with<Settings>([&](const Settings& bad) { Flow flow(rectangular_lattice(still_water()), {}, {}, bad); });
-  refusals.outside_ranges("Settings", Settings{},
-                          [](const Settings& s) { Flow(rectangular_lattice(still_water()), {}, {}, s); });
-  refusals.outside_ranges("DragSettings", DragSettings{},
+  refusals.outside_ranges("Settings",
+                          "gravity non-negative and finite; inertia in [0.001, 1]; gamma non-negative and finite",
+                          Settings{}, [](const Settings& s) { Flow(rectangular_lattice(still_water()), {}, {}, s); });
+  refusals.outside_ranges("DragSettings",
+                          "manning non-negative and finite; shore_rate non-negative and finite; lattice_rate "
+                          "non-negative and finite; breaking_slope non-negative and finite",
+                          DragSettings{},
                           [](const DragSettings& s) { Flow(rectangular_lattice(still_water()), {}, {}, {.drag = s}); });
   settings({"shore_rate", "shoreline", "south"}, {.drag = {.shore_rate = 1}});
   settings({"absorption", "-1", "non-negative"}, {.drag = {.absorption = [](Point at) { return at.x - 1; }}});
@@ -101,7 +105,10 @@ TEST_CASE("bad lattices and settings of the 2DH model are refused with name, val
   refusals.refused({"moving window", "shoreline"}, [&] {
     Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
-  refusals.outside_ranges("RezoneSettings", RezoneSettings{},
+  refusals.outside_ranges("RezoneSettings",
+                          "drift in [1e-06, 2]; narrowest in [0, 0.99]; edge_slope non-negative and finite; "
+                          "shore_slope non-negative and finite; strain in [1e-06, 1]",
+                          RezoneSettings{},
                           [&](const RezoneSettings& s) { ShoreFollowing(rectangular_lattice(beach), s); });
   refusals.refused({"moving window", "absorption"}, [] {
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},

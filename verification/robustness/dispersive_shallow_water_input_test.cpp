@@ -26,12 +26,18 @@ TEST_CASE("bad constants of a channel are refused with name, value and range", "
   Refusals refusals(check);
   const auto refused = refusals.of(level_channel(), [&](Channel channel) { Flow flow(channel, still_water()); });
   refused({"bottom"}, [](Channel& c) { c.bottom = nullptr; });
-  refusals.outside_ranges("Channel", level_channel(), [&](const Channel& channel) { Flow(channel, still_water()); });
-  refusals.outside_ranges("Breaking", Breaking{}, [&](const Breaking& breaking) {
-    Channel channel = level_channel();
-    channel.breaking = breaking;
-    Flow(channel, still_water());
-  });
+  refusals.outside_ranges("Channel",
+                          "period non-negative and finite; gravity positive and finite; density positive and finite; "
+                          "alpha positive and finite; slope_energy finite; gamma non-negative and finite; depth_power "
+                          "finite; reference_depth positive and finite",
+                          level_channel(), [&](const Channel& channel) { Flow(channel, still_water()); });
+  refusals.outside_ranges(
+      "Breaking", "onset_slope positive and finite; ceasing_froude at least 1 and finite; share positive and finite",
+      Breaking{}, [&](const Breaking& breaking) {
+        Channel channel = level_channel();
+        channel.breaking = breaking;
+        Flow(channel, still_water());
+      });
   refused({"friction coefficient", "= -0.01", "non-negative"}, [](Channel& c) { c.friction.coefficient = -0.01; });
   refused({"x[5]", "= 5", "period"}, [](Channel& c) { c.period = 4; });
   refused({"green_naghdi", "alpha", "1/4"}, [](Channel& c) {

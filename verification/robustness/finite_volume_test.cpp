@@ -31,8 +31,10 @@ TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
   CHECK_THROWS_AS(FiniteVolumeFlow(good, 0, 1, h, std::vector<double>(8, nan)), Bad);
   CHECK_THROWS_AS(FiniteVolumeFlow(good, 0, 1, std::vector<double>(8, 0.0), h), Bad);
   Check check("finite_volume_bad_settings", "Bad settings of finite volumes", "Each number outside of its range.");
-  Refusals(check).outside_ranges("Settings", good,
-                                 [&](const FiniteVolumeFlow::Settings& s) { FiniteVolumeFlow(s, 0, 1, h, q); });
+  Refusals(check).outside_ranges("Settings",
+                                 "gravity positive and finite; courant in [1e-06, 1]; viscosity in [0.001, 1]; theta "
+                                 "in [1, 2]; manning non-negative and finite; dry_depth positive and finite",
+                                 good, [&](const FiniteVolumeFlow::Settings& s) { FiniteVolumeFlow(s, 0, 1, h, q); });
   CHECK_THROWS_AS(with([](auto& s) { s.left = End::inflow({-1, 0}); }), Bad);
   FiniteVolumeFlow::Settings roe;
   roe.scheme = Scheme::roe;

@@ -85,9 +85,11 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
         std::make_shared<PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
   });
 
-  refusals.outside_ranges("Settings", Settings{}, [](const Settings& s) { Flow(layer(water()), splines(), {}, s); });
-  refusals.outside_ranges("SplineSpace::Settings", SplineSpace::Settings{},
-                          [](const SplineSpace::Settings& s) { splines(tank(), s); });
+  refusals.outside_ranges(
+      "Settings", "gravity non-negative and finite; density positive and finite; penalty non-negative and finite",
+      Settings{}, [](const Settings& s) { Flow(layer(water()), splines(), {}, s); });
+  refusals.outside_ranges("SplineSpace::Settings", "density positive and finite; inner_fraction in [0.05, 1]",
+                          SplineSpace::Settings{}, [](const SplineSpace::Settings& s) { splines(tank(), s); });
   refusals.refused({"no space"}, [] { Flow flow(layer(water()), nullptr); });
   refusals.refused({"no stream function"}, [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
   refusals.refused({"depth", "positive"}, [] {

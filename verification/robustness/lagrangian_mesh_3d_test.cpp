@@ -68,7 +68,7 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
   });
   const auto settings =
       refusals.with<Settings>([&](const Settings& bad) { Flow flow(layer_mesh(still_layer()), {}, {}, bad); });
-  refusals.outside_ranges("Settings", Settings{},
+  refusals.outside_ranges("Settings", "gravity non-negative and finite; density positive and finite", Settings{},
                           [](const Settings& s) { Flow(layer_mesh(still_layer()), {}, {}, s); });
   settings({"tolerance", "[1e-15, 0.0001]"}, {.tolerance = 1e-16});
   refusals.refused({"moving window", "WallSide, HeldSide"}, [] {

@@ -73,7 +73,10 @@ TEST_CASE("bad constants and walls are refused with name, value and range", "[ro
   Refusals refusals(check);
   const auto refused =
       refusals.with<Settings>([&](const Settings& settings) { Flow flow(still_water(), {}, {}, settings); });
-  refusals.outside_ranges("Settings", Settings{}, [](const Settings& s) { Flow(still_water(), {}, {}, s); });
+  refusals.outside_ranges("Settings",
+                          "gravity non-negative and finite; density positive and finite; hourglass non-negative and "
+                          "finite; corner_barrier non-negative and finite",
+                          Settings{}, [](const Settings& s) { Flow(still_water(), {}, {}, s); });
   refused({"tolerance", "1e-05", "1e-06"}, {.tolerance = 1e-5});
   refused({"tolerance", "= 0"}, {.tolerance = 0});
   refusals.refused({"iterative", "walls"}, [] {

@@ -58,7 +58,9 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
     p.x[7] += 10;
   });
   const auto setting = refusals.with<Settings>([](const Settings& settings) { Flow flow(block(), {}, settings); });
-  refusals.outside_ranges("Settings", Settings{}, [](const Settings& s) { Flow(block(), {}, s); });
+  refusals.outside_ranges(
+      "Settings", "support in [1.5, 10]; gravity non-negative and finite; stabilisation non-negative and finite",
+      Settings{}, [](const Settings& s) { Flow(block(), {}, s); });
   setting({"particle 0", "from wall 1", "side of the water"}, {.walls = {{{0, 0}, {0, 1}}, {{0.05, 0}, {1, 0}}}});
   setting({"normal of wall 0", "= 0", "positive"}, {.walls = {{{0, 0}, {0, 0}}}});
   setting({"through.x of wall 0", "nan"}, {.walls = {{{not_a_number, 0}, {0, 1}}}});

@@ -34,8 +34,10 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
   });
   refusals.refused({"bore"}, [] { bore(9.81, 0, 5, 10, 1, 2, 10); });
   refusals.refused({"depth ahead", "= 0", "positive"}, [] { bore(9.81, 0, 5, 10, 2, 0, 10); });
-  refusals.outside_ranges("Forcing", Forcing{}, [](const Forcing& f) { ParticleFlow(still_water(), {}, f); });
-  refusals.outside_ranges("Scheme", Scheme{}, [](const Scheme& s) { ParticleFlow(still_water(), {}, {}, s); });
+  refusals.outside_ranges("Forcing", "gravity positive and finite; manning non-negative and finite", Forcing{},
+                          [](const Forcing& f) { ParticleFlow(still_water(), {}, f); });
+  refusals.outside_ranges("Scheme", "theta in [1, 2]; courant above 0 and at most 0.9", Scheme{},
+                          [](const Scheme& s) { ParticleFlow(still_water(), {}, {}, s); });
   refusals.refused({"bed"}, [] {
     Forcing forcing;
     forcing.bed = Bed{[](double x) { return x; }, [](double x) { return x; }};

@@ -1,6 +1,7 @@
 /// Bad input is refused by a std::invalid_argument that names what is wrong.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -61,19 +62,25 @@ class Refusals {
       });
     };
   }
-  /// Every number of a struct of parameters (seiche/ranges.hpp): the nearest ones outside of its range, infinities and
-  /// NaN are refused by its name, value and range; the good ones are not. @param of  the name of the struct
+  /// A struct of parameters has these ranges ("theta in [1, 2]; gravity positive and finite"); the numbers next to
+  /// their ends outside, infinities and NaN are refused by name, value and range; the ends inside are none of them, and
+  /// the good ones are not refused. @param of  the name of the struct
   template <class Parameters, class Use>
-  void outside_ranges(const std::string& of, const Parameters& good, Use use) {
+  void outside_ranges(const std::string& of, const std::string& ranges, const Parameters& good, Use use) {
     CHECK_NOTHROW(use(good));
-    for (const auto& number : Parameters::ranges()) {
-      for (const double value : number.range.outside()) {
+    std::string declared;
+    for (const auto& [name, member, range] : Parameters::ranges()) {
+      declared += fmt::format("{}{} {}", declared.empty() ? "" : "; ", name, range.words());
+      CHECK(range.holds(range.open ? std::nextafter(range.lowest, infinity) : range.lowest));
+      CHECK(range.holds(range.highest));
+      for (const double value : range.outside()) {
         Parameters bad = good;
-        bad.*number.member = value;
+        bad.*member = value;
         refused(
-            {fmt::format("{} = {:.17g}", number.name, value), number.range.words()}, [&] { use(bad); }, of + ": ");
+            {fmt::format("{} = {:.17g}", name, value), range.words()}, [&] { use(bad); }, of + ": ");
       }
     }
+    CHECK(declared == ranges);
   }
   /// Rows that give what is used.
   template <class Bad, class Use>

@@ -43,7 +43,8 @@ TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
   const auto control = [&](const std::vector<std::string>& words, const Control& c, const Mesh& mesh) {
     refusals.refused(words, [&] { Flow flow(mesh, {}, c); });
   };
-  refusals.outside_ranges("Control", Control{}, [](const Control& c) { Flow(box(), {}, c); });
+  refusals.outside_ranges("Control", "rate non-negative and finite; surface_rate non-negative and finite", Control{},
+                          [](const Control& c) { Flow(box(), {}, c); });
   control({"no surface between two walls", "centroid"}, {ControlKind::mapped, 1, 0}, free_patch(4, 4, {0, 0}, {1, 1}));
   control({"surface_rate = 0", "not 0.5"}, {ControlKind::centroid, 1, 0.5}, free_patch(4, 4, {0, 0}, {1, 1}));
   refusals.refused({"two free stretches", "one"}, [] {

@@ -44,9 +44,16 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
   const auto viscous = [&](const auto& viscosity) {
     Flow(water, spacing, with([&](Settings& s) { s.viscosity = viscosity; }));
   };
-  refusals.outside_ranges("Settings", good, [&](const Settings& s) { Flow(water, spacing, s); });
-  refusals.outside_ranges("ArtificialViscosity", ArtificialViscosity{}, viscous);
-  refusals.outside_ranges("LaminarSps", LaminarSps{}, viscous);
+  refusals.outside_ranges(
+      "Settings",
+      "smoothing in [0.9, 3]; gravity non-negative and finite; density positive and finite; sound_speed positive and "
+      "finite; xsph in [0, 1]; density_diffusion non-negative and finite; courant in [1e-06, 1]",
+      good, [&](const Settings& s) { Flow(water, spacing, s); });
+  refusals.outside_ranges("ArtificialViscosity", "alpha non-negative and finite", ArtificialViscosity{}, viscous);
+  refusals.outside_ranges("LaminarSps",
+                          "kinematic_viscosity non-negative and finite; smagorinsky non-negative and finite; isotropic "
+                          "non-negative and finite",
+                          LaminarSps{}, viscous);
   refuse(water, with([](Settings& s) { s.filter_every = -1; }), "filter");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
   refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");

@@ -381,7 +381,7 @@ SelfTest StokesWave::self_test() const {
        std::abs(crest - c * surface_->crest() - integrals.impulse) / crest, limit,
        "280 Gauss points of velocities good to the stated uncertainty"},
       {"mean Eulerian velocity below the troughs = 0", std::abs(mean) / (c * -std::expm1(surface_->solution().tau[0])),
-       limit, "equally spaced velocities, 64 to a depth of at most wavelength/(2 pi), relative to that at the crest"}};
+       limit, "64/min(1, k d) equally spaced velocities, relative to the velocity at the crest"}};
 }
 
 ExactSolution stokes_entry() {

@@ -145,7 +145,7 @@ TankWave solitary_tank(const exact::SolitaryWave& wave, double start, double len
   };
   return {.length = length,
           .water = {.period = period,
-                    .highest = 2 * wave.amplitude(),
+                    .highest = 3 * wave.amplitude(),  // a wave of 0.6 depths runs up 2.8 amplitudes on a wall
                     .elevation = elevation,
                     .velocity = velocity,
                     .pressure = pressure},

@@ -70,7 +70,7 @@ struct Scheme {
 
   static constexpr auto ranges() {
     return std::array{Number{"theta", &Scheme::theta, Range::within(1, 2)},
-                      Number{"courant", &Scheme::courant, Range::above_until(0, hard_courant)}};
+                      Number{"courant", &Scheme::courant, Range{0, hard_courant, true}}};
   }
 };
 
