@@ -7,13 +7,15 @@ to the pressures of its walls, which here are made in several ways.
 suction; `filter`: densities are filtered every 30 steps; `diffusion`: the density diffusion of delta-SPH, 0.1, with
 corrected gradients; `extrapolated`: the walls take their pressure from the water (Adami, Hu and Adams 2012).
 
-**What is compared.** Pressures with $\rho_0 g$ times the depth: all of the water, and its core, three smoothing
-lengths from the walls and the surface; velocities with zero; the centre of mass with its first place.
+**What is compared.** Pressures with $\rho_0 g$ times the depth at 21 instants of the second half: all of the water, and
+its core, three smoothing lengths from the walls and the surface; velocities with zero; the centre of mass at the end
+with its first place. Errors swing by half of their size: one instant would tell little.
 
 **What to look at.** The errors of the plain scheme hardly get smaller with the spacing. Part of them is sound that
 the start sets off at the walls, whose particles do not push as the water does; part is noise in the densities, which
 grows with the number of steps. Density diffusion removes the noise, away from the walls most of the error; walls that
-take their pressure from the water make no sound: they are ten times better, and converge.
+take their pressure from the water make no sound: they are ten times better, until their error is about half the
+compression $gH/c_0^2$ of the water.
 */
 #include <array>
 #include <cmath>
@@ -58,7 +60,7 @@ struct Rest {
   double spacing = 0;
   double all = 0, core = 0, velocity = 0, sinking = 0;
   Worst largest;
-  std::vector<double> height, pressure;  ///< z/H, P/(rho_0 g H)
+  std::vector<double> height, pressure;  ///< z/H, P/(rho_0 g H) at the end
   std::size_t particles = 0;
 };
 
@@ -70,27 +72,31 @@ Rest stay(const Settings& settings, double spacing, double time) {
   wcsph::Scene scene = wcsph::tank({.width = width, .depth = depth, .spacing = spacing}, settings);
   wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings);
   const double first = centre_of_mass(flow.totals());
-  march(flow, time);
-  const wcsph::Particles& p = flow.particles();
-  const std::vector<double> pressure = flow.pressure();
+  Rest rest{.spacing = spacing, .particles = flow.particles().size()};
   const double scale = settings.density * settings.gravity * depth;
   const double margin = 3 * flow.smoothing_length();
-  Rest rest{.spacing = spacing, .particles = p.size()};
   double count = 0;
   double core_count = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.kind[i] != wcsph::Kind::fluid) continue;
-    const double error = pressure[i] / scale - (1 - p.z[i] / depth);
-    rest.all += error * error;
-    rest.largest.add(error, p.z[i]);
-    rest.velocity += p.u[i] * p.u[i] + p.w[i] * p.w[i];
-    count += 1;
-    if (p.x[i] > margin && p.x[i] < width - margin && p.z[i] > margin && p.z[i] < depth - margin) {
-      rest.core += error * error;
-      core_count += 1;
+  for (int instant = 0; instant <= 20; ++instant) {
+    march(flow, time * (0.5 + 0.025 * instant));
+    const wcsph::Particles& p = flow.particles();
+    const std::vector<double> pressure = flow.pressure();
+    rest.height.clear();
+    rest.pressure.clear();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p.kind[i] != wcsph::Kind::fluid) continue;
+      const double error = pressure[i] / scale - (1 - p.z[i] / depth);
+      rest.all += error * error;
+      rest.largest.add(error, p.z[i]);
+      rest.velocity += p.u[i] * p.u[i] + p.w[i] * p.w[i];
+      count += 1;
+      if (p.x[i] > margin && p.x[i] < width - margin && p.z[i] > margin && p.z[i] < depth - margin) {
+        rest.core += error * error;
+        core_count += 1;
+      }
+      rest.height.push_back(p.z[i] / depth);
+      rest.pressure.push_back(pressure[i] / scale);
     }
-    rest.height.push_back(p.z[i] / depth);
-    rest.pressure.push_back(pressure[i] / scale);
   }
   rest.all = std::sqrt(rest.all / count);
   rest.core = std::sqrt(rest.core / core_count);
@@ -173,8 +179,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                        "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three lattices, "
                        "1.0 and 0.8, differ by that much",
                    .expected = 0.5};
+  const bool quick = values.tier() == Tier::quick;
   if (values.standard()) {
-    const bool quick = values.tier() == Tier::quick;
     claims
         .fails({.value = quick ? 0.72 : 1.2,
                 .width = quick ? 0.1 : 0.2,
@@ -186,7 +192,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   } else {
     claims.check(converges(options.front()), ratio(0), half);
   }
-  claims.check(converges(options.back()), ratio(options.size() - 1), half);
+  const auto last =
+      values.standard() && !quick
+          ? claims.fails({.value = 1.1,
+                          .width = 0.3,
+                          .reason = "the error, 0.3 % of the pressure at the bottom, is about half of g H/c^2, "
+                                    "by which the water is compressed, and does not fall below it; after "
+                                    "some 1.5 s the lattice begins to break in the corners"})
+          : claims;
+  last.check(converges(options.back()), ratio(options.size() - 1), half);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {

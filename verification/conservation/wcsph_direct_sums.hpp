@@ -213,7 +213,8 @@ class DirectSums {
       const bool clamped = settings_.walls == wcsph::WallPressure::clamped && !fluid(a);
       pressure_.push_back(clamped ? std::max(pressure, 0.0) : pressure);
       sound_speed_.push_back(settings_.sound_speed * std::pow(s, 0.5 * (wcsph::TaitFluid::exponent - 1)));
-      smoothing_.push_back(settings_.smoothing * spacing_ / std::sqrt(s));
+      const bool keeps = settings_.walls == wcsph::WallPressure::extrapolated && !fluid(a);
+      smoothing_.push_back(settings_.smoothing * spacing_ / (keeps ? 1 : std::sqrt(s)));
     }
   }
 

@@ -122,6 +122,9 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
                   Roundoff{6, 1 / setup.deviation,
                            "as for the plain rates, and two roundings of rho/rho_0 more where the pressure of a wall "
                            "becomes a density and a pressure again"});
+      const Rates once = flow.rates();
+      const bool same = once.ddensity == flow.rates().ddensity && once.dw == flow.rates().dw;
+      CHECK(same);
     }
   }
 }

@@ -127,7 +127,7 @@ Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<P
       mean_spacing_(mean_spacing(particles_, settings.density)),
       rates_(settings, spacing),
       corrections_(settings, spacing),
-      stage_(fluid_, smoothing_, rates_.turbulent()),
+      stage_(fluid_, smoothing_, rates_.turbulent(), settings.walls == WallPressure::extrapolated),
       neighbours_(mean_spacing_, expected_box(particles_), settings.period, pair_loops(settings.kernel).lanes),
       reserve_(skin * support * smoothing_),
       listed_reserve_(reserve_) {

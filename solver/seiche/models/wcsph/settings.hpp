@@ -45,7 +45,8 @@ enum class WallPressure {
   dynamic,  ///< their own density, advanced by (2)
   clamped,  ///< the same, never below rho_0: walls do not suck
   /// From the fluid next to them, with its hydrostatic gradient (Adami, Hu and Adams 2012). The walls of a scene then
-  /// continue the lattice of the fluid for a support; staggered rows, twice as dense, would push too hard.
+  /// continue the lattice of the fluid for a support; staggered rows, twice as dense, would push too hard. Their
+  /// smoothing length is h_0, so that their density is that of the fluid, whatever it was before.
   extrapolated,
 };
 

@@ -25,6 +25,8 @@ SEICHE_SIMD_CLONES void derive(const double* density, std::size_t count, double 
 void Stage::adopt(const Particles& particles, std::span<const Image> images, double used) {
   count_ = particles.size();
   images_ = images;
+  const auto& kinds = particles.kind;
+  varying_ = walls_keep_ ? static_cast<std::size_t>(std::ranges::count(kinds, Kind::fluid)) : count_;
   // Far from everything, finite in all that the loops compute of it.
   constexpr double far = 1e30;
   constexpr Record nobody{.x = far, .z = far, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .mass = 0};
@@ -46,6 +48,7 @@ double Stage::fill(const Source& source, std::size_t begin) {
     std::array<double, StateBlock::size> pressure, smoothing;
     derive(block.density.data(), count, fluid_.reference_density(), fluid_.stiffness(), smoothing_, pressure.data(),
            smoothing.data());
+    for (std::size_t k = std::max(first, varying_); k < first + count; ++k) smoothing[k - first] = smoothing_;
     for (std::size_t k = 0; k < count; ++k) {
       Record& record = records_[first + k];
       const double x = block.x[k] - record.x;

@@ -54,9 +54,9 @@ class Stage {
   /// The state of particles first, ..., first + count - 1.
   using Source = std::function<void(std::size_t first, std::size_t count, StateBlock& block)>;
 
-  /// @param smoothing  h_0; @param stresses  of eddies are asked for
-  Stage(const TaitFluid& fluid, double smoothing, bool stresses)
-      : fluid_(fluid), smoothing_(smoothing), stresses_(stresses) {}
+  /// @param smoothing  h_0; @param stresses  of eddies are asked for; @param walls_keep  h_0, see WallPressure
+  Stage(const TaitFluid& fluid, double smoothing, bool stresses, bool walls_keep)
+      : fluid_(fluid), smoothing_(smoothing), stresses_(stresses), walls_keep_(walls_keep) {}
 
   /// Records of the particles and their images, whose lists are going to be made.
   /// @param used  of their reserve, see fill()
@@ -83,7 +83,9 @@ class Stage {
   TaitFluid fluid_;
   double smoothing_;
   bool stresses_;
+  bool walls_keep_;
   std::size_t count_ = 0;
+  std::size_t varying_ = 0;  ///< so many particles have the h of their density, the others h_0
   std::span<const Image> images_;
   std::vector<Record> records_;
   std::vector<Stress> stress_;
