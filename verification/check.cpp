@@ -67,7 +67,9 @@ Check::~Check() {
     if (!assertions_.rows.empty()) {
       record_.check(
           {.id = "assertions",
-           .text = fmt::format("{}: all {} assertions of the table hold.", record_.title, assertions_.rows.size()),
+           .text = assertions_.rows.size() == 1 ? fmt::format("{}: the assertion of the table holds.", record_.title)
+                                                : fmt::format("{}: all {} assertions of the table hold.", record_.title,
+                                                              assertions_.rows.size()),
            .quantity = "largest part of a limit that is used",
            .source = "table of assertions"},
           {.value = used_.value()},

@@ -17,7 +17,7 @@ ROOT = pathlib.Path(os.environ.get("SEICHE_SOURCE", pathlib.Path(__file__).resol
 EVIDENCE = pathlib.Path(os.environ.get("SEICHE_EVIDENCE", ROOT / "build/release/evidence"))
 
 LEANS = re.compile(r"(It|Its|So|Nor|And|They|Their|One|None|That|Those|These|This|Neither)\b(?!-)")
-LOOSE = re.compile(r"\b(is|are) told\b|earlier program|as measured|\bas (high|fast) as\b|\b(that|those) of\b")
+LOOSE = re.compile(r"\b(is|are) told\b|earlier program|as measured|\bas (high|fast) as\b|\b(that|those) of\b|\. \(|\ball 1 ")
 HOME_MADE = re.compile(
     r"\bplan (model|version)\b|still level|planted defect|broken on purpose|evidence of record|declared failure"
     r"|\btiles?\b|(?<!-)\bpublished sets?\b|\bcontest(ant)?s?\b|\bpeers?\b|\bstrangers?\b|\bleague\b|touch-?down|bit by bit"

@@ -174,13 +174,13 @@ void claims(const Values& values, const Claims<std::vector<OfLake>>& claims) {
           })
           .from("heights counted from the still-water level")
           .check(
-              all[k].id + "-" + id, fmt::format("{} ({})", text, all[k].name), fmt::format("{} [{}]", quantity, unit),
+              all[k].id + "-" + id, fmt::format("{} ({}).", text, all[k].name), fmt::format("{} [{}]", quantity, unit),
               [k, of](const std::vector<OfLake>& r) { return (r.at(k).largest().*of).value(); },
               Bound{0, "every force is a product with an elevation, which is zero"});
     };
-    exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
-    exactly_zero("elevation", "Elevations of water at rest are zero.", "largest elevation", "H", &Unrest::elevation);
-    exactly_zero("displacement", "Displacements of markers in water at rest are zero.", "largest displacement", "H",
+    exactly_zero("velocity", "Velocities of water at rest are zero", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
+    exactly_zero("elevation", "Elevations of water at rest are zero", "largest elevation", "H", &Unrest::elevation);
+    exactly_zero("displacement", "Displacements of markers in water at rest are zero", "largest displacement", "H",
                  &Unrest::displacement);
   }
 }

@@ -212,7 +212,7 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
       .from("Serre, La Houille Blanche 8 (1953) 374")
       .check(
           id,
-          fmt::format("The speed of the leading soliton agrees with Serre's solitary wave of its height. ({})",
+          fmt::format("The speed of the leading soliton agrees with Serre's solitary wave of its height ({}).",
                       of.text()),
           "speed of its crest / (1 + height)^(1/2)",
           [](const PressureWaves& waves) {
@@ -228,21 +228,20 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
 void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegime& regime, const PressureRun& run) {
   const Claims<PressureWaves> claims = all.at(run.text());
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{regime.id + "-" + id, fmt::format("{} ({})", text, regime.source.text()), quantity, "1",
+    return evidence::Claim{regime.id + "-" + id, fmt::format("{} ({}).", text, regime.source.text()), quantity, "1",
                            source};
   };
-  claims.check(
-      regime.solitons ? claim("solitons", "Solitons run ahead of the source.", "forward solitons present")
-                      : claim("none-ahead", "No soliton runs ahead of the source.", "forward solitons present"),
-      solitons_ahead,
-      Qualitative{
-          .detector = fmt::format("a peak above {:g} beyond the front of the source at the end", soliton_threshold),
-          .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
-          .expected = regime.solitons});
+  claims.check(regime.solitons ? claim("solitons", "Solitons run ahead of the source", "forward solitons present")
+                               : claim("none-ahead", "No soliton runs ahead of the source", "forward solitons present"),
+               solitons_ahead,
+               Qualitative{.detector = fmt::format("a peak above {:g} beyond the front of the source at the end",
+                                                   soliton_threshold),
+                           .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
+                           .expected = regime.solitons});
   if (!regime.periodic) return;
   claims.check(
       claim("regular",
-            "The distances between peaks of the surface at the source deviate from their mean by at most 3 %.",
+            "The distances between peaks of the surface at the source deviate from their mean by at most 3 %",
             "largest deviation of a distance of peaks from their mean, relative"),
       [](const PressureWaves& waves) { return relative_spread(settled_distances(waves)); },
       Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"});
