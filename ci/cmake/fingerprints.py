@@ -18,6 +18,7 @@ import hashlib
 import json
 import pathlib
 import re
+import sys
 
 REGISTRY = "validation/case/registry.hpp"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
@@ -76,7 +77,7 @@ class Sources:
     def cases(self):
         """The files that define cases: what the generated list of the registry is made of."""
         return {path for path in (str(file.relative_to(self.root)) for file in self.root.glob("validation/*/*.cpp"))
-                if f"\nCase {pathlib.PurePath(path).stem}() {{" in self.text(path)}
+                if f"\nvoid {pathlib.PurePath(path).stem}(Case& c) {{" in self.text(path)}
 
     def implementing(self, header):
         including = self.including(str(pathlib.PurePath(header).parent)).get(header, set())
@@ -119,6 +120,9 @@ def main():
     parser.add_argument("checks", nargs="+", help="relative to the root")
     options = parser.parse_args()
     sources = Sources(options.source)
+    cases = {check for check in options.checks if check.startswith("validation/")}
+    if cases and cases != sources.cases:
+        sys.exit(f"fingerprints.py takes other files for cases than the registry does: {sorted(cases ^ sources.cases)[:3]}, ...")
     found = {check: sources.fingerprint(check, options.toolchain) for check in options.checks}
     text = as_cpp(found) if options.output.suffix == ".cpp" else json.dumps(found, indent=1) + "\n"
     # An unchanged file keeps its time: what depends on it is not made again.
