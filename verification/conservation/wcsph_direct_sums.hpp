@@ -80,6 +80,13 @@ class DirectSums {
     return rates;
   }
 
+  /// Ordered pairs within the support.
+  [[nodiscard]] long long pairs() const {
+    long long count = 0;
+    for (std::size_t a = 0; a < p_.size(); ++a) neighbours(a, [&](std::size_t, const Pair&) { ++count; });
+    return count;
+  }
+
   /// Densities by moving least squares of first order, sum m_b (beta_0 + beta . r_ab) W_ab with itself, all from the
   /// old ones, for the fluid; Shepard's mean where fewer than 5 neighbours or a singular matrix leave no other,
   /// unchanged where fewer than 3 do, or where the new value is outside [0.9, 1.1] rho_0.

@@ -78,6 +78,7 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
                                 .period = setup.period};
         Flow flow(setup.particles, spacing, settings);
         const RateDifference found = compare(flow, spacing);
+        CHECK(flow.extremes().interactions == DirectSums(flow.particles(), spacing, settings).pairs());
         check.holds(
             fmt::format("{}, {} kernel, {}: all rates agree with the sums over all pairs.", setup.name, name_of(kernel),
                         model.name),
