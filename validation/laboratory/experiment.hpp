@@ -45,7 +45,7 @@ struct Series {
   std::optional<Window> still = {};         ///< in which the quantity's mean is its zero
   double input = 0;                         ///< relative standard uncertainty of the incident wave
   std::string input_reason = {};
-  double telling = 1e30;  ///< largest expanded uncertainty of a submitted time or place that still decides
+  double telling = 1e30;  ///< largest expanded uncertainty of a computed time or place that still decides
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count
   std::optional<Clock> clock = {};

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/binomial.hpp>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/fine_limit.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {
@@ -54,29 +54,62 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
         record.values[part.quantity.name].push_back((1 + amplitude * part.input) * y + noise * curve.u[i]);
         if (gauge) record.abscissa[i] += clock * curve.u_x;
       }
-      // A clock moves no end of a record into what is judged.
-      if (record.abscissa.front() > curve.x.front()) record.abscissa.front() = curve.x.front();
-      if (record.abscissa.back() < curve.x.back()) record.abscissa.back() = curve.x.back();
       records[part.name].push_back(std::move(record));
     }
   }
   return records;
 }
 
-double share_failing(const Experiment& experiment, const Values& values, const std::vector<Question>& all) {
-  Curves curves;
-  for (const Series& part : experiment.parts) curves[part.name] = measured(part, values);
+bool passes(const Experiment& experiment, const Values& values, const std::vector<Question>& all, const Curves& curves,
+            const Submitted& records) {
+  std::map<std::string, double> unused;
+  Submitted judged = on_the_clock(experiment, values, records, unused);
+  for (auto& [part, groups] : judged) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {  // a clock moves no end of a record into what is judged
+      std::vector<double>& x = groups[g].abscissa;
+      const std::vector<double>& all_of = curves.at(part)[g].x;
+      if (x.front() > all_of.front()) x.front() = all_of.front();
+      if (x.back() < all_of.back()) x.back() = all_of.back();
+    }
+  }
+  return metric(all, judged, {}).passes();
+}
+
+/// The smallest s with which the measured records times 1 + s and times 1 - s do not pass; 1 where none is below.
+double smallest_factor(const Experiment& experiment, const Values& values, const std::vector<Question>& all,
+                       const Curves& curves) {
+  const auto noticed = [&](double factor) {
+    Submitted records;
+    for (const Series& part : experiment.parts) {
+      for (const Measured& curve : curves.at(part.name)) {
+        SubmittedGroup& record = records[part.name].emplace_back();
+        record = {.value = curve.group, .abscissa = curve.x, .values = {{part.quantity.name, curve.y}}};
+        for (double& y : record.values.at(part.quantity.name)) y *= factor;
+      }
+    }
+    return !passes(experiment, values, all, curves, records);
+  };
+  double below = 0;
+  double factor = 1;
+  for (int bisections = 0; bisections < 16; ++bisections) {
+    const double middle = (below + factor) / 2;
+    (noticed(1 + middle) && noticed(1 - middle) ? factor : below) = middle;
+  }
+  return factor;
+}
+
+double share_failing(const Experiment& experiment, const Values& values, const std::vector<Question>& all,
+                     const Curves& curves) {
   std::mt19937_64 random(51);
   std::normal_distribution<double> normal;
   long failing = 0;
   for (long k = 0; k < draws; ++k) {
-    if (!metric(all, drawn(experiment, curves, [&] { return normal(random); }), {}).passes()) ++failing;
+    if (!passes(experiment, values, all, curves, drawn(experiment, curves, [&] { return normal(random); }))) ++failing;
   }
   return static_cast<double>(failing) / draws;
 }
 
-/// Expanded (95 %) numerical uncertainty of a value on the finest of two or three grids, over 2: the grid convergence
-/// index, with the theoretical order and a factor of 3 where there are two values.
+/// Standard numerical uncertainty of a value on the finest of the grids.
 double numerical_of(const Question& one, const Experiment& experiment, const Computed& computed) {
   std::vector<double> sizes, values;
   for (std::size_t k = 0; k < computed.grids.size(); ++k) {
@@ -85,8 +118,7 @@ double numerical_of(const Question& one, const Experiment& experiment, const Com
     sizes.push_back(experiment.coarsenings[k]);
     values.push_back(value);
   }
-  if (sizes.size() > 2) return 0.5 * evidence::grid_convergence(sizes, values, experiment.order).uncertainty;
-  return 1.5 * std::abs(values[1] - values[0]) / (std::pow(sizes[1] / sizes[0], experiment.order) - 1);
+  return 0.5 * fine_limit(sizes, values, experiment.order).uncertainty;
 }
 
 Sources sources_of(const std::vector<Question>& all, const Experiment& experiment, const Computed& computed) {
@@ -147,14 +179,15 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
     const std::vector<Question> all = questions(experiment, values);
     const Metric found = metric(all, r.grids.front(), sources_of(all, experiment, r));
     Measurement measurement{.value = found.difference,
-                            .uncertainty = coverage() * found.numerical,
+                            .uncertainty = found.uncertainty(experiment.ceiling),
                             .resolution = fmt::format("{} readings, {} spacings", all.size(), r.grids.size())};
     measurement.told.data = found.data;
     measurement.told.input = found.input;
     return measurement;
   };
   const Uncertainty criterion =
-      criterion_of(experiment, Amount::told_by_run(experiment.ceiling), Amount::told_by_run(experiment.ceiling));
+      criterion_of(experiment, Amount::told_by_run(experiment.ceiling), Amount::told_by_run(experiment.ceiling),
+                   coverage(questions(experiment, values)));
   evidence::Claim claim = claim_of(experiment);
   claim.text.insert(claim.text.size() - 1, fmt::format(" ({})", experiment.model));
   if (experiment.miss.empty()) return claims.check(claim, agree, criterion);
@@ -164,7 +197,10 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
 
 Computed compute_experiment(const Experiment& experiment, const Run& run) {
   const std::vector<Question> all = questions(experiment, run);
-  Computed r{.noticed = metric(all, {}, {}).noticed(), .failing = share_failing(experiment, run, all)};
+  Curves curves;
+  for (const Series& part : experiment.parts) curves[part.name] = measured(part, run);
+  Computed r{.noticed = smallest_factor(experiment, run, all, curves),
+             .failing = share_failing(experiment, run, all, curves)};
   if (!experiment.compute) return r;
   std::map<std::string, double> unused;
   for (const double coarsening : experiment.coarsenings) {
