@@ -230,8 +230,8 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
     share.add(of_part.cwiseSign().cwiseAbs().dot(own) / of_part.cwiseAbs().sum());
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const bool told = !(2 * numerical(k) > all[k].part().telling);
-    if (all[k].reading().along && !told) share.add(std::numeric_limits<double>::infinity());
+    const double telling = std::max(all[k].part().telling, 2 * all[k].data_uncertainty());
+    if (all[k].reading().along && 2 * numerical(k) > telling) share.add(std::numeric_limits<double>::infinity());
   }
   result.shared = share.value();
 
@@ -318,14 +318,14 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   for (const auto& [part, shift] : shifts) record.measure(part + "_time_shift", shift);
   std::vector<Question> present;
   Sources sources;
-  bool stated = true;
+  std::string open;  // why nothing is decided, unless it is clearly wrong
   for (const Question& one : questions(experiment, values)) {
     const SubmittedGroup* group = group_of(computed, one.part(), one.reading().group);
     const std::optional<Question> asked = group == nullptr ? std::nullopt : one.within(*group);
     if (!asked) {
       const SubmittedGroup* given = group_of(submitted, one.part(), one.reading().group);
       const bool by_clock = given != nullptr && one.within(*given).has_value();
-      stated = stated && !by_clock;
+      if (by_clock) open = ", the clock leaves readings out";
       record.leave_out({{.id = one.id(),
                          .text = fmt::format("{}: {}", one.part().quantity.meaning, one.reading().words),
                          .quantity = one.reading().words,
@@ -337,7 +337,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
       continue;
     }
     const std::optional<double> u = asked->stated(facts.uncertainty);
-    stated = stated && u;
+    if (!u) open = ", u_num not stated";
     present.push_back(*asked);
     sources.numerical.push_back(u.value_or(0));
   }
@@ -345,12 +345,13 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     return record.leave_out({claim_of(experiment), "no amplitude was submitted"});
   }
   const Metric found = metric(present, computed, sources);
+  const bool stated = open.empty();
   const std::optional<double> u = stated ? found.uncertainty(experiment.ceiling) : std::nullopt;
+  if (stated && !u) open = ", u_num more than decides anything";
   record.check(claim_of(experiment),
                {.value = found.difference,
                 .uncertainty = u,
-                .resolution = fmt::format("{} readings{}", present.size(),
-                                          u ? "" : ", u_num not stated or more than decides anything")},
+                .resolution = fmt::format("{} readings{}", present.size(), open)},
                criterion_of(experiment, found.data, found.input, found.coverage));
   show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
                 record.solver, record);

@@ -81,8 +81,8 @@ struct Metric {
   double difference = 0;
   double coverage = 0;                        ///< of the common factor, in standard uncertainties
   double data = 0, input = 0, numerical = 0;  ///< standard uncertainties of a common factor
-  /// The largest numerical one of a part, were its errors common; infinite where a time or place is not known to what
-  /// decides.
+  /// The largest numerical one of a part, were its errors common; infinite where a time or place is known neither to what
+  /// decides nor as well as it was measured.
   double shared = 0;
   std::vector<double> scores = {};            ///< E/u, reading by reading
 
