@@ -177,9 +177,10 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
   if (!experiment.compute) return;
   const auto agree = [experiment, values](const Computed& r) -> Measurement {
     const std::vector<Question> all = questions(experiment, values);
-    const Metric found = metric(all, r.grids.front(), sources_of(all, experiment, r));
+    const Sources sources = sources_of(all, experiment, r);
+    const Metric found = metric(all, r.grids.front(), sources);
     Measurement measurement{.value = found.difference,
-                            .uncertainty = found.uncertainty(experiment.ceiling),
+                            .uncertainty = numerical_uncertainty(all, r.grids.front(), sources, experiment.ceiling),
                             .resolution = fmt::format("{} readings, {} spacings", all.size(), r.grids.size())};
     measurement.told.data = found.data;
     measurement.told.input = found.input;

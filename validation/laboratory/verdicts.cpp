@@ -259,6 +259,20 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   return result;
 }
 
+std::optional<double> numerical_uncertainty(const std::vector<Question>& all, const Submitted& computed,
+                                            Sources sources, double ceiling) {
+  const Metric found = metric(all, computed, sources);
+  if (found.coverage * found.shared <= ceiling) return found.coverage * found.numerical;
+  for (const std::string& part : scaled_parts(all)) {
+    std::vector<double>& shared = sources.parameters.emplace_back();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      shared.push_back(all[k].part().name == part ? sources.numerical[k] : 0);
+    }
+  }
+  const bool explained = found.passes() || metric(all, computed, sources).passes();
+  return explained ? std::nullopt : std::optional(found.coverage * found.numerical);
+}
+
 evidence::Claim claim_of(const Experiment& experiment) {
   std::vector<std::string> parts;
   for (const Series& part : experiment.parts) parts.push_back(part.quantity.meaning);
@@ -346,7 +360,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   }
   const Metric found = metric(present, computed, sources);
   const bool stated = open.empty();
-  const std::optional<double> u = stated ? found.uncertainty(experiment.ceiling) : std::nullopt;
+  const auto u = stated ? numerical_uncertainty(present, computed, sources, experiment.ceiling) : std::nullopt;
   if (stated && !u) open = ", u_num more than decides anything";
   record.check(claim_of(experiment),
                {.value = found.difference,

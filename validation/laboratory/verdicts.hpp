@@ -89,10 +89,6 @@ struct Metric {
   /// The smallest common factor that is noticed.
   [[nodiscard]] double noticed() const;
   [[nodiscard]] bool passes() const { return difference <= noticed(); }
-  /// Numerical, of a difference, expanded; none where a numerical error of a factor beyond the ceiling could hide.
-  [[nodiscard]] std::optional<double> uncertainty(double ceiling) const {
-    return coverage * shared <= ceiling ? std::optional(coverage * numerical) : std::nullopt;
-  }
 };
 
 /// sqrt of the chi-square quantile of sqrt(0.95): 2.236 standard uncertainties where a factor changes one part alone,
@@ -100,6 +96,11 @@ struct Metric {
 double coverage(const std::vector<Question>& all);
 
 Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources);
+
+/// Numerical uncertainty of the difference, expanded. None where it decides nothing: where a numerical error of a factor
+/// beyond the ceiling could hide, and explain the difference.
+std::optional<double> numerical_uncertainty(const std::vector<Question>& all, const Submitted& computed,
+                                            Sources sources, double ceiling);
 
 evidence::Claim claim_of(const Experiment& experiment);
 Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input, double coverage);

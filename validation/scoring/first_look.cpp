@@ -167,7 +167,10 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
   }
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
   if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
-    return "state the uncertainty of your result: --uncertainty, or --sizes with three or more cell sizes";
+    return fmt::format(
+        "state an uncertainty that decides (--uncertainty, or --sizes with three or more cell sizes), for records that "
+        "reach all readings: {}",
+        j.resolution);
   }
   if (!ladder) return "run three or more cell sizes and pass them with --sizes";
   if (exact && not_numerical(ladder) != nullptr) {
