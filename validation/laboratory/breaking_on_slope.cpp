@@ -108,17 +108,18 @@ Experiment experiment(const Values& values) {
     heights.read({highest(wave, {}), when_highest(wave, {}, Kind::place), misfit(wave, {0, breaking})});
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
-  return {.source = source,
-          .parts = {heights, levels},
-          .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
-          .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
-          .model = "dispersive shallow water with breaking",
-          .coarsenings = {1, 1.5, 2},
-          .miss =
-              "cause unknown: the set-down before breaking of the long wave is 1.0 mm where 1.7 mm was measured, and its "
-              "computed height undulates by 3 mm along the slope, which the measured one does not; largest heights and "
-              "places of breaking agree. Waves of the Euler equations at the toe would tell whether it is what drives "
-              "them"};
+  return {
+      .source = source,
+      .parts = {heights, levels},
+      .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
+      .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
+      .model = "dispersive shallow water with breaking",
+      .coarsenings = {1, 1.5, 2},
+      .miss =
+          "cause unknown: the set-down before breaking of the long wave is 1.0 mm where 1.7 mm was measured, and its "
+          "computed height undulates by 3 mm along the slope, which the measured one does not; largest heights and "
+          "places of breaking agree. Waves of the Euler equations at the toe would tell whether it is what drives "
+          "them"};
 }
 
 }  // namespace

@@ -66,8 +66,6 @@ struct Experiment {
   std::string model = {};                       ///< its name
   double order = 2;                             ///< theoretical, of its convergence
   std::vector<double> coarsenings = {1, 2, 4};  ///< with which it is computed: two, or three for an observed order
-  /// Parameters of it that no source states, known to within this factor: what each changes is part of u_input.
-  std::map<std::string, double> known_within = {};
   /// Why it is known to fail, or "cause unknown" and what would tell; empty where it passes.
   std::string miss = {};
 };

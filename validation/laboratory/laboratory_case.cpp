@@ -22,10 +22,12 @@ constexpr long draws = 200;
 
 using Curves = std::map<std::string, std::vector<Measured>>;
 
-/// The measured records with one draw of everything that is not known of them, as verdicts.hpp has it: one incident
-/// amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration and half slowly
-/// varying, between independent values a tenth of what is judged apart, for a profile value and abscissa of each point.
-Submitted drawn(const Experiment& experiment, const Curves& curves, const std::function<double()>& normal) {
+/// The measured records times a factor with one draw of everything that is not known of them, as verdicts.hpp has it:
+/// one incident amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration
+/// and half slowly varying, between independent values a tenth of what is judged apart, for a profile value and
+/// abscissa of each point.
+Submitted drawn(const Experiment& experiment, const Curves& curves, double factor,
+                const std::function<double()>& normal) {
   Submitted records;
   const double amplitude = normal();
   for (const Series& part : experiment.parts) {
@@ -51,7 +53,7 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
         const double noise = gauge ? (calibration + varying) / std::numbers::sqrt2 : normal();
         const double off = gauge ? 0 : normal() * curve.u_x;
         const double y = linear_at(curve.curve(), std::clamp(curve.x[i] - off, curve.x.front(), curve.x.back()));
-        record.values[part.quantity.name].push_back((1 + amplitude * part.input) * y + noise * curve.u[i]);
+        record.values[part.quantity.name].push_back((factor + amplitude * part.input) * y + noise * curve.u[i]);
         if (gauge) record.abscissa[i] += clock * curve.u_x;
       }
       records[part.name].push_back(std::move(record));
@@ -60,53 +62,36 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
   return records;
 }
 
-bool passes(const Experiment& experiment, const Values& values, const std::vector<Question>& all, const Curves& curves,
-            const Submitted& records) {
-  std::map<std::string, double> unused;
-  Submitted judged = on_the_clock(experiment, values, records, unused);
-  for (auto& [part, groups] : judged) {
-    for (std::size_t g = 0; g < groups.size(); ++g) {  // a clock moves no end of a record into what is judged
-      std::vector<double>& x = groups[g].abscissa;
-      const std::vector<double>& all_of = curves.at(part)[g].x;
-      if (x.front() > all_of.front()) x.front() = all_of.front();
-      if (x.back() < all_of.back()) x.back() = all_of.back();
-    }
-  }
-  return metric(all, judged, {}).passes();
-}
-
-/// The smallest s with which the measured records times 1 + s and times 1 - s do not pass; 1 where none is below.
-double smallest_factor(const Experiment& experiment, const Values& values, const std::vector<Question>& all,
-                       const Curves& curves) {
-  const auto noticed = [&](double factor) {
-    Submitted records;
-    for (const Series& part : experiment.parts) {
-      for (const Measured& curve : curves.at(part.name)) {
-        SubmittedGroup& record = records[part.name].emplace_back();
-        record = {.value = curve.group, .abscissa = curve.x, .values = {{part.quantity.name, curve.y}}};
-        for (double& y : record.values.at(part.quantity.name)) y *= factor;
+/// What the measured records decide, as judged: on their clock, with nothing of numerical uncertainty.
+Computed told_by_data(const Experiment& experiment, const Values& values, const std::vector<Question>& all) {
+  Curves curves;
+  for (const Series& part : experiment.parts) curves[part.name] = measured(part, values);
+  const auto passes = [&](double factor, const std::function<double()>& normal) {
+    std::map<std::string, double> unused;
+    Submitted records = on_the_clock(experiment, values, drawn(experiment, curves, factor, normal), unused);
+    for (auto& [part, groups] : records) {
+      for (std::size_t g = 0; g < groups.size(); ++g) {  // a clock moves no end of a record into what is judged
+        std::vector<double>& x = groups[g].abscissa;
+        const std::vector<double>& asked = curves.at(part)[g].x;
+        if (x.front() > asked.front()) x.front() = asked.front();
+        if (x.back() < asked.back()) x.back() = asked.back();
       }
     }
-    return !passes(experiment, values, all, curves, records);
+    return metric(all, records, {}).passes();
   };
+  Computed r{.noticed = 1};
   double below = 0;
-  double factor = 1;
+  const auto exact = [] { return 0.0; };
   for (int bisections = 0; bisections < 16; ++bisections) {
-    const double middle = (below + factor) / 2;
-    (noticed(1 + middle) && noticed(1 - middle) ? factor : below) = middle;
+    const double middle = (below + r.noticed) / 2;
+    (passes(1 + middle, exact) || passes(1 - middle, exact) ? below : r.noticed) = middle;
   }
-  return factor;
-}
-
-double share_failing(const Experiment& experiment, const Values& values, const std::vector<Question>& all,
-                     const Curves& curves) {
   std::mt19937_64 random(51);
   std::normal_distribution<double> normal;
-  long failing = 0;
   for (long k = 0; k < draws; ++k) {
-    if (!passes(experiment, values, all, curves, drawn(experiment, curves, [&] { return normal(random); }))) ++failing;
+    if (!passes(1, [&] { return normal(random); })) r.failing += 1.0 / draws;
   }
-  return static_cast<double>(failing) / draws;
+  return r;
 }
 
 /// Standard numerical uncertainty of a value on the finest of the grids.
@@ -122,13 +107,7 @@ double numerical_of(const Question& one, const Experiment& experiment, const Com
 }
 
 Sources sources_of(const std::vector<Question>& all, const Experiment& experiment, const Computed& computed) {
-  Sources sources;
-  for (const Question& one : all) sources.numerical.push_back(numerical_of(one, experiment, computed));
-  for (const Submitted& changed : computed.changed) {
-    sources.parameters.push_back(
-        each(all, [&](const Question& one) { return one.answer(changed) - one.answer(computed.grids[1]); }));
-  }
-  return sources;
+  return {.numerical = each(all, [&](const Question& one) { return numerical_of(one, experiment, computed); })};
 }
 
 void draw(const Series& part, const std::vector<Measured>& data, const Computed& computed, const std::string& model,
@@ -198,21 +177,13 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
 
 Computed compute_experiment(const Experiment& experiment, const Run& run) {
   const std::vector<Question> all = questions(experiment, run);
-  Curves curves;
-  for (const Series& part : experiment.parts) curves[part.name] = measured(part, run);
-  Computed r{.noticed = smallest_factor(experiment, run, all, curves),
-             .failing = share_failing(experiment, run, all, curves)};
+  Computed r = told_by_data(experiment, run, all);
   if (!experiment.compute) return r;
   std::map<std::string, double> unused;
   for (const double coarsening : experiment.coarsenings) {
     r.grids.push_back(
         on_the_clock(experiment, run, experiment.compute(run, coarsening), r.grids.empty() ? r.shifts : unused));
     run.progress(0.7);
-  }
-  for (const auto& [parameter, factor] : experiment.known_within) {
-    Run other = run;
-    other.set(parameter, Value(run.real(parameter) / factor));
-    r.changed.push_back(on_the_clock(experiment, run, experiment.compute(other, experiment.coarsenings[1]), unused));
   }
   return r;
 }

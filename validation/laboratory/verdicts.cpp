@@ -216,7 +216,7 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   Metric result{.coverage = coverage(all)};
   result.data = of_factor();
   v += incident * incident.transpose();
-  for (const auto& changes : sources.parameters) {
+  for (const auto& changes : sources.shared) {
     const Eigen::VectorXd change = gather([&](std::size_t k) { return changes[k]; });
     v += change * change.transpose();
   }
@@ -244,7 +244,7 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
     double u = std::hypot(one.data_uncertainty(), numerical(k));
-    for (const auto& changes : sources.parameters) u = std::hypot(u, changes[k]);
+    for (const auto& changes : sources.shared) u = std::hypot(u, changes[k]);
     if (one.reading().misfit()) {
       result.scores.push_back(one.answer(computed, 1 + explained * one.part().input) / u);
       rest += std::pow(result.scores.back(), 2);
@@ -264,7 +264,7 @@ std::optional<double> numerical_uncertainty(const std::vector<Question>& all, co
   const Metric found = metric(all, computed, sources);
   if (found.coverage * found.shared <= ceiling) return found.coverage * found.numerical;
   for (const std::string& part : scaled_parts(all)) {
-    std::vector<double>& shared = sources.parameters.emplace_back();
+    std::vector<double>& shared = sources.shared.emplace_back();
     for (std::size_t k = 0; k < all.size(); ++k) {
       shared.push_back(all[k].part().name == part ? sources.numerical[k] : 0);
     }
@@ -362,11 +362,10 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   const bool stated = open.empty();
   const auto u = stated ? numerical_uncertainty(present, computed, sources, experiment.ceiling) : std::nullopt;
   if (stated && !u) open = ", u_num more than decides anything";
-  record.check(claim_of(experiment),
-               {.value = found.difference,
-                .uncertainty = u,
-                .resolution = fmt::format("{} readings{}", present.size(), open)},
-               criterion_of(experiment, found.data, found.input, found.coverage));
+  record.check(
+      claim_of(experiment),
+      {.value = found.difference, .uncertainty = u, .resolution = fmt::format("{} readings{}", present.size(), open)},
+      criterion_of(experiment, found.data, found.input, found.coverage));
   show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
                 record.solver, record);
   show_calibration(experiment, values, computed, record);

@@ -211,7 +211,7 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
   is(check, "numerical", "Independent numerical errors of 0.06 know it to 0.06/sqrt(2).",
      of(1, 1, {.numerical = {0.06, 0.06}}).numerical, 0.06 / std::sqrt(2.0), 1e-12, exact);
   is(check, "parameter", "A parameter that changes both by 0.03 is one source.",
-     of(1, 1, {.parameters = {{0.03, 0.03}}}).input, std::hypot(0.1, 0.03), 1e-12, exact);
+     of(1, 1, {.shared = {{0.03, 0.03}}}).input, std::hypot(0.1, 0.03), 1e-12, exact);
   is(check, "common", "Both readings a fifth too high are a common factor of 1.2.", of(1.2, 1.2).difference, 0.2, 1e-12,
      exact);
   Largest off;  // nothing is left beside the factor, and what rounding leaves may be negative
@@ -224,8 +224,12 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
   is(check, "shared",
      "A common error of 20 % within the amplitude's uncertainty passes, the same of opposite signs fails.",
      (of(1.2, 1.2).passes() ? 1 : 0) + (apart.passes() ? 2 : 0), 1, 0, "what a shared source means");
-  Series run_up{
-      .name = "runup", .table = "", .abscissa = {"t", "s", ""}, .quantity = {"R", "m", ""}, .telling = 0.2, .readings = {}};
+  Series run_up{.name = "runup",
+                .table = "",
+                .abscissa = {"t", "s", ""},
+                .quantity = {"R", "m", ""},
+                .telling = 0.2,
+                .readings = {}};
   Series many = run_up;
   many.name = "gauges";
   many.group = Column{"gauge", "1", ""};
@@ -245,7 +249,8 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
       for (SubmittedGroup& group : groups) group.values.at("R") = {factor, factor};
     }
     std::vector<Question> asked = all;
-    const Measured dense = sampled(0, 1, 20, [](double) { return 1; }, 0.05);
+    const Measured dense = sampled(
+        0, 1, 20, [](double) { return 1; }, 0.05);
     asked.emplace_back(run_up, arrival(0, 0.1, {}), std::make_shared<const Measured>(dense));
     Sources sources{.numerical = std::vector<double>(31, height)};
     sources.numerical.push_back(when);
@@ -257,7 +262,8 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
      decides(0.07, 0.09) + 2 * decides(0.3, 0.09) + 4 * decides(0.07, 0.11), 1, 0, "2.712 times 0.07 is below 0.2");
   is(check, "clear",
      "Heights known to 30 % each have a numerical uncertainty where they are off by a factor of 2, and none by 1.5.",
-     decides(0.3, 0.09, 2) + 2 * decides(0.3, 0.09, 1.5), 1, 0, "2.712 times 0.3 is 0.81: such an error, common, explains 1.5");
+     decides(0.3, 0.09, 2) + 2 * decides(0.3, 0.09, 1.5), 1, 0,
+     "2.712 times 0.3 is 0.81: such an error, common, explains 1.5");
 }
 
 TEST_CASE("records that are right pass and records that are wrong do not, in every laboratory case", "[evidence]") {
@@ -311,7 +317,8 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
   none("vague", "The measured records times 1.2 with a stated uncertainty of a tenth of the range do not pass.", vague,
        "such an uncertainty hides a factor of 1.2: inconclusive at best");
   none("vaguer",
-       "The measured records times 0.7 and 1.3 in turn with a stated uncertainty of 30 % of the range neither pass nor give "
+       "The measured records times 0.7 and 1.3 in turn with a stated uncertainty of 30 % of the range neither pass nor "
+       "give "
        "an error.",
        vaguer, "uncertainties of many readings do not cancel unless they are known to be independent");
   const auto of_column = [](const std::string& column, double factor) {
@@ -321,13 +328,15 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
     };
   };
   std::vector<std::string> alone;
-  for (const auto& [name, column] : {std::pair{"composite_beach", "R"}, {"island_gauges", "R"}, {"gated_dam_break", "front"}}) {
+  for (const auto& [name, column] :
+       {std::pair{"composite_beach", "R"}, {"island_gauges", "R"}, {"gated_dam_break", "front"}}) {
     for (const double factor : {0.8, 1.2}) {
       if (scored(name, of_column(column, factor)).missed == 0) alone.push_back(name);
     }
   }
   none("alone",
-       "Run-ups of a composite beach and an island, and the front of a gated dam break on its fitted clock, times 0.8 and "
+       "Run-ups of a composite beach and an island, and the front of a gated dam break on its fitted clock, times 0.8 "
+       "and "
        "1.2 beside right records do not pass.",
        alone, "the front is known to 1 %, the run-ups to 6 %");
 }
