@@ -3,8 +3,8 @@ Regular waves climb a slope of 1:34 and break (Hansen and Svendsen): 3.33 s, plu
 
 **What is compared.** Wave height and mean level along the slope: the largest height, where it is, and the root mean
 square difference before breaking. The case scores others, and the one-dimensional dispersive model with breaking is
-scored by the same claims, from cnoidal waves of the measured height at the toe, over glass. It is compared over the
-three periods after 30 s, when the front of the train has gone up the slope.
+scored by the same claims in the longer tiers, from cnoidal waves of the measured height at the toe, over glass. It is
+compared over the three periods after 30 s, when the front of the train has gone up the slope.
 
 **What to look at.** Drive the waves such that the height at the toe is the measured one, 0.0406 and 0.0695 m, with a
 wave of permanent form: from linear wavemakers free second harmonics beat along the flat.
@@ -88,7 +88,7 @@ Submitted compute(const Run& run, double coarsening) {
   return submitted;
 }
 
-Experiment experiment(const Values& /*values*/) {
+Experiment experiment(const Values& values) {
   Series heights{.name = "heights",
                  .table = "hansen_svendsen_1979_shoaling_breaking",
                  .kind = WantedTable::Kind::profile,
@@ -108,11 +108,18 @@ Experiment experiment(const Values& /*values*/) {
     heights.read({highest(wave, {}), when_highest(wave, {}, Kind::place), misfit(wave, {0, breaking})});
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
-  return {.source = source,
-          .parts = {heights, levels},
-          .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
-          .compute = compute,
-          .model = "dispersive shallow water with breaking"};
+  return {
+      .source = source,
+      .parts = {heights, levels},
+      .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
+      .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
+      .model = "dispersive shallow water with breaking",
+      .coarsenings = {1, 1.5, 2},
+      .miss =
+          "cause unknown: the set-down before breaking of the long wave is 1.0 mm where 1.7 mm was measured, and its "
+          "computed height undulates by 3 mm along the slope, which the measured one does not; largest heights and "
+          "places of breaking agree. Waves of the Euler equations at the toe would tell whether it is what drives "
+          "them"};
 }
 
 }  // namespace
@@ -120,7 +127,7 @@ Experiment experiment(const Values& /*values*/) {
 void breaking_on_slope(Case& c) {
   c.title = "Regular waves shoal and break on a slope";
   c.source = source;
-  c.parameters = {real("spacing", {0.1, 0.06, 0.06}, "m", {0.01, 0.1}, "of the markers")};
+  c.parameters = {real("spacing", 0.04, "m", {0.01, 0.1}, "of the markers, where the model computes")};
   set_laboratory<experiment>(c);
 }
 

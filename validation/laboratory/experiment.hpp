@@ -45,7 +45,7 @@ struct Series {
   std::optional<Window> still = {};         ///< in which the quantity's mean is its zero
   double input = 0;                         ///< relative standard uncertainty of the incident wave
   std::string input_reason = {};
-  double telling = 1e30;  ///< largest expanded uncertainty of a submitted time or place that still decides
+  double telling = 1e30;  ///< largest expanded uncertainty of a computed time or place that still decides
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count
   std::optional<Clock> clock = {};
@@ -66,8 +66,6 @@ struct Experiment {
   std::string model = {};                       ///< its name
   double order = 2;                             ///< theoretical, of its convergence
   std::vector<double> coarsenings = {1, 2, 4};  ///< with which it is computed: two, or three for an observed order
-  /// Parameters of it that no source states, known to within this factor: what each changes is part of u_input.
-  std::map<std::string, double> known_within = {};
   /// Why it is known to fail, or "cause unknown" and what would tell; empty where it passes.
   std::string miss = {};
 };

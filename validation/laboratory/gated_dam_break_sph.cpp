@@ -3,11 +3,10 @@ A dam breaks over water behind a gate (`gated_dam_break`), by weakly compressibl
 carries the jet, its fall and the air it shuts off.
 
 **Set-up.** Both waters in hydrostatic balance, the gate gone at once; a tank of 1.5 m, whose far end nothing reaches.
-Spacings of 0.15 m/40 and twice that, of which the depth ahead has 10 and 5: 0.0375 m for 0.038; 0.15 m/25 in the
+Spacings of 0.15 m/40, 1.5 and twice that, of which the depth ahead has 10 to 5: 0.0375 m for 0.038; 0.15 m/25 in the
 tier `quick`. Cubic spline,
 $h = 1.3\,dx$, artificial viscosity $\alpha = 0.3$, XSPH, walls of dynamic particles, $c_0 = 10\sqrt{g H}$: as the
-publication has it for a collapsing column (`dam_break_sph_front`). What half of that viscosity changes is part of
-u_input.
+publication has it for a collapsing column (`dam_break_sph_front`).
 
 **What is compared.** What `gated_dam_break` compares: the place of the front, on one fitted clock. A front is where
 half of the volume is water, at 0.055 m or higher.
@@ -77,13 +76,19 @@ Submitted compute(const Run& run, double coarsening) {
   });
 }
 
-Experiment experiment(const Values&) {
+Experiment experiment(const Values& values) {
   Experiment one = gated_dam_break_experiment();
   one.compute = compute;
   one.model = "weakly compressible SPH";
   one.order = 1;
   one.coarsenings = {1, 1.5, 2};
-  one.known_within = {{"alpha", 2}};
+  if (values.tier() == Tier::quick) {
+    one.miss =
+        "artificial viscosity, which goes with the spacing, holds the jet back: in 0.6 s the front falls behind by 4.7 "
+        "cm on spacings of 6 mm, by 3.8 cm on 3.75 mm, where that is within the uncertainty, and by 3.4 cm on 6 mm "
+        "with "
+        "half of that viscosity";
+  }
   return one;
 }
 

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/binomial.hpp>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/fine_limit.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {
@@ -22,10 +22,12 @@ constexpr long draws = 200;
 
 using Curves = std::map<std::string, std::vector<Measured>>;
 
-/// The measured records with one draw of everything that is not known of them, as verdicts.hpp has it: one incident
-/// amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration and half slowly
-/// varying, between independent values a tenth of what is judged apart, for a profile value and abscissa of each point.
-Submitted drawn(const Experiment& experiment, const Curves& curves, const std::function<double()>& normal) {
+/// The measured records times a factor with one draw of everything that is not known of them, as verdicts.hpp has it:
+/// one incident amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration
+/// and half slowly varying, between independent values a tenth of what is judged apart, for a profile value and
+/// abscissa of each point.
+Submitted drawn(const Experiment& experiment, const Curves& curves, double factor,
+                const std::function<double()>& normal) {
   Submitted records;
   const double amplitude = normal();
   for (const Series& part : experiment.parts) {
@@ -51,32 +53,48 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
         const double noise = gauge ? (calibration + varying) / std::numbers::sqrt2 : normal();
         const double off = gauge ? 0 : normal() * curve.u_x;
         const double y = linear_at(curve.curve(), std::clamp(curve.x[i] - off, curve.x.front(), curve.x.back()));
-        record.values[part.quantity.name].push_back((1 + amplitude * part.input) * y + noise * curve.u[i]);
+        record.values[part.quantity.name].push_back((factor + amplitude * part.input) * y + noise * curve.u[i]);
         if (gauge) record.abscissa[i] += clock * curve.u_x;
       }
-      // A clock moves no end of a record into what is judged.
-      if (record.abscissa.front() > curve.x.front()) record.abscissa.front() = curve.x.front();
-      if (record.abscissa.back() < curve.x.back()) record.abscissa.back() = curve.x.back();
       records[part.name].push_back(std::move(record));
     }
   }
   return records;
 }
 
-double share_failing(const Experiment& experiment, const Values& values, const std::vector<Question>& all) {
+/// What the measured records decide, as judged: on their clock, with nothing of numerical uncertainty.
+Computed told_by_data(const Experiment& experiment, const Values& values, const std::vector<Question>& all) {
   Curves curves;
   for (const Series& part : experiment.parts) curves[part.name] = measured(part, values);
+  const auto passes = [&](double factor, const std::function<double()>& normal) {
+    std::map<std::string, double> unused;
+    Submitted records = on_the_clock(experiment, values, drawn(experiment, curves, factor, normal), unused);
+    for (auto& [part, groups] : records) {
+      for (std::size_t g = 0; g < groups.size(); ++g) {  // a clock moves no end of a record into what is judged
+        std::vector<double>& x = groups[g].abscissa;
+        const std::vector<double>& asked = curves.at(part)[g].x;
+        if (x.front() > asked.front()) x.front() = asked.front();
+        if (x.back() < asked.back()) x.back() = asked.back();
+      }
+    }
+    return metric(all, records, {}).passes();
+  };
+  Computed r{.noticed = 1};
+  double below = 0;
+  const auto exact = [] { return 0.0; };
+  for (int bisections = 0; bisections < 16; ++bisections) {
+    const double middle = (below + r.noticed) / 2;
+    (passes(1 + middle, exact) || passes(1 - middle, exact) ? below : r.noticed) = middle;
+  }
   std::mt19937_64 random(51);
   std::normal_distribution<double> normal;
-  long failing = 0;
   for (long k = 0; k < draws; ++k) {
-    if (!metric(all, drawn(experiment, curves, [&] { return normal(random); }), {}).passes()) ++failing;
+    if (!passes(1, [&] { return normal(random); })) r.failing += 1.0 / draws;
   }
-  return static_cast<double>(failing) / draws;
+  return r;
 }
 
-/// Expanded (95 %) numerical uncertainty of a value on the finest of two or three grids, over 2: the grid convergence
-/// index, with the theoretical order and a factor of 3 where there are two values.
+/// Standard numerical uncertainty of a value on the finest of the grids.
 double numerical_of(const Question& one, const Experiment& experiment, const Computed& computed) {
   std::vector<double> sizes, values;
   for (std::size_t k = 0; k < computed.grids.size(); ++k) {
@@ -85,18 +103,11 @@ double numerical_of(const Question& one, const Experiment& experiment, const Com
     sizes.push_back(experiment.coarsenings[k]);
     values.push_back(value);
   }
-  if (sizes.size() > 2) return 0.5 * evidence::grid_convergence(sizes, values, experiment.order).uncertainty;
-  return 1.5 * std::abs(values[1] - values[0]) / (std::pow(sizes[1] / sizes[0], experiment.order) - 1);
+  return 0.5 * fine_limit(sizes, values, experiment.order).uncertainty;
 }
 
 Sources sources_of(const std::vector<Question>& all, const Experiment& experiment, const Computed& computed) {
-  Sources sources;
-  for (const Question& one : all) sources.numerical.push_back(numerical_of(one, experiment, computed));
-  for (const Submitted& changed : computed.changed) {
-    sources.parameters.push_back(
-        each(all, [&](const Question& one) { return one.answer(changed) - one.answer(computed.grids[1]); }));
-  }
-  return sources;
+  return {.numerical = each(all, [&](const Question& one) { return numerical_of(one, experiment, computed); })};
 }
 
 void draw(const Series& part, const std::vector<Measured>& data, const Computed& computed, const std::string& model,
@@ -145,16 +156,18 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
   if (!experiment.compute) return;
   const auto agree = [experiment, values](const Computed& r) -> Measurement {
     const std::vector<Question> all = questions(experiment, values);
-    const Metric found = metric(all, r.grids.front(), sources_of(all, experiment, r));
+    const Sources sources = sources_of(all, experiment, r);
+    const Metric found = metric(all, r.grids.front(), sources);
     Measurement measurement{.value = found.difference,
-                            .uncertainty = coverage() * found.numerical,
+                            .uncertainty = numerical_uncertainty(all, r.grids.front(), sources, experiment.ceiling),
                             .resolution = fmt::format("{} readings, {} spacings", all.size(), r.grids.size())};
     measurement.told.data = found.data;
     measurement.told.input = found.input;
     return measurement;
   };
   const Uncertainty criterion =
-      criterion_of(experiment, Amount::told_by_run(experiment.ceiling), Amount::told_by_run(experiment.ceiling));
+      criterion_of(experiment, Amount::told_by_run(experiment.ceiling), Amount::told_by_run(experiment.ceiling),
+                   coverage(questions(experiment, values)));
   evidence::Claim claim = claim_of(experiment);
   claim.text.insert(claim.text.size() - 1, fmt::format(" ({})", experiment.model));
   if (experiment.miss.empty()) return claims.check(claim, agree, criterion);
@@ -164,18 +177,13 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
 
 Computed compute_experiment(const Experiment& experiment, const Run& run) {
   const std::vector<Question> all = questions(experiment, run);
-  Computed r{.noticed = metric(all, {}, {}).noticed(), .failing = share_failing(experiment, run, all)};
+  Computed r = told_by_data(experiment, run, all);
   if (!experiment.compute) return r;
   std::map<std::string, double> unused;
   for (const double coarsening : experiment.coarsenings) {
     r.grids.push_back(
         on_the_clock(experiment, run, experiment.compute(run, coarsening), r.grids.empty() ? r.shifts : unused));
     run.progress(0.7);
-  }
-  for (const auto& [parameter, factor] : experiment.known_within) {
-    Run other = run;
-    other.set(parameter, Value(run.real(parameter) / factor));
-    r.changed.push_back(on_the_clock(experiment, run, experiment.compute(other, experiment.coarsenings[1]), unused));
   }
   return r;
 }

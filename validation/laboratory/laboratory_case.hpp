@@ -13,10 +13,9 @@
 namespace seiche::validation::laboratory {
 
 struct Computed {
-  double noticed = 0;              ///< smallest common factor, less 1, that the measurements tell
-  double failing = 0;              ///< share of records, each the measured one with noise as large as stated, that fail
-  std::vector<Submitted> grids;    ///< of our own model, the finest first, on the measured clock; empty without one
-  std::vector<Submitted> changed;  ///< as the second grid, one parameter each that is known to within a factor
+  double noticed = 0;            ///< smallest common factor, less 1, that the measurements tell
+  double failing = 0;            ///< share of records, each the measured one with noise as large as stated, that fail
+  std::vector<Submitted> grids;  ///< of our own model, the finest first, on the measured clock; empty without one
   std::map<std::string, double> shifts;
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,6 +41,15 @@ const SubmittedGroup* group_of(const Submitted& computed, const Series& part, do
     if (!part.group || std::abs(one.value - group) <= 1e-6 * std::max(1.0, std::abs(group))) return &one;
   }
   return nullptr;
+}
+
+/// Names of the parts that a factor changes.
+std::vector<std::string> scaled_parts(const std::vector<Question>& all) {
+  std::set<std::string> names;
+  for (const Question& one : all) {
+    if (one.size() != 0 && !one.reading().misfit()) names.insert(one.part().name);
+  }
+  return {names.begin(), names.end()};
 }
 
 /// Of `freedom` degrees, exceeded by one of two independent parts in 1 - sqrt(0.95) of draws.
@@ -108,7 +119,7 @@ std::optional<double> Question::stated(const std::map<std::string, StatedUncerta
   as_stated.u_x = of_x == uncertainty.end() ? 0 : of_x->second.of(as_stated.x.back() - as_stated.x.front());
   if (u == 0 && as_stated.u_x == 0) return 0;
   const double all = reading_.uncertainty(as_stated);
-  return reading_.along && 2 * all > part_.telling ? std::nullopt : std::optional(all);
+  return std::isnan(all) ? std::nullopt : std::optional(all);
 }
 
 std::optional<Question> Question::within(const SubmittedGroup& record) const {
@@ -164,12 +175,12 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
   return shifted;
 }
 
-double coverage() {
-  return std::sqrt(chi_squared(1));
+double coverage(const std::vector<Question>& all) {
+  return std::sqrt(chi_squared(scaled_parts(all).size()));
 }
 
 double Metric::noticed() const {
-  return coverage() * std::hypot(data, input, numerical);
+  return coverage * std::hypot(data, input, numerical);
 }
 
 Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources) {
@@ -187,7 +198,13 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   };
   const auto input = [&](std::size_t k) { return all[k].part().input * all[k].size(); };
   const auto numerical = [&](std::size_t k) { return sources.numerical.empty() ? 0 : sources.numerical[k]; };
-  const Eigen::VectorXd size = gather([&](std::size_t k) { return all[k].size(); });
+  const std::vector<std::string> parts = scaled_parts(all);
+  Eigen::MatrixXd sizes(static_cast<Eigen::Index>(index.size()), static_cast<Eigen::Index>(parts.size()));
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    sizes.col(static_cast<Eigen::Index>(p)) =
+        gather([&](std::size_t k) { return all[k].part().name == parts[p] ? all[k].size() : 0; });
+  }
+  const Eigen::VectorXd size = sizes.rowwise().sum();
   const Eigen::VectorXd incident = gather(input);
   const Eigen::VectorXd error = gather([&](std::size_t k) { return all[k].answer(computed) - all[k].expected(); });
   Eigen::MatrixXd v = covariance(of);
@@ -196,28 +213,38 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   const auto more = [](double total, double before) {
     return std::sqrt(std::max(total * total - before * before, 0.0));
   };
-  Metric result;
+  Metric result{.coverage = coverage(all)};
   result.data = of_factor();
   v += incident * incident.transpose();
-  for (const auto& changes : sources.parameters) {
+  for (const auto& changes : sources.shared) {
     const Eigen::VectorXd change = gather([&](std::size_t k) { return changes[k]; });
     v += change * change.transpose();
   }
   const double before = of_factor();
   result.input = more(before, result.data);
-  v.diagonal() += gather([&](std::size_t k) { return std::pow(numerical(k), 2); });
-  const double total = of_factor();
-  result.numerical = more(total, before);
+  const Eigen::VectorXd own = gather(numerical);
+  v.diagonal() += own.cwiseAbs2();
+  result.numerical = more(of_factor(), before);
+  Worst share;
+  for (const auto& of_part : sizes.colwise()) {
+    share.add(of_part.cwiseSign().cwiseAbs().dot(own) / of_part.cwiseAbs().sum());
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const double telling = std::max(all[k].part().telling, 2 * all[k].data_uncertainty());
+    if (all[k].reading().along && 2 * numerical(k) > telling) share.add(std::numeric_limits<double>::infinity());
+  }
+  result.shared = share.value();
 
   const Eigen::LLT<Eigen::MatrixXd> factors = v.llt();
   const Eigen::VectorXd weighted = factors.solve(error);
-  const double factor = size.dot(weighted) * total * total;
+  const Eigen::VectorXd pull = sizes.transpose() * weighted;
+  const double by_factors = pull.dot((sizes.transpose() * factors.solve(sizes)).llt().solve(pull));
   const double explained = incident.dot(weighted);  // of the incident amplitude, in its standard uncertainties
-  double rest = error.dot(weighted) - std::pow(factor / total, 2);
+  double rest = error.dot(weighted) - by_factors;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
     double u = std::hypot(one.data_uncertainty(), numerical(k));
-    for (const auto& changes : sources.parameters) u = std::hypot(u, changes[k]);
+    for (const auto& changes : sources.shared) u = std::hypot(u, changes[k]);
     if (one.reading().misfit()) {
       result.scores.push_back(one.answer(computed, 1 + explained * one.part().input) / u);
       rest += std::pow(result.scores.back(), 2);
@@ -225,9 +252,25 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
       result.scores.push_back((one.answer(computed) - one.expected()) / std::hypot(u, input(k)));
     }
   }
-  const double beyond = all.size() > 1 ? std::sqrt(std::max(rest, 0.0) / chi_squared(all.size() - 1)) : 0;
-  result.difference = std::isnan(beyond) ? nan : std::max(std::abs(factor), beyond * result.noticed());
+  const std::size_t left = all.size() - parts.size();
+  const double beyond = left > 0 ? std::sqrt(std::max(rest, 0.0) / chi_squared(left)) : 0;
+  const double off = std::max(std::sqrt(by_factors) / result.coverage, beyond);
+  result.difference = std::isnan(rest) ? nan : off * result.noticed();
   return result;
+}
+
+std::optional<double> numerical_uncertainty(const std::vector<Question>& all, const Submitted& computed,
+                                            Sources sources, double ceiling) {
+  const Metric found = metric(all, computed, sources);
+  if (found.coverage * found.shared <= ceiling) return found.coverage * found.numerical;
+  for (const std::string& part : scaled_parts(all)) {
+    std::vector<double>& shared = sources.shared.emplace_back();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      shared.push_back(all[k].part().name == part ? sources.numerical[k] : 0);
+    }
+  }
+  const bool explained = found.passes() || metric(all, computed, sources).passes();
+  return explained ? std::nullopt : std::optional(found.coverage * found.numerical);
 }
 
 evidence::Claim claim_of(const Experiment& experiment) {
@@ -239,7 +282,7 @@ evidence::Claim claim_of(const Experiment& experiment) {
           "common factor, less 1, as clear as what the readings differ by", "1", experiment.source};
 }
 
-Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input) {
+Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input, double coverage) {
   std::string reason = "ASME V&V 20.1-2024, all readings at once: validation/laboratory/verdicts.hpp; u_data from";
   for (const Series& part : experiment.parts) reason += fmt::format(" reference_data/{}", part.table);
   for (const Series& part : experiment.parts) {
@@ -251,7 +294,7 @@ Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input
           .input = input,
           .useful = experiment.ceiling,
           .reason = fmt::format("{}; ceiling: {}", reason, experiment.ceiling_reason),
-          .coverage = coverage()};
+          .coverage = coverage};
 }
 
 void show_readings(const std::vector<Question>& all, const Submitted& computed, const std::vector<double>& numerical,
@@ -289,21 +332,26 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   for (const auto& [part, shift] : shifts) record.measure(part + "_time_shift", shift);
   std::vector<Question> present;
   Sources sources;
-  bool stated = true;
+  std::string open;  // why nothing is decided, unless it is clearly wrong
   for (const Question& one : questions(experiment, values)) {
     const SubmittedGroup* group = group_of(computed, one.part(), one.reading().group);
     const std::optional<Question> asked = group == nullptr ? std::nullopt : one.within(*group);
     if (!asked) {
+      const SubmittedGroup* given = group_of(submitted, one.part(), one.reading().group);
+      const bool by_clock = given != nullptr && one.within(*given).has_value();
+      if (by_clock) open = ", the clock leaves readings out";
       record.leave_out({{.id = one.id(),
                          .text = fmt::format("{}: {}", one.part().quantity.meaning, one.reading().words),
                          .quantity = one.reading().words,
                          .unit = one.unit(),
                          .source = experiment.source},
-                        group == nullptr ? "no record was submitted" : "the record does not hold it"});
+                        group == nullptr ? "no record was submitted"
+                        : by_clock       ? "on the measured clock the record does not hold it: submit a longer one"
+                                         : "the record does not hold it"});
       continue;
     }
     const std::optional<double> u = asked->stated(facts.uncertainty);
-    stated = stated && u;
+    if (!u) open = ", u_num not stated";
     present.push_back(*asked);
     sources.numerical.push_back(u.value_or(0));
   }
@@ -311,11 +359,13 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     return record.leave_out({claim_of(experiment), "no amplitude was submitted"});
   }
   const Metric found = metric(present, computed, sources);
-  record.check(claim_of(experiment),
-               {.value = found.difference,
-                .uncertainty = stated ? std::optional(coverage() * found.numerical) : std::nullopt,
-                .resolution = fmt::format("{} readings{}", present.size(), stated ? "" : ", u_num not stated")},
-               criterion_of(experiment, found.data, found.input));
+  const bool stated = open.empty();
+  const auto u = stated ? numerical_uncertainty(present, computed, sources, experiment.ceiling) : std::nullopt;
+  if (stated && !u) open = ", u_num more than decides anything";
+  record.check(
+      claim_of(experiment),
+      {.value = found.difference, .uncertainty = u, .resolution = fmt::format("{} readings{}", present.size(), open)},
+      criterion_of(experiment, found.data, found.input, found.coverage));
   show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
                 record.solver, record);
   show_calibration(experiment, values, computed, record);

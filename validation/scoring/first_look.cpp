@@ -24,22 +24,12 @@ double used(const JudgedClaim& claim) {
   return j.limit > 0 ? error / j.limit : error;
 }
 
-/// The worst of a verdict; null without one.
-const JudgedClaim* worst_of(const evidence::Record& record, Verdict verdict) {
-  const JudgedClaim* worst = nullptr;
-  for (const JudgedClaim& claim : record.claims()) {
-    if (claim.judgement.verdict != verdict) continue;
-    if (worst == nullptr || used(claim) > used(*worst)) worst = &claim;
-  }
-  return worst;
-}
-
-/// The claim that decides: an error, a failure, an undecided one, or the one that uses most of its limit.
+/// The claim that decides: an error, a failure, an undecided one, or the one that uses most of its limit; null without
+/// any.
 const JudgedClaim* deciding(const evidence::Record& record) {
-  for (const Verdict verdict : {Verdict::error, Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
-    if (const JudgedClaim* claim = worst_of(record, verdict)) return claim;
-  }
-  return nullptr;
+  const auto found = std::ranges::max_element(
+      record.claims(), {}, [](const JudgedClaim& one) { return std::pair(one.judgement.verdict, used(one)); });
+  return found == record.claims().end() ? nullptr : &*found;
 }
 
 std::string verdict_line(const evidence::Record& record) {
@@ -167,7 +157,10 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
   }
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
   if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
-    return "state the uncertainty of your result: --uncertainty, or --sizes with three or more cell sizes";
+    return fmt::format(
+        "state an uncertainty that decides (--uncertainty, or --sizes with three or more cell sizes), for records that "
+        "reach all readings: {}",
+        j.resolution);
   }
   if (!ladder) return "run three or more cell sizes and pass them with --sizes";
   if (exact && not_numerical(ladder) != nullptr) {
