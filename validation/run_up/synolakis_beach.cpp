@@ -17,6 +17,8 @@ fronts and the friction of a smooth bottom, Manning's $n$ = 0.009 s/m$^{1/3}$ un
 at $x = 0.25$ and 9.95, and the run-up of $A = 0.019$, all in depths and $\sqrt{d/g}$, $x$ from the shoreline at rest,
 positive offshore. For the laboratory, the fourth problem, see `plane_beach`.
 
+The thesis draws the instants $t$ = 30, 40, 50, 60 and 70, and prints no number.
+
 **What to look at.** At $t = 70$ the water runs back in a thin tongue: there the laboratory, where the bottom holds it,
 and flow without friction part. Elsewhere the model is nearer to the measurements than the shallow-water equations.
 */
@@ -217,6 +219,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
               .reason = "at t = 65 the surface is nearly level and the wave, dispersive and faster than "
                         "sqrt(g d), has already left; with finer markers the distance stays"})
       .check(each_profile().claim, largest_over_range, each_profile().bound);
+  analytic.from(literature::frank + ", figure 5")
+      .check(
+          "figure-profiles",
+          "Each surface profile of figure 5 for which there is an exact shallow-water solution agrees with it.",
+          "largest rms distance over the range of the profile, t = 40, 50, 60, 70",
+          [](const Differences& all) {
+            Differences of_figure;
+            for (const double t : {40.0, 50.0, 60.0, 70.0}) of_figure[t] = all.at(t);
+            return largest_over_range(of_figure);
+          },
+          each_profile().bound);
   profiles
       .fails(
           {.value = 0.0068,

@@ -10,7 +10,8 @@ $z = \alpha k^2H^2$, $\alpha = 1/3$,
 
 $$C = -\frac{59 z^3 + 27 z^2 - 3 z - 3}{64\,z\,(1 + z)^2},$$
 
-zero at $kH = 0.9419$: the model has the effect at the wavelength $6.671\,H$.
+zero at $kH = 0.9419$: the model has the effect at the wavelength $6.671\,H$. The source names Tadjbakhsh and Keller's
+$5.94\,H$, which its equations do not have.
 
 **Set-up.** Half a wavelength between two walls, depth and gravity 1. The wave starts at rest, at its highest, with its
 second harmonic. The elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give $\Omega$.
@@ -346,7 +347,9 @@ void standing_1d(Case& c) {
       integer("cells", {24, 48, 96}, {8, 1000}, "of the coarser of the two boxes of the extrapolation"),
       real("periods", {10.0, 20.0, 20.0}, "1", {2, 1000}, "length of the series"),
   };
-  c.published = {{.tiles = {"frank-standing"}, .stated = {"alpha", "gamma", "scheme"}}};
+  c.published = {{.tiles = {"frank-standing"},
+                  .stated = {"alpha", "gamma", "scheme"},
+                  .contradicted = {"critical-wavelength-of-water"}}};
   c.study = Study(claims, compute, show, frank);
 }
 

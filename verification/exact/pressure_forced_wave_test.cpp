@@ -263,6 +263,7 @@ TEST_CASE("a Stokes wave pushed by a pressure keeps its balances and converges u
   claim_balance(check, wave);
   claim_convergence(check, wave);
   self_test_holds(check, "figure-10", wave);
+  self_test_holds(check, "quickened", PressureForcedWave({.pressure = 0, .velocity_factor = 1.5, .last_time = 3}));
 }
 
 TEST_CASE("a wave pushed by a pressure refuses what it is not for", "[exact]") {

@@ -59,6 +59,7 @@ const PressureForcedWave::Parameters& checked(const PressureForcedWave::Paramete
                0.1 * p.wavelength / std::numbers::pi);
   require_within("amplitude", p.amplitude, 0, p.wavelength);
   require_positive("amplitude + |pressure|/gravity", p.amplitude + std::abs(p.pressure) / p.gravity);
+  require_within("velocity_factor", p.velocity_factor, 0, 2);
   require_within("k pressure/gravity", 2 * std::numbers::pi / p.wavelength * p.pressure / p.gravity, -1, 1);
   return p;
 }
@@ -135,8 +136,11 @@ PressureForcedWave::PressureForcedWave(const Parameters& parameters)
     const StokesWave wave(parameters_.amplitude / length(), 2 * std::numbers::pi, depth, 1);
     start = ow::from_functions(
         parameters_.markers, [&](double x) { return wave.elevation(x); },
-        [&](double x) { return wave.surface_potential(x); });
-    kinetic_energy_ = wave.kinetic_energy() * parameters_.wavelength * length() * velocity() * velocity();
+        [&](double x) { return parameters_.velocity_factor * wave.surface_potential(x); });
+    if (parameters_.velocity_factor > 0) {
+      kinetic_energy_ = wave.kinetic_energy() * parameters_.wavelength * length() *
+                        std::pow(parameters_.velocity_factor * velocity(), 2);
+    }
   }
   const double strength = parameters_.pressure / (velocity() * velocity());
   const double last_time = parameters_.last_time > 0 ? parameters_.last_time : last_frame * time_unit();
@@ -299,12 +303,13 @@ ExactSolution pressure_forced_wave_entry() {
       "Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350 (1976) "
       "1",
       "dz/dt = conj f, dphi/dt = |f|^2/2 - g y - p_s, z_s f = phi_s + i psi_s with psi_s from Cauchy's integral; "
-      "Stokes wave at t = 0; p_s = -p0 sin wt sin(kx - wt), w = sqrt(gk), 0 <= wt <= pi",
+      "Stokes wave at t = 0, its velocities times a factor; p_s = -p0 sin wt sin(kx - wt), w = sqrt(gk), 0 <= wt <= pi",
       {{"amplitude", "m", 0.3, 0, 1e6, "half the height of the Stokes wave; 0: water at rest"},
        wavelength_parameter(),
        depth_parameter(std::numbers::pi, infinite),
        gravity_parameter(),
        {"pressure", "m^2/s^2", 0.1, -1e6, 1e6, "amplitude p0 of the pressure over the density"},
+       {"velocity_factor", "1", 1, 0, 2, "of the Stokes wave's velocities at t = 0"},
        {"markers", "1", 256, 192, 4096, "markers per wavelength, even"},
        {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: 7.4/sqrt(g k)"}},
       {{"energy", "m^4/s^2", "kinetic and potential, per wavelength at the start, density 1",
@@ -312,7 +317,7 @@ ExactSolution pressure_forced_wave_entry() {
        {"work", "m^4/s^2", "of the pressure up to the end, per wavelength, density 1",
         [](const PressureForcedWave& w) { return w.action(w.end_time()).work; }}},
       made_by([](auto... given) { return PressureForcedWave::Parameters{given...}; }, "amplitude", "wavelength",
-              "depth", "gravity", "pressure", "markers", "last_time"));
+              "depth", "gravity", "pressure", "velocity_factor", "markers", "last_time"));
 }
 
 ExactSolution focused_group_entry() {

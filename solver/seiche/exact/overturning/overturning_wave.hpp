@@ -16,10 +16,12 @@
 /// (1976) 1; Baker, Meiron & Orszag, Generalized vortex methods for free-surface flow problems, J. Fluid Mech. 123
 /// (1982) 477.
 ///
-/// A Stokes wave that a travelling pressure on its surface pushes until it overturns: fully nonlinear potential flow.
+/// A Stokes wave that a travelling pressure on its surface, or another velocity than its own at the start, makes
+/// overturn: fully nonlinear potential flow.
 ///
 /// At t = 0 a Stokes wave of half height `amplitude` has its crest at x = 0 and travels to +x over a flat bottom at
-/// y = -depth; without amplitude the water is at rest. Then, in units of 1/k (k = 2 pi/wavelength), g and the density,
+/// y = -depth, its velocities multiplied by velocity_factor; without amplitude the water is at rest. Then, in units of
+/// 1/k (k = 2 pi/wavelength), g and the density,
 ///
 ///     p_s(x, t) = -p0 sin t sin(x - t)   for 0 <= t <= pi,   0 afterwards,
 ///
@@ -97,6 +99,7 @@ class PressureForcedWave : public overturning::MovingSurface {
     double depth = std::numbers::pi;           ///< mean [m]; infinite for deep water
     double gravity = 1;                        ///< [m/s^2]
     double pressure = 0.1;                     ///< p0 over the density [m^2/s^2]; k p0/g in [-1, 1]
+    double velocity_factor = 1;                ///< of the Stokes wave's velocities at t = 0; in [0, 2]
     std::size_t markers = 256;                 ///< even, at least 64
     double last_time = 0;                      ///< [s]; 0: 7.4/sqrt(g k), Frank's last frame
     double tolerance = 2e-11;                  ///< of a time step, in units of 1/k
