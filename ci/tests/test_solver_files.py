@@ -259,10 +259,26 @@ class AsPeopleWrite(Scoring):
                      + self.rows(order=slice(50, None))):
             with self.subTest(text[:20]):
                 self.alike(text)
-        for name in ("elev", "zs [m]", "swlz [m]", "Watlev"):   # Thetis, XBeach, DualSPHysics, SWASH
-            self.alike(f"time [s];{name}\n" + self.rows(";"), "is taken for eta")
+        for name in ("elev", "zs [m]", "swlz [m]", "Watlev", "FREE SURFACE [M]", "ETA", "stage"):
+            self.alike(f"TIME [S];{name}\n" + self.rows(";"), "is taken for eta")
         self.alike("Wave flume run 12\nrecorded by a logger\n,wall x=0m\nt(s),level(cm)\n" + self.rows(eta=cm),
                    "level is taken for eta", "cm became m")
+
+    def test_which_of_two_columns_is_meant_is_asked(self):
+        """ANUGA's elevation is the bed's."""
+        rows = "".join(f"{t!r},{y!r},-1\n" for t, y in zip(self.t, self.eta))
+        words = "standing_wave", "--table", "wall", "--data", self.write("time,stage,elevation\n" + rows)
+        self.refused(self.score(*words), "elevation or stage", "--map NAME=eta")
+        self.accepted(self.score(*words, "--map", "stage=eta"))
+
+    def test_the_first_rows_may_lack_the_last_column(self):
+        empty = seiche("score", "riemann", "--template").stdout
+        self.refused(self.score("riemann", "--data", self.write(empty)), "column h: no value where the depth is 1 m")
+        words = ("--set", "left_depth=0,right_depth=1,time=2")
+        columns = self.reference("riemann", "profile", *words)
+        self.assertTrue((columns["h"][:2] == 0).all())
+        text = "x,h,u\n" + "".join(f"{x},{h},{u if h > 0 else ''}\n" for x, h, u in zip(*(columns[k] for k in "xhu")))
+        self.accepted(self.score("riemann", *words, "--data", self.write(text)))
 
     def test_units(self):
         for unit, factor in (("mm", 1e-3), ("ft", 0.3048), ("km", 1e3), ("inch", 0.0254)):
@@ -342,6 +358,32 @@ class AsPeopleWrite(Scoring):
             path.unlink()
         self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "E=6"), "--gauges E=6", "is called E")
         self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "A=7"), "--gauges A=7", "6, 9, 16")
+        # Numbers in names count where nobody says what the columns hold.
+        twice = self.write("t,P1,P2,P6,Q1\n" + wide)
+        self.refused(self.score("island_gauges", "--data", twice), "gauge = 1, which another of its columns holds")
+        numbered = self.write("t,P1,P2,P6,total\n" + wide)
+        for words, given in ((("--gauges", "P1=9,P2=1"), "2 of 8 given, without gauge = 2, 3, 4, 6, 16, 22"),
+                             ((), "3 of 8 given, without gauge = 3, 4, 9, 16, 22")):
+            scored = self.score("island_gauges", "--data", numbered, "--table", "gauges", *words)
+            self.assertIn(given, scored.stdout, scored.stderr)
+            self.assertEqual("column P6 is taken for gauge = 6" in scored.stdout, not words)
+        for path in self.out.glob("*"):
+            path.unlink()
+        self.refused(self.score("isolated_building", "--data", self.write("t,1,2,3,4\n" + wide)),
+                     "fits the tables depths and velocity: add --table")
+
+    def test_what_the_record_does_not_hold_is_named(self):
+        water = "T,p\n" + "".join(f"{k / 20},0.01\n" for k in range(201))
+        scored = self.score("dam_break_wall_pressure", "--data", self.write(water))
+        self.accepted(scored, 1)
+        self.assertIn("readings, u_num not stated, without pressure-", scored.stdout)
+        self.assertIn("it does not hold what is measured", scored.stdout)
+        self.assertNotIn("error nan %", scored.stdout)
+        names, rows = rows_of(seiche("score", "breaking_on_slope", "--template", "--table", "levels").stdout)
+        wrong = ",".join(names) + "\n" + "".join(f"{case},{x},0.02\n" for case, x, _ in rows)
+        scored = self.score("breaking_on_slope", "--data", self.write(wrong), "--table", "levels")
+        self.accepted(scored, 1)  # a level alone is compared with nothing
+        self.assertIn("no amplitude was submitted", scored.stdout)
 
     def test_a_part_of_an_experiment_is_no_full_pass(self):
         """The data themselves, but for one gauge, or the end of the record."""

@@ -308,13 +308,20 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     sources.numerical.push_back(u.value_or(0));
   }
   if (std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
-    return record.leave_out({claim_of(experiment), "no amplitude was submitted"});
+    record.check(claim_of(experiment), {.value = nan, .resolution = "no amplitude was submitted"},
+                 criterion_of(experiment, 0, 0));
+    return;
+  }
+  std::vector<std::string> lost;
+  for (const Question& one : present) {
+    if (std::isnan(one.answer(computed))) lost.push_back(one.id());
   }
   const Metric found = metric(present, computed, sources);
   record.check(claim_of(experiment),
                {.value = found.difference,
                 .uncertainty = stated ? std::optional(coverage() * found.numerical) : std::nullopt,
-                .resolution = fmt::format("{} readings{}", present.size(), stated ? "" : ", u_num not stated")},
+                .resolution = fmt::format("{} readings{}{}{}", present.size(), stated ? "" : ", u_num not stated",
+                                           lost.empty() ? "" : ", without ", fmt::join(lost, ", "))},
                criterion_of(experiment, found.data, found.input));
   show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
                 record.solver, record);

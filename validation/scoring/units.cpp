@@ -26,14 +26,14 @@ const Unit* base_unit(const std::string& name) {
     const auto add = [&](double factor, std::array<int, 4> powers, std::initializer_list<const char*> names) {
       for (const char* one : names) all[one] = {factor, powers};
     };
-    add(1, {1}, {"m", "meter", "metre", "meters", "metres"});
+    add(1, {1}, {"m", "M", "meter", "metre", "meters", "metres"});
     add(0.01, {1}, {"cm", "centimeter", "centimetre", "centimeters", "centimetres"});
     add(0.001, {1}, {"mm", "millimeter", "millimetre", "millimeters", "millimetres"});
     add(0.1, {1}, {"dm"});
     add(1000, {1}, {"km", "kilometer", "kilometre", "kilometers", "kilometres"});
     add(foot, {1}, {"ft", "foot", "feet"});
     add(foot / 12, {1}, {"in", "inch", "inches"});
-    add(1, {0, 1}, {"s", "sec", "secs", "second", "seconds"});
+    add(1, {0, 1}, {"s", "S", "sec", "secs", "second", "seconds"});
     add(0.001, {0, 1}, {"ms", "msec", "milliseconds"});
     add(60, {0, 1}, {"min", "mins", "minute", "minutes"});
     add(hour, {0, 1}, {"h", "hr", "hrs", "hour", "hours"});

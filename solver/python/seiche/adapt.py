@@ -77,6 +77,8 @@ def surface(snapshot, field, level):
     """x and elevation of every column of points that has a surface; without a field all points are on it. A field of one
     value per column is NaN where it has none."""
     if field is None:
+        if snapshot.level:
+            raise Unusable(f"needs --field: there are {', '.join(sorted(snapshot.fields)) or 'none'}")
         columns = rows_of(snapshot.x)
         return (np.array([snapshot.x[c].mean() for c in columns]), np.array([snapshot.y[c].mean() for c in columns]))
     x, y, values = snapshot.where_known(field)

@@ -17,9 +17,11 @@ class Unusable(Exception):
 
 
 class Snapshot:
-    """Points and fields at one time; y is the vertical, or 0 where there is none. A value may be NaN: there is none."""
+    """Points and fields at one time; y is the vertical, or 0 where there is none, or over a plan the other axis. A value
+    may be NaN: there is none."""
 
-    def __init__(self, time, x, y=None, fields=None):
+    def __init__(self, time, x, y=None, fields=None, plan=False):
+        self.level = plan or y is None  # the points do not tell where the surface is
         self.time = time
         self.x = np.asarray(x, float)
         self.y = np.zeros_like(self.x) if y is None else np.asarray(y, float)
@@ -170,7 +172,7 @@ def read_netcdf(path):
                 for name in names:
                     values = data[name].transpose(..., *places)
                     fields[str(name)] = in_si(values.isel({d: k for d in t_dims if d in values.dims})).ravel()
-                yield Snapshot(None if np.isnan(time) else float(time), x.ravel(), None if y is None else y.ravel(), fields)
+                yield Snapshot(None if np.isnan(time) else float(time), x.ravel(), None if y is None else y.ravel(), fields, plan=True)
         if not any(set(places) <= set(values.dims) for places in sets for values in data.data_vars.values()):
             raise Unusable(f"{path}: no field at points with a coordinate x: there are {', '.join(map(str, data.variables))}")
 

@@ -132,13 +132,19 @@ struct Start {
 std::optional<Start> start_of(const Text& text) {
   std::optional<Start> first;
   std::optional<Start> before;
+  std::string names;  // the last line without numbers
   for (std::size_t line = 0; line < text.lines.size(); ++line) {
     if (is_comment(text.lines[line])) continue;
     std::optional<Start> here;
     for (const char separator : separators) {
       const auto values = values_in(text.lines[line], separator);
-      if (values && !here) here = Start{line, separator, values->size()};
+      if (!values || here) continue;
+      const std::vector<std::string> above = split(names, separator);
+      const bool no_value = above.size() == values->size() + 1 && !above.back().empty() &&
+                            split(text.lines[line], separator).size() == above.size();  // of the last column
+      here = Start{line, separator, values->size() + (no_value ? 1 : 0)};
     }
+    if (!here) names = text.lines[line];
     if (here && before && here->separator == before->separator && here->columns == before->columns) return before;
     if (here && !first) first = here;
     before = here;
