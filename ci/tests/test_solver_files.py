@@ -1,9 +1,11 @@
 """Files as solvers write them are read without conversion: the same numbers pass from every format."""
 
+import os
 import re
 import shutil
 import unittest
 
+import h5py
 import numpy as np
 
 from submitting import SOURCE, Scoring, exact, rows_of, seiche
@@ -314,6 +316,22 @@ class AsPeopleWrite(Scoring):
             largest = re.search(r"largest error: eta: largest at t = \S+ s, (\S+) m", stdout)
             self.assertTrue(largest is None or abs(float(largest[1])) < 1e-9, "the straight line over a gap is nobody's error")
         self.judged("--data", self.write("t,eta\n" + self.rows(order=slice(0, len(self.t) // 2))), status=1)
+
+    def test_netcdf_says_what_its_numbers_mean(self):
+        with h5py.File(self.folder / "run.nc", "w") as file:
+            file["time"] = [t / 3600 for t in self.t]
+            file["time"].attrs["units"] = "hours since 2020-01-01"
+            file["eta"] = [round((100 * y - 5) / 1e-6) if k != 20 else -7 for k, y in enumerate(self.eta)]
+            file["eta"].attrs.update({"units": "cm", "scale_factor": 1e-6, "add_offset": 5.0, "_FillValue": [-7]})
+        stdout, numbers = self.judged("--data", self.folder / "run.nc")
+        self.assertIn(f"1 of {len(self.t)} rows have no value", stdout)
+        self.assertLess(numbers["eta_relative_l2"], 1e-6)  # half a millionth of a centimetre
+
+    def test_a_pipe_and_a_file_for_adapt_are_refused(self):
+        os.mkfifo(self.folder / "pipe.csv")
+        for name, said in (("pipe.csv", "cannot be read as a file"), ("run.vtu", "seiche.adapt")):
+            path = self.folder / name if name == "pipe.csv" else self.write("<VTKFile>", name)
+            self.refused(self.score("standing_wave", "--table", "wall", "--data", path), name, said)
 
     def test_dry_is_no_value_where_the_reference_is_dry(self):
         words = ("--set", "right_depth=0,time=4")

@@ -269,8 +269,9 @@ Text text_of(std::istream& in, const std::string& name, std::size_t most) {
 }
 
 Text text_of(const std::filesystem::path& path, std::size_t most) {
-  std::ifstream in(path, std::ios::binary);
-  require_that(std::filesystem::is_regular_file(path) && in.good(), "{}: cannot be read as a file", path.string());
+  const bool file = std::filesystem::is_regular_file(path);  // a pipe would wait for its other end
+  std::ifstream in(file ? path : std::filesystem::path(), std::ios::binary);
+  require_that(file && in.good(), "{}: cannot be read as a file", path.string());
   return text_of(in, path.string(), most);
 }
 
