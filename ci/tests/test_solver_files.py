@@ -1,5 +1,6 @@
 """Files as solvers write them are read without conversion: the same numbers pass from every format."""
 
+import datetime
 import os
 import re
 import shutil
@@ -291,6 +292,10 @@ class AsPeopleWrite(Scoring):
         start = 1577836800
         rows = "".join(f"{start + t:.9f},{y!r}\n" for t, y in zip(self.t, self.eta))
         self.alike("t [seconds since 2020-01-01 00:00:00],eta\n" + rows, f"counted from {start} s", within=1e-6)
+        for form in ("%Y-%m-%dT%H:%M:%S.%fZ", "%Y-%m-%d %H:%M:%S.%f"):
+            date = lambda t: (datetime.datetime(2020, 1, 1) + datetime.timedelta(seconds=t)).strftime(form)
+            self.alike("Time [UTC],eta\n" + "".join(f"{date(t)},{y!r}\n" for t, y in zip(self.t, self.eta)),
+                       f"counted from {start} s", within=1e-5)  # a millionth of a second, over a period of two
         for path in self.out.glob("*"):
             path.unlink()
         for text in ("t,eta [kg]\n", "t [m],eta\n", "t,eta [furlong]\n"):

@@ -13,7 +13,7 @@ namespace seiche::validation {
 
 const std::vector<std::string>& other_names(const std::string& wanted) {
   static const std::map<std::string, std::vector<std::string>> names{
-      {"t", {"t", "time", "times", "tsec", "sec", "seconds"}},
+      {"t", {"t", "time", "times", "tsec", "sec", "seconds", "datetime", "timestamp"}},
       {"x", {"xp", "x_coord", "posx"}},
       {"y", {"yp", "y_coord", "posy"}},
       {"eta",

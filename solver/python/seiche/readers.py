@@ -298,6 +298,11 @@ def guarded(path, readers):
         raise Unusable(f"{path}: cannot be read: {said or type(broken).__name__}") from None
 
 
+def counted(times):
+    """Times of more than a year count from somewhere else: from the first on."""
+    return times - times[0] if abs(times[0]) > 366 * 86400 else times
+
+
 def read(paths, step=None, field=None):
     """Snapshots of files or folders in the order of their times; of several sets of points in a file those with the field."""
     snapshots = []
@@ -313,7 +318,10 @@ def read(paths, step=None, field=None):
     for one in snapshots:
         if one.time is None:
             raise Unusable(f"{paths[0]}: does not say its time: say how far the files are apart by --step")
-    return sorted(snapshots, key=lambda one: one.time)
+    snapshots.sort(key=lambda one: one.time)
+    for one, time in zip(snapshots, counted(np.array([one.time for one in snapshots]))):
+        one.time = time
+    return snapshots
 
 
 # Series of gauges by name.
@@ -358,4 +366,4 @@ def read_series(path):
     if not (levels and times.size and np.isfinite(times).all()):
         raise Unusable(f"{path}: needs times that are finite numbers, and a gauge with a value at each")
     order = np.argsort(times, kind="stable")
-    return times[order], {name: values[order] for name, values in levels.items()}
+    return counted(times[order]), {name: values[order] for name, values in levels.items()}

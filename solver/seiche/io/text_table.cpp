@@ -4,7 +4,9 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "seiche/io/date.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/wording.hpp"
@@ -105,6 +108,12 @@ std::vector<std::string> split(const std::string& line, char separator) {
     if (words.back().empty()) words.pop_back();
   }
   return words;
+}
+
+/// 2020-01-31, and a time behind it; years of four digits.
+bool is_date(std::string_view entry) {
+  return entry.size() >= 10 && entry.size() < 40 && entry[4] == '-' && entry[7] == '-' &&
+         entry.find_first_not_of("0123456789-+:. TZ") == std::string_view::npos;
 }
 
 /// A line of values, at least one of which is a number; none for another line.
@@ -312,8 +321,24 @@ std::optional<double> number_in(std::string_view entry) {
   return value;
 }
 
+std::optional<double> date_in(const std::string& text) {
+  int year = 0;
+  unsigned month = 0;
+  unsigned day = 0;
+  int hour = 0;
+  int minute = 0;
+  double second = 0;
+  if (std::sscanf(text.c_str(), "%d-%2u-%2u%*1[ T]%2d:%2d:%lf", &year, &month, &day, &hour, &minute, &second) < 3)
+    return {};
+  const auto date = std::chrono::year(year) / std::chrono::month(month) / std::chrono::day(day);
+  if (!date.ok()) return {};
+  const std::chrono::sys_days days = date;
+  return 86400.0 * static_cast<double>(days.time_since_epoch().count()) + 3600 * hour + 60 * minute + second;
+}
+
 std::optional<double> value_in(std::string_view entry) {
   if (const std::optional<double> number = number_in(entry)) return number;
+  if (is_date(entry)) return date_in(std::string(entry));
   constexpr std::array<std::string_view, 12> none{"",     "nan",  "-nan", "+nan", "na",        "n/a",
                                                   "null", "none", "-",    "--",   "-nan(ind)", "nan(ind)"};
   std::string lower(entry.substr(0, 12));
@@ -404,6 +429,10 @@ Table read_text_table(const Text& text, const std::vector<std::string>& columns,
     const auto same = [&](const std::string& other) { return name_and_unit(other).first == bare; };
     const auto own = names.begin() + static_cast<std::ptrdiff_t>(k);
     if (std::find_if(names.begin(), own, same) != own) text.fail(at, fmt::format("column {} is there twice", shown));
+  }
+  const std::vector<std::string> first = split(text.lines[start->line], start->separator);
+  for (std::size_t k = 0; k < std::min(first.size(), names.size()); ++k) {
+    if (is_date(first[k])) names[k] = name_and_unit(names[k]).first + " [seconds since 1970-01-01]";
   }
   Rows rows(text, names);
   // A line between header and numbers that holds some is a broken row.
