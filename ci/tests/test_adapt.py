@@ -221,6 +221,11 @@ class Adapt(Scoring):
         xarray.Dataset({"eta": (("time", "x"), eta)}, coords={"x": x, "time": t}).to_netcdf(self.folder / "run.nc")
         _, gauge = self.rows("gauge", self.folder / "run.nc", "--field", "eta", "--at", "x=0.25")
         np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
+        self.refuses(self.adapt("gauge", self.folder / "run.nc", "--at", "x=0.25"), "needs --field: there are eta")
+        self.netcdf("late.nc", eta=(("time", "x"), eta), x=("x", x),
+                    time=("time", 1577836800 + t, {"units": "seconds since 1970-01-01"}))
+        _, gauge = self.rows("gauge", self.folder / "late.nc", "--field", "eta", "--at", "x=0.25")
+        np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
         # As CF and UGRID say it: coordinates by their attributes, points of a mesh, and no value where it is dry.
         mesh = xarray.Variable((), 0, {"cf_role": "mesh_topology", "node_coordinates": "node_lon node_h"})
         dry = np.where(x > 0.7, np.nan, eta)

@@ -1,9 +1,12 @@
 """Files as solvers write them are read without conversion: the same numbers pass from every format."""
 
+import datetime
+import os
 import re
 import shutil
 import unittest
 
+import h5py
 import numpy as np
 
 from submitting import SOURCE, Scoring, exact, rows_of, seiche
@@ -259,10 +262,26 @@ class AsPeopleWrite(Scoring):
                      + self.rows(order=slice(50, None))):
             with self.subTest(text[:20]):
                 self.alike(text)
-        for name in ("elev", "zs [m]", "swlz [m]", "Watlev"):   # Thetis, XBeach, DualSPHysics, SWASH
-            self.alike(f"time [s];{name}\n" + self.rows(";"), "is taken for eta")
+        for name in ("elev", "zs [m]", "swlz [m]", "Watlev", "FREE SURFACE [M]", "ETA", "stage"):
+            self.alike(f"TIME [S];{name}\n" + self.rows(";"), "is taken for eta")
         self.alike("Wave flume run 12\nrecorded by a logger\n,wall x=0m\nt(s),level(cm)\n" + self.rows(eta=cm),
                    "level is taken for eta", "cm became m")
+
+    def test_which_of_two_columns_is_meant_is_asked(self):
+        """ANUGA's elevation is the bed's."""
+        rows = "".join(f"{t!r},{y!r},-1\n" for t, y in zip(self.t, self.eta))
+        words = "standing_wave", "--table", "wall", "--data", self.write("time,stage,elevation\n" + rows)
+        self.refused(self.score(*words), "elevation or stage", "--map NAME=eta")
+        self.accepted(self.score(*words, "--map", "stage=eta"))
+
+    def test_the_first_rows_may_lack_the_last_column(self):
+        empty = seiche("score", "riemann", "--template").stdout
+        self.refused(self.score("riemann", "--data", self.write(empty)), "column h: no value where the depth is 1 m")
+        words = ("--set", "left_depth=0,right_depth=1,time=2")
+        columns = self.reference("riemann", "profile", *words)
+        self.assertTrue((columns["h"][:2] == 0).all())
+        text = "x,h,u\n" + "".join(f"{x},{h},{u if h > 0 else ''}\n" for x, h, u in zip(*(columns[k] for k in "xhu")))
+        self.accepted(self.score("riemann", *words, "--data", self.write(text)))
 
     def test_units(self):
         for unit, factor in (("mm", 1e-3), ("ft", 0.3048), ("km", 1e3), ("inch", 0.0254)):
@@ -273,6 +292,10 @@ class AsPeopleWrite(Scoring):
         start = 1577836800
         rows = "".join(f"{start + t:.9f},{y!r}\n" for t, y in zip(self.t, self.eta))
         self.alike("t [seconds since 2020-01-01 00:00:00],eta\n" + rows, f"counted from {start} s", within=1e-6)
+        for form in ("%Y-%m-%dT%H:%M:%S.%fZ", "%Y-%m-%d %H:%M:%S.%f"):
+            date = lambda t: (datetime.datetime(2020, 1, 1) + datetime.timedelta(seconds=t)).strftime(form)
+            self.alike("Time [UTC],eta\n" + "".join(f"{date(t)},{y!r}\n" for t, y in zip(self.t, self.eta)),
+                       f"counted from {start} s", within=1e-5)  # a millionth of a second, over a period of two
         for path in self.out.glob("*"):
             path.unlink()
         for text in ("t,eta [kg]\n", "t [m],eta\n", "t,eta [furlong]\n"):
@@ -298,6 +321,22 @@ class AsPeopleWrite(Scoring):
             largest = re.search(r"largest error: eta: largest at t = \S+ s, (\S+) m", stdout)
             self.assertTrue(largest is None or abs(float(largest[1])) < 1e-9, "the straight line over a gap is nobody's error")
         self.judged("--data", self.write("t,eta\n" + self.rows(order=slice(0, len(self.t) // 2))), status=1)
+
+    def test_netcdf_says_what_its_numbers_mean(self):
+        with h5py.File(self.folder / "run.nc", "w") as file:
+            file["time"] = [t / 3600 for t in self.t]
+            file["time"].attrs["units"] = "hours since 2020-01-01"
+            file["eta"] = [round((100 * y - 5) / 1e-6) if k != 20 else -7 for k, y in enumerate(self.eta)]
+            file["eta"].attrs.update({"units": "cm", "scale_factor": 1e-6, "add_offset": 5.0, "_FillValue": [-7]})
+        stdout, numbers = self.judged("--data", self.folder / "run.nc")
+        self.assertIn(f"1 of {len(self.t)} rows have no value", stdout)
+        self.assertLess(numbers["eta_relative_l2"], 1e-6)  # half a millionth of a centimetre
+
+    def test_a_pipe_and_a_file_for_adapt_are_refused(self):
+        os.mkfifo(self.folder / "pipe.csv")
+        for name, said in (("pipe.csv", "cannot be read as a file"), ("run.vtu", "seiche.adapt")):
+            path = self.folder / name if name == "pipe.csv" else self.write("<VTKFile>", name)
+            self.refused(self.score("standing_wave", "--table", "wall", "--data", path), name, said)
 
     def test_dry_is_no_value_where_the_reference_is_dry(self):
         words = ("--set", "right_depth=0,time=4")
@@ -342,6 +381,32 @@ class AsPeopleWrite(Scoring):
             path.unlink()
         self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "E=6"), "--gauges E=6", "is called E")
         self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "A=7"), "--gauges A=7", "6, 9, 16")
+        # Numbers in names count where nobody says what the columns hold.
+        twice = self.write("t,P1,P2,P6,Q1\n" + wide)
+        self.refused(self.score("island_gauges", "--data", twice), "gauge = 1, which another of its columns holds")
+        numbered = self.write("t,P1,P2,P6,total\n" + wide)
+        for words, given in ((("--gauges", "P1=9,P2=1"), "2 of 8 given, without gauge = 2, 3, 4, 6, 16, 22"),
+                             ((), "3 of 8 given, without gauge = 3, 4, 9, 16, 22")):
+            scored = self.score("island_gauges", "--data", numbered, "--table", "gauges", *words)
+            self.assertIn(given, scored.stdout, scored.stderr)
+            self.assertEqual("column P6 is taken for gauge = 6" in scored.stdout, not words)
+        for path in self.out.glob("*"):
+            path.unlink()
+        self.refused(self.score("isolated_building", "--data", self.write("t,1,2,3,4\n" + wide)),
+                     "fits the tables depths and velocity: add --table")
+
+    def test_what_the_record_does_not_hold_is_named(self):
+        water = "T,p\n" + "".join(f"{k / 20},0.01\n" for k in range(201))
+        scored = self.score("dam_break_wall_pressure", "--data", self.write(water))
+        self.accepted(scored, 1)
+        self.assertIn("readings, u_num not stated, without pressure-", scored.stdout)
+        self.assertIn("it does not hold what is measured", scored.stdout)
+        self.assertNotIn("error nan %", scored.stdout)
+        names, rows = rows_of(seiche("score", "breaking_on_slope", "--template", "--table", "levels").stdout)
+        wrong = ",".join(names) + "\n" + "".join(f"{case},{x},0.02\n" for case, x, _ in rows)
+        scored = self.score("breaking_on_slope", "--data", self.write(wrong), "--table", "levels")
+        self.accepted(scored, 1)  # a level alone is compared with nothing
+        self.assertIn("no amplitude was submitted", scored.stdout)
 
     def test_a_part_of_an_experiment_is_no_full_pass(self):
         """The data themselves, but for one gauge, or the end of the record."""

@@ -82,23 +82,24 @@ void seiche_free(seiche_solution* solution) {
 }
 
 size_t seiche_inputs(const seiche_solution* solution) {
-  return solution->description.inputs.size();
+  return solution == nullptr ? 0 : solution->description.inputs.size();
 }
 
 size_t seiche_outputs(const seiche_solution* solution) {
-  return solution->description.outputs.size();
+  return solution == nullptr ? 0 : solution->description.outputs.size();
 }
 
 const char* seiche_input(const seiche_solution* solution, size_t k) {
-  return name_of(solution->description.inputs, k);
+  return solution == nullptr ? nullptr : name_of(solution->description.inputs, k);
 }
 
 const char* seiche_output(const seiche_solution* solution, size_t k) {
-  return name_of(solution->description.outputs, k);
+  return solution == nullptr ? nullptr : name_of(solution->description.outputs, k);
 }
 
 int seiche_evaluate(const seiche_solution* solution, size_t count, const double* points, double* values) {
   return guarded(1, [&] {
+    require_that(solution != nullptr, "solution: must not be NULL");
     const std::size_t inputs = seiche_inputs(solution);
     const std::size_t outputs = seiche_outputs(solution);
     for (std::size_t i = 0; i < count; ++i) {
@@ -116,6 +117,7 @@ int seiche_evaluate(const seiche_solution* solution, size_t count, const double*
 
 double seiche_scalar(const seiche_solution* solution, const char* name) {
   return guarded(std::numeric_limits<double>::quiet_NaN(), [&] {
+    require_that(solution != nullptr && name != nullptr, "solution and name: must not be NULL");
     const std::vector<double> values = solution->evaluator.scalars();
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (solution->description.scalars[k].name == name) return values[k];

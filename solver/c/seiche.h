@@ -25,7 +25,8 @@ typedef struct seiche_solution seiche_solution;
 seiche_solution* seiche_create(const char* name, const char* parameters);
 void seiche_free(seiche_solution* solution);
 
-/* How many coordinates a point has, and how many values it gets; their names, NULL beyond. */
+/* How many coordinates a point has, and how many values it gets; their names, NULL beyond. NULL for a solution has none,
+ * and an error where it is evaluated. */
 size_t seiche_inputs(const seiche_solution* solution);
 size_t seiche_outputs(const seiche_solution* solution);
 const char* seiche_input(const seiche_solution* solution, size_t k);

@@ -356,12 +356,19 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     sources.numerical.push_back(u.value_or(0));
   }
   if (std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
-    return record.leave_out({claim_of(experiment), "no amplitude was submitted"});
+    record.check(claim_of(experiment), {.value = nan, .resolution = "no amplitude was submitted"},
+                 criterion_of(experiment, 0, 0, coverage(present)));
+    return;
+  }
+  std::vector<std::string> lost;
+  for (const Question& one : present) {
+    if (std::isnan(one.answer(computed))) lost.push_back(one.id());
   }
   const Metric found = metric(present, computed, sources);
   const bool stated = open.empty();
   const auto u = stated ? numerical_uncertainty(present, computed, sources, experiment.ceiling) : std::nullopt;
   if (stated && !u) open = ", u_num more than decides anything";
+  if (!lost.empty()) open += fmt::format(", without {}", fmt::join(lost, ", "));
   record.check(
       claim_of(experiment),
       {.value = found.difference, .uncertainty = u, .resolution = fmt::format("{} readings{}", present.size(), open)},

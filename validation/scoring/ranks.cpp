@@ -1,6 +1,7 @@
 #include "validation/scoring/ranks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -24,7 +25,7 @@ std::string rank(const evidence::Record& record) {
   std::vector<std::string> told;
   for (const auto& [quantity, error] : standing.errors) {
     const std::vector<double>& others = stored[quantity];
-    if (others.empty()) continue;
+    if (others.empty() || std::isnan(error)) continue;
     told.push_back(fmt::format("{}: error {:.2g} %, smaller than {} of {} stored solvers on their finest cells",
                                quantity, 100 * error,
                                std::ranges::count_if(others, [&](double e) { return e > error; }), others.size()));

@@ -62,6 +62,11 @@ ResultFile read_file(const std::filesystem::path& file, const Reading& how) {
   if (how.format == "hdf5" || (how.format == "auto" && io::is_hdf5(file))) {
     return {.table = io::read_hdf5(file, how.wanted), .format = "hdf5", .files = {file}};
   }
+  for (const char* adapted : {".vtk", ".vtu", ".vtp", ".vts", ".vti", ".pvd", ".nc", ".sww", ".mat", ".npz", ".61"}) {
+    if (file.extension() != adapted || how.format != "auto") continue;
+    throw std::invalid_argument(
+        fmt::format("{}: 'python3 -m seiche.adapt' makes a table of it, as its --help says", file.string()));
+  }
   std::string chosen = how.format;
   constexpr std::size_t opening = 4096;  // [byte]
   if (chosen == "auto") chosen = how.columns.empty() ? recognised(io::text_of(file, opening)) : "delimited";

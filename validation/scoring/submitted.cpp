@@ -70,6 +70,9 @@ class Reader {
     return result;
   }
 
+  /// Whether columns hold a group each, without the name of a quantity.
+  [[nodiscard]] bool wide() const { return !beside_.empty(); }
+
   /// The groups that the file holds, for a message.
   [[nodiscard]] std::string there() const {
     std::set<double> values;
@@ -112,11 +115,17 @@ class Reader {
       return file_.has(given->second) ? std::optional(given->second) : std::nullopt;
     }
     if (file_.has(column.name)) return column.name;
+    std::vector<std::string> others;
     for (const std::string& other : other_names(column.name)) {
+      if (!others.empty() && (other == "hu" || other == "hv")) continue;  // a velocity is there as well
       for (const std::string& name : file_.names) {
-        if (plain_name(name) == other && !is_wanted(name)) return name;
+        if (plain_name(name) == other && !is_wanted(name)) others.push_back(name);
       }
     }
+    if (others.size() > 1) {
+      fail(column, fmt::format("may be {}: say which by --map NAME={}", fmt::join(others, " or "), column.name));
+    }
+    if (!others.empty()) return others.front();
     const bool quantity = alone_ && understood_.gauges.empty() && wanted_.quantities.size() == 1 &&
                           column.name == wanted_.quantities.front().column.name;
     std::vector<std::string> left;
@@ -191,12 +200,17 @@ class Reader {
     std::vector<Slice> slices;
     std::vector<std::size_t> all(file_.rows());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+    const auto is_named = [&](const std::string& name) { return understood_.gauges.contains(name); };
+    const bool named = std::ranges::any_of(file_.names, is_named);
     for (const std::string& name : file_.names) {
       if (std::string("txyz").find(name) != std::string::npos || name == find(*wanted_.abscissa)) continue;
-      const auto given = understood_.gauges.find(name);
-      const auto group = given != understood_.gauges.end() ? group_named(given->first, given->second)
-                                                           : group_near(number_at_end(name));
-      if (group) slices.push_back({*group, all, name});
+      if (named && !is_named(name)) continue;
+      const auto group = named ? group_named(name, understood_.gauges.at(name)) : group_near(number_at_end(name));
+      if (!group) continue;
+      slices.push_back({*group, all, name});
+      if (!io::number_in(name)) {
+        note(fmt::format("column {} is taken for {} = {:g}", name, wanted_.group->name, *group));
+      }
     }
     return slices;
   }
@@ -378,7 +392,7 @@ class Reader {
                        slice.rows.size(), where));
     }
     if (result.abscissa.size() < 2) {
-      fail(first, fmt::format("{} rows{}, must be at least two", result.abscissa.size(), where));
+      fail(first, fmt::format("{} rows{} with a value, must be at least two", result.abscissa.size(), where));
     }
     return result;
   }
@@ -455,6 +469,7 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
                          Understanding& understood) {
   Submitted submitted;
   std::set<std::string> used;
+  std::map<const io::Table*, std::string> taken;  // wide tables, by what they hold
   for (const WantedTable& table : wanted) {
     std::vector<SubmittedGroup> groups;
     std::string holder;
@@ -462,6 +477,10 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
     for (const io::Table& file : files) {
       const Reader reader(file, table, wanted.size() == 1, understood, used);
       if (!reader.holds()) continue;
+      if (const auto [kept, fresh] = taken.try_emplace(&file, table.name); reader.wide() && !fresh) {
+        throw std::invalid_argument(fmt::format("{}: fits the tables {} and {}: add --table with one of them",
+                                                file.source, kept->second, table.name));
+      }
       const std::vector<SubmittedGroup> here = reader.groups();
       if (here.empty()) there = reader.there();
       for (const SubmittedGroup& one : here) {
@@ -473,7 +492,8 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
         }
         const std::string which = table.group ? fmt::format(" at {} = {:g}", table.group->name, one.value) : "";
         throw std::invalid_argument(
-            fmt::format("{}: holds the table {}{}, which {} holds as well", file.source, table.name, which, holder));
+            fmt::format("{}: holds the table {}{}, which {} holds as well", file.source, table.name, which,
+                        holder.empty() ? "another of its columns" : holder));
       }
       holder = file.source;
     }

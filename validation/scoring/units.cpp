@@ -2,11 +2,12 @@
 
 #include <array>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <numbers>
+
+#include "seiche/io/date.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -26,14 +27,14 @@ const Unit* base_unit(const std::string& name) {
     const auto add = [&](double factor, std::array<int, 4> powers, std::initializer_list<const char*> names) {
       for (const char* one : names) all[one] = {factor, powers};
     };
-    add(1, {1}, {"m", "meter", "metre", "meters", "metres"});
+    add(1, {1}, {"m", "M", "meter", "metre", "meters", "metres"});
     add(0.01, {1}, {"cm", "centimeter", "centimetre", "centimeters", "centimetres"});
     add(0.001, {1}, {"mm", "millimeter", "millimetre", "millimeters", "millimetres"});
     add(0.1, {1}, {"dm"});
     add(1000, {1}, {"km", "kilometer", "kilometre", "kilometers", "kilometres"});
     add(foot, {1}, {"ft", "foot", "feet"});
     add(foot / 12, {1}, {"in", "inch", "inches"});
-    add(1, {0, 1}, {"s", "sec", "secs", "second", "seconds"});
+    add(1, {0, 1}, {"s", "S", "sec", "secs", "second", "seconds"});
     add(0.001, {0, 1}, {"ms", "msec", "milliseconds"});
     add(60, {0, 1}, {"min", "mins", "minute", "minutes"});
     add(hour, {0, 1}, {"h", "hr", "hrs", "hour", "hours"});
@@ -101,18 +102,8 @@ std::optional<double> conversion(const std::string& from, const std::string& to)
 std::optional<Epoch> epoch_of(const std::string& unit) {
   const std::size_t since = unit.find(" since ");
   if (since == std::string::npos) return {};
-  int year = 0;
-  unsigned month = 0;
-  unsigned day = 0;
-  int hour = 0;
-  int minute = 0;
-  double second = 0;
-  const std::string date = unit.substr(since + 7);
-  if (std::sscanf(date.c_str(), "%d-%u-%u%*1[ T]%d:%d:%lf", &year, &month, &day, &hour, &minute, &second) < 3)
-    return {};
-  const std::chrono::sys_days days = std::chrono::year(year) / std::chrono::month(month) / std::chrono::day(day);
-  return Epoch{unit.substr(0, since),
-               86400.0 * static_cast<double>(days.time_since_epoch().count()) + 3600 * hour + 60 * minute + second};
+  const std::optional<double> origin = io::date_in(unit.substr(since + 7));
+  return origin ? std::optional(Epoch{unit.substr(0, since), *origin}) : std::nullopt;
 }
 
 }  // namespace seiche::validation

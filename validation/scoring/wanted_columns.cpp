@@ -13,12 +13,12 @@ namespace seiche::validation {
 
 const std::vector<std::string>& other_names(const std::string& wanted) {
   static const std::map<std::string, std::vector<std::string>> names{
-      {"t", {"time", "times", "tsec", "sec", "seconds"}},
+      {"t", {"t", "time", "times", "tsec", "sec", "seconds", "datetime", "timestamp"}},
       {"x", {"xp", "x_coord", "posx"}},
       {"y", {"yp", "y_coord", "posy"}},
       {"eta",
-       {"elevation", "surface_elevation", "free_surface", "watlev", "level", "water_level", "zeta", "wl", "ssh", "elev",
-        "elev_2d", "zs", "swlz"}},
+       {"eta", "elevation", "surface_elevation", "free_surface", "watlev", "level", "water_level", "zeta", "wl", "ssh",
+        "elev", "elev_2d", "zs", "swlz", "stage"}},
       {"h", {"depth", "water_depth", "total_depth"}},
       {"u", {"x-vel", "u_x", "vel_x", "uvel", "velocity", "hu"}},
       {"v", {"y-vel", "u_y", "vel_y", "vvel", "hv"}},

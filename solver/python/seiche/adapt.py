@@ -16,6 +16,7 @@ surface  the highest crossing of --level in every column of points; a field of o
 gauge    the surface at one x by straight lines, or at one x and y by triangles between points; NaN where it is dry
 series   gauges that a solver wrote itself: a column for each, of Thetis' detectors (.hdf5) and ADCIRC's stations (fort.61)
 Nothing is smoothed, shifted or scaled else but by what is asked for: --column scales a front by the width of a column.
+Times of more than a year, such as seconds since 1970, are counted from the first on.
 """
 import argparse
 import csv
@@ -77,6 +78,8 @@ def surface(snapshot, field, level):
     """x and elevation of every column of points that has a surface; without a field all points are on it. A field of one
     value per column is NaN where it has none."""
     if field is None:
+        if snapshot.level:
+            raise Unusable(f"needs --field: there are {', '.join(sorted(snapshot.fields)) or 'none'}")
         columns = rows_of(snapshot.x)
         return (np.array([snapshot.x[c].mean() for c in columns]), np.array([snapshot.y[c].mean() for c in columns]))
     x, y, values = snapshot.where_known(field)

@@ -17,9 +17,11 @@ class Unusable(Exception):
 
 
 class Snapshot:
-    """Points and fields at one time; y is the vertical, or 0 where there is none. A value may be NaN: there is none."""
+    """Points and fields at one time; y is the vertical, or 0 where there is none, or over a plan the other axis. A value
+    may be NaN: there is none."""
 
-    def __init__(self, time, x, y=None, fields=None):
+    def __init__(self, time, x, y=None, fields=None, plan=False):
+        self.level = plan or y is None  # the points do not tell where the surface is
         self.time = time
         self.x = np.asarray(x, float)
         self.y = np.zeros_like(self.x) if y is None else np.asarray(y, float)
@@ -170,7 +172,7 @@ def read_netcdf(path):
                 for name in names:
                     values = data[name].transpose(..., *places)
                     fields[str(name)] = in_si(values.isel({d: k for d in t_dims if d in values.dims})).ravel()
-                yield Snapshot(None if np.isnan(time) else float(time), x.ravel(), None if y is None else y.ravel(), fields)
+                yield Snapshot(None if np.isnan(time) else float(time), x.ravel(), None if y is None else y.ravel(), fields, plan=True)
         if not any(set(places) <= set(values.dims) for places in sets for values in data.data_vars.values()):
             raise Unusable(f"{path}: no field at points with a coordinate x: there are {', '.join(map(str, data.variables))}")
 
@@ -296,6 +298,11 @@ def guarded(path, readers):
         raise Unusable(f"{path}: cannot be read: {said or type(broken).__name__}") from None
 
 
+def counted(times):
+    """Times of more than a year count from somewhere else: from the first on."""
+    return times - times[0] if abs(times[0]) > 366 * 86400 else times
+
+
 def read(paths, step=None, field=None):
     """Snapshots of files or folders in the order of their times; of several sets of points in a file those with the field."""
     snapshots = []
@@ -311,7 +318,10 @@ def read(paths, step=None, field=None):
     for one in snapshots:
         if one.time is None:
             raise Unusable(f"{paths[0]}: does not say its time: say how far the files are apart by --step")
-    return sorted(snapshots, key=lambda one: one.time)
+    snapshots.sort(key=lambda one: one.time)
+    for one, time in zip(snapshots, counted(np.array([one.time for one in snapshots]))):
+        one.time = time
+    return snapshots
 
 
 # Series of gauges by name.
@@ -356,4 +366,4 @@ def read_series(path):
     if not (levels and times.size and np.isfinite(times).all()):
         raise Unusable(f"{path}: needs times that are finite numbers, and a gauge with a value at each")
     order = np.argsort(times, kind="stable")
-    return times[order], {name: values[order] for name, values in levels.items()}
+    return counted(times[order]), {name: values[order] for name, values in levels.items()}

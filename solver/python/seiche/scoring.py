@@ -36,6 +36,14 @@ def _settings(parameters):
     return [word for name, value in parameters.items() for word in ("--set", f"{name}={value}")]
 
 
+def _numbers(values):
+    """Dates and spans of time in seconds, dates from the first on."""
+    values = np.asarray(values)
+    if values.dtype.kind == "M":
+        values = values - values.flat[0]
+    return values / np.timedelta64(1, "s") if values.dtype.kind == "m" else np.asarray(values, float)
+
+
 class Claims(list):
     """Claims of a result, a dict each: id, verdict, text, measured, expected, limit, unit."""
 
@@ -48,9 +56,10 @@ class Claims(list):
 class Result:
     """What was found of a result, or of a case that was run."""
 
-    def __init__(self, record, notes=()):
+    def __init__(self, record, notes=(), since=()):
         self.record = record
         self.notes = list(notes)
+        self.worse = [line for line in since if "WORSE" in line]  # than the baseline
         self.claims = Claims({**{key: claim.get(key) for key in ("id", "verdict", "text", "measured", "expected", "unit")},
                               "limit": claim["criterion"].get("limit")} for claim in record["claims"])
         self.measurements = record["measurements"]
@@ -122,7 +131,7 @@ class Case:
         a pandas DataFrame, as an xarray Dataset, or as a file's path.
 
         uncertainty  standard, by quantity: {"eta": 0.001} or {"eta": "1%"}
-        options      further options of `seiche score`: baseline="folder", gauges="WG1=6"
+        options      further options of `seiche score`: baseline="folder", bless=True, gauges="WG1=6"
         """
         with tempfile.TemporaryDirectory(prefix="seiche-") as folder:
             files = [data] if isinstance(data, (str, os.PathLike)) else self._written(data, pathlib.Path(folder))
@@ -131,21 +140,25 @@ class Case:
                 words += ["--table", next(iter(data))]
             words += [word for name, u in (uncertainty or {}).items() for word in ("--uncertainty", f"{name}={u}")]
             given = {"dx": dx, "seconds": seconds, **options}
-            words += [word for name, value in given.items() if value is not None for word in (f"--{name}", value)]
+            words += [f"--{name}" if value is True else f"--{name}={value}" for name, value in given.items()
+                      if value is not None and value is not False]
             told = json.loads(_run("score", self.name, *words, *_settings(self.parameters), "--solver", solver, "--json",
                                    "--out", out or pathlib.Path(folder) / "results", allowed=(0, 1)))
-        return Result(told["record"], told["notes"])
+        return Result(told["record"], told["notes"], told.get("baseline", ()))
 
     def _written(self, data, folder):
         named = hasattr(data, "keys") and not hasattr(data, "to_dataframe") and set(data) <= set(self.tables)
         for name, table in (data.items() if named else [("table", data)]):
-            table = table.to_dataframe().reset_index() if hasattr(table, "to_dataframe") else table
-            columns = [np.atleast_1d(np.asarray(table[column], float)) for column in table.keys()]
+            units = {}
+            if hasattr(table, "to_dataframe"):
+                units = {name: f" [{values.attrs['units']}]" for name, values in table.variables.items() if "units" in values.attrs}
+                table = table.to_dataframe().reset_index()
+            columns = [np.atleast_1d(_numbers(table[column])) for column in table.keys()]
             lengths = {column.size for column in columns}
             if len(lengths) != 1:
                 raise ValueError(f"table {name}: columns of {', '.join(map(str, sorted(lengths)))} values, must be as many")
             np.savetxt(folder / f"{name}.csv", np.column_stack(columns), "%.17g", ",", comments="",
-                       header=",".join(map(str, table.keys())))
+                       header=",".join(f"{column}{units.get(column, '')}" for column in table.keys()))
         return sorted(folder.glob("*.csv"))
 
 

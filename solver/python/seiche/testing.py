@@ -11,6 +11,8 @@ from .scoring import case as _case
 def assert_score(case, data, *, baseline=None, parameters=None, **words):
     """Fails with the claims that are not met; with a baseline, a folder, with those that got worse since it was blessed."""
     result = _case(case, **(parameters or {})).score(data, baseline=baseline, **words)
+    if result.worse:
+        raise AssertionError("\n".join(result.worse))
     bad = [claim for claim in result.claims if claim["verdict"] != "pass"]
     if bad and baseline is None:
         raise AssertionError(f"{result!r}\n" + "\n".join(

@@ -129,8 +129,29 @@ def test_a_result_is_scored(tmp_path):
     assert_score("standing_wave", {"wall": data})
     with pytest.raises(AssertionError, match="fail: "):
         assert_score("standing_wave", {"wall": {**data, "eta": 1.5 * data["eta"]}})
+    higher = {"wall": {**data, "eta": 1.01 * data["eta"]}}
+    kept = {"baseline": tmp_path / "baseline"}
+    assert case.score({"wall": data}, bless=True, **kept).worse == []
+    assert_score("standing_wave", {"wall": data}, **kept)
+    with pytest.raises(AssertionError, match="WORSE"):
+        assert_score("standing_wave", higher, **kept)
+    with pytest.raises(ValueError, match="--dxx"):
+        case.score({"wall": data}, dxx=0.1)
+    span = (1e9 * data["t"]).astype("timedelta64[ns]")
+    for t in (span, numpy.datetime64("2020-01-01", "ns") + span):
+        assert case.score({"wall": {**data, "t": t}}).passed
     assert {"bathymetry.asc", "matsuyama_tanaka_2001_monai_valley/table.csv"} <= set(seiche.case("monai_valley").files)
     with pytest.raises(ValueError, match="did you mean monai_valley"):
         seiche.case("monai_valey")
     with pytest.raises(ValueError, match="must be as many"):
         case.score({"wall": {"t": data["t"], "eta": data["eta"][1:]}})
+
+
+@pytest.mark.skipif(not os.path.exists(os.environ.get("SEICHE", "")), reason="the command is not built")
+def test_units_of_xarray_count():
+    xarray = pytest.importorskip("xarray")
+    case = seiche.case("standing_wave")
+    data = filled(case)
+    wall = xarray.Dataset({"eta": ("t", 100 * data["eta"], {"units": "cm"})}, {"t": data["t"]})
+    result = case.score(wall, table="wall")
+    assert result.passed and any("cm became m" in note for note in result.notes)

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -89,6 +90,18 @@ std::string unit_of(const H5::DataSet& set) {
   return {};
 }
 
+/// A number with which netCDF says what is stored.
+double attribute_of(const H5::DataSet& set, const char* name, double otherwise) {
+  if (!set.attrExists(name)) return otherwise;
+  const H5::Attribute attribute = set.openAttribute(name);
+  const H5T_class_t kind = attribute.getTypeClass();
+  require_that((kind == H5T_FLOAT || kind == H5T_INTEGER) && attribute.getSpace().getSimpleExtentNpoints() == 1,
+               "its attribute {} is not a number", name);
+  double value = otherwise;
+  attribute.read(H5::PredType::NATIVE_DOUBLE, &value);
+  return value;
+}
+
 /// @throws std::invalid_argument where the numbers lie in another file, which may be anybody's
 void require_own_storage(const H5::DataSet& set) {
   const H5::DSetCreatPropList properties = set.getCreatePlist();
@@ -115,8 +128,14 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
                count + longest_file - most_elements, longest_file);
   std::vector<double> values(count);
   if (count > 0) set.read(values.data(), H5::PredType::NATIVE_DOUBLE);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const double fill = attribute_of(set, "_FillValue", none);
+  const double missing = attribute_of(set, "missing_value", none);
+  const double factor = attribute_of(set, "scale_factor", 1);
+  const double offset = attribute_of(set, "add_offset", 0);
   for (std::size_t k = 0; k < values.size(); ++k) {
     require_that(!std::isinf(values[k]), "element {}: '{}' is not a finite number", k, values[k]);
+    values[k] = values[k] == fill || values[k] == missing ? none : factor * values[k] + offset;
   }
   return values;
 }

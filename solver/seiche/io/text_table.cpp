@@ -4,7 +4,9 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "seiche/io/date.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/wording.hpp"
@@ -107,6 +110,12 @@ std::vector<std::string> split(const std::string& line, char separator) {
   return words;
 }
 
+/// 2020-01-31, and a time behind it; years of four digits.
+bool is_date(std::string_view entry) {
+  return entry.size() >= 10 && entry.size() < 40 && entry[4] == '-' && entry[7] == '-' &&
+         entry.find_first_not_of("0123456789-+:. TZ") == std::string_view::npos;
+}
+
 /// A line of values, at least one of which is a number; none for another line.
 std::optional<std::vector<double>> values_in(const std::string& line, char separator) {
   if (separator != ' ' && line.find(separator) == std::string::npos) return {};
@@ -132,13 +141,19 @@ struct Start {
 std::optional<Start> start_of(const Text& text) {
   std::optional<Start> first;
   std::optional<Start> before;
+  std::string names;  // the last line without numbers
   for (std::size_t line = 0; line < text.lines.size(); ++line) {
     if (is_comment(text.lines[line])) continue;
     std::optional<Start> here;
     for (const char separator : separators) {
       const auto values = values_in(text.lines[line], separator);
-      if (values && !here) here = Start{line, separator, values->size()};
+      if (!values || here) continue;
+      const std::vector<std::string> above = split(names, separator);
+      const bool no_value = above.size() == values->size() + 1 && !above.back().empty() &&
+                            split(text.lines[line], separator).size() == above.size();  // of the last column
+      here = Start{line, separator, values->size() + (no_value ? 1 : 0)};
     }
+    if (!here) names = text.lines[line];
     if (here && before && here->separator == before->separator && here->columns == before->columns) return before;
     if (here && !first) first = here;
     before = here;
@@ -263,8 +278,9 @@ Text text_of(std::istream& in, const std::string& name, std::size_t most) {
 }
 
 Text text_of(const std::filesystem::path& path, std::size_t most) {
-  std::ifstream in(path, std::ios::binary);
-  require_that(std::filesystem::is_regular_file(path) && in.good(), "{}: cannot be read as a file", path.string());
+  const bool file = std::filesystem::is_regular_file(path);  // a pipe would wait for its other end
+  std::ifstream in(file ? path : std::filesystem::path(), std::ios::binary);
+  require_that(file && in.good(), "{}: cannot be read as a file", path.string());
   return text_of(in, path.string(), most);
 }
 
@@ -305,8 +321,24 @@ std::optional<double> number_in(std::string_view entry) {
   return value;
 }
 
+std::optional<double> date_in(const std::string& text) {
+  int year = 0;
+  unsigned month = 0;
+  unsigned day = 0;
+  int hour = 0;
+  int minute = 0;
+  double second = 0;
+  if (std::sscanf(text.c_str(), "%d-%2u-%2u%*1[ T]%2d:%2d:%lf", &year, &month, &day, &hour, &minute, &second) < 3)
+    return {};
+  const auto date = std::chrono::year(year) / std::chrono::month(month) / std::chrono::day(day);
+  if (!date.ok()) return {};
+  const std::chrono::sys_days days = date;
+  return 86400.0 * static_cast<double>(days.time_since_epoch().count()) + 3600 * hour + 60 * minute + second;
+}
+
 std::optional<double> value_in(std::string_view entry) {
   if (const std::optional<double> number = number_in(entry)) return number;
+  if (is_date(entry)) return date_in(std::string(entry));
   constexpr std::array<std::string_view, 12> none{"",     "nan",  "-nan", "+nan", "na",        "n/a",
                                                   "null", "none", "-",    "--",   "-nan(ind)", "nan(ind)"};
   std::string lower(entry.substr(0, 12));
@@ -397,6 +429,10 @@ Table read_text_table(const Text& text, const std::vector<std::string>& columns,
     const auto same = [&](const std::string& other) { return name_and_unit(other).first == bare; };
     const auto own = names.begin() + static_cast<std::ptrdiff_t>(k);
     if (std::find_if(names.begin(), own, same) != own) text.fail(at, fmt::format("column {} is there twice", shown));
+  }
+  const std::vector<std::string> first = split(text.lines[start->line], start->separator);
+  for (std::size_t k = 0; k < std::min(first.size(), names.size()); ++k) {
+    if (is_date(first[k])) names[k] = name_and_unit(names[k]).first + " [seconds since 1970-01-01]";
   }
   Rows rows(text, names);
   // A line between header and numbers that holds some is a broken row.
