@@ -357,7 +357,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   }
   if (std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
     record.check(claim_of(experiment), {.value = nan, .resolution = "no amplitude was submitted"},
-                 criterion_of(experiment, 0, 0, coverage(present)));
+                 criterion_of(experiment, 0, 0, coverage(questions(experiment, values))));
     return;
   }
   std::vector<std::string> lost;
