@@ -321,7 +321,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
                {.value = found.difference,
                 .uncertainty = stated ? std::optional(coverage() * found.numerical) : std::nullopt,
                 .resolution = fmt::format("{} readings{}{}{}", present.size(), stated ? "" : ", u_num not stated",
-                                           lost.empty() ? "" : ", without ", fmt::join(lost, ", "))},
+                                          lost.empty() ? "" : ", without ", fmt::join(lost, ", "))},
                criterion_of(experiment, found.data, found.input));
   show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
                 record.solver, record);
