@@ -120,7 +120,8 @@ bool all_right(const evidence::Record& record, const std::vector<Finding>& findi
 
 std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std::optional<Ladder>& ladder) {
   const evidence::Judgement& j = claim.judgement;
-  if (j.verdict == Verdict::error) return fmt::format("your result: it does not hold what is measured ({})", j.resolution);
+  if (j.verdict == Verdict::error)
+    return fmt::format("your result: it does not hold what is measured ({})", j.resolution);
   if (is_comparison(claim)) {
     if (j.verdict == Verdict::fail && !j.uncertainty) return "your solver's: " + j.note;
     if (j.verdict == Verdict::fail) {

@@ -491,9 +491,8 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
           continue;
         }
         const std::string which = table.group ? fmt::format(" at {} = {:g}", table.group->name, one.value) : "";
-        throw std::invalid_argument(
-            fmt::format("{}: holds the table {}{}, which {} holds as well", file.source, table.name, which,
-                        holder.empty() ? "another of its columns" : holder));
+        throw std::invalid_argument(fmt::format("{}: holds the table {}{}, which {} holds as well", file.source,
+                                                table.name, which, holder.empty() ? "another of its columns" : holder));
       }
       holder = file.source;
     }
