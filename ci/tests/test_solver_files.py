@@ -421,6 +421,10 @@ class AsPeopleWrite(Scoring):
             self.assertNotIn("error", verdicts.values())
             missed = {name for name, verdict in verdicts.items() if verdict != "pass"}
             self.assertTrue(all(name.endswith(("-given", "-coverage")) for name in missed), missed)
+        # Gauges that differ in y alone.
+        places = {"5": "4.521,1.196", "7": "4.521,1.696", "9": "4.521,2.196"}
+        text = "x,y,t,eta\n" + "\n".join(",".join([places[gauge], *rest]) for gauge, *rest in rows)
+        self.accepted(self.score("monai_valley", "--data", self.write(text), *words), 0)
 
 
 if __name__ == "__main__":

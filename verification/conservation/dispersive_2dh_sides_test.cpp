@@ -9,6 +9,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/plan_soliton.hpp"
 #include "verification/check.hpp"
+#include "verification/noise.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::dispersive_2dh_sides_test {
@@ -113,6 +114,37 @@ TEST_CASE("a driven side of the 2DH model lets a solitary wave in", "[conservati
            "The wave within 6 depths of its crest is of second order.",
            {2, 0.3, "second order in h and tau; coarse cells have parts of fourth"}}},
          inflow_error);
+}
+
+TEST_CASE("velocities carried to another bottom keep their energy, along walls too", "[conservation]") {
+  constexpr double inertia = 0.4;
+  const Lattice lattice = rectangular_lattice({.end = 4, .north = 3, .columns = 4, .rows = 3});
+  const std::size_t n = lattice.shape.nodes();
+  const NodeMasses masses(lattice.shape, lattice.sides, lattice.x, lattice.y, inertia);
+  Noise noise(7);
+  Normals from, to;
+  std::vector<double> u(3 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (Normals* const normals : {&from, &to}) {
+      const Vector3 up{0.8 * noise(), 0.8 * noise(), 1};
+      normals->push_back(1 / std::sqrt(dot(up, up)) * up);
+    }
+    const bool west_or_east = std::fmod(lattice.x[k], 4) == 0, south_or_north = std::fmod(lattice.y[k], 3) == 0;
+    u[k] = west_or_east ? 0 : noise();
+    u[n + k] = south_or_north ? 0 : noise();
+    u[2 * n + k] = west_or_east && south_or_north ? 0 : noise();
+  }
+  const auto energy = [&](const Normals& normals, std::size_t k) {
+    const Vector3 w{u[k], u[n + k], u[2 * n + k]};
+    return dot(w, w) - (1 - inertia) * std::pow(dot(w, normals[k]), 2);
+  };
+  std::vector<double> before;
+  for (std::size_t k = 0; k < n; ++k) before.push_back(energy(from, k));
+  masses.carry(from, to, u);
+  for (std::size_t k = 0; k < n; ++k) {
+    INFO(k);
+    CHECK(std::abs(energy(to, k) - before[k]) <= 40 * 1.2e-16 * before[k] / inertia);  // some 40 roundings
+  }
 }
 
 }  // namespace seiche::verification::dispersive_2dh_sides_test

@@ -114,6 +114,16 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   says("The summary states that refinement does not remove the model's error.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)),
        "refinement will not remove this error");
+  evidence::Record measured;
+  measured.check({"agreement", "The wave agrees with the measurement.", "height", "m", "this test"},
+                 {.value = 0.5, .uncertainty = 0.01},
+                 evidence::Uncertainty{.data = 0.01, .input = 0, .useful = 0.2, .reason = "of this test"});
+  std::string cause;
+  for (const auto& [asked, said] : first_look({}, {}, measured, {}, {})) {
+    if (asked == "likely cause") cause = said;
+  }
+  says("A difference that uncertainties do not explain is the solver's.", cause,
+       "an error of 0.5, which the uncertainties");
 }
 
 TEST_CASE("the claim that uses most of its limit decides, and the report's table reads as the screen", "[evidence]") {
