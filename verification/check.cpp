@@ -67,7 +67,7 @@ Check::~Check() {
     if (!assertions_.rows.empty()) {
       record_.check(
           {.id = "assertions",
-           .text = assertions_.rows.size() == 1 ? fmt::format("{}: the assertion of the table holds.", record_.title)
+           .text = assertions_.rows.size() == 1 ? fmt::format("{}: the one assertion of the table holds.", record_.title)
                                                 : fmt::format("{}: all {} assertions of the table hold.", record_.title,
                                                               assertions_.rows.size()),
            .quantity = "largest part of a limit that is used",

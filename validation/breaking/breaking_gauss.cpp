@@ -384,11 +384,11 @@ double quickened_overhang(const Run& run) {
   while (!goes_backwards(flow.markers()) && flow.time() < past_vertical);
   const double late = flow.time() - exact.vertical_tangent_time().value_or(nan);
   if (!(late > 0)) return late * exact::StokesWave(quickened.height / 2, forced_length, depth, 1).phase_speed();
-  double front = -forced_length;
+  Largest front;
   Worst overhang;
   for (const double x : exact.profile(std::min(flow.time(), past_vertical), 1601).x) {
-    front = std::max(front, x);
-    overhang.add(front - x);
+    front.add(x);
+    overhang.add(front.value() - x);
   }
   return overhang.value();
 }

@@ -18,7 +18,7 @@ time, on wider spacings, with density diffusion and with particle shifting.
 
 **What to look at.** Until the front is steep the surface is right to a few tenths of a spacing, with a developed jet to
 about half a spacing; the distance falls in proportion to the spacing, down to what the finite sound speed leaves, and
-the tip of the jet is what arrives last. At the same processor time, that of 200 columns, density diffusion and particle
+the tip of the jet is what arrives last. At the processor time of 200 columns density diffusion and particle
 shifting together are nearer, 2.4 thousandths of the wavelength against 2.8 with a developed jet, and keep the energy to
 a thousandth, of which the first scheme loses 5 %. Shifting alone moves the surface away, to 3.8. What particles lose is
 mostly potential energy, for the layer settles on its bottom by a part of a spacing; the kinetic energy is within a few
