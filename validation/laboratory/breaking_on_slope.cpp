@@ -127,7 +127,7 @@ Experiment experiment(const Values& values) {
 void breaking_on_slope(Case& c) {
   c.title = "Regular waves shoal and break on a slope";
   c.source = source;
-  c.parameters = {real("spacing", 0.04, "m", {0.01, 0.1}, "of the markers, where the model computes")};
+  c.parameters = {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "of the markers, where the model computes")};
   set_laboratory<experiment>(c);
 }
 
