@@ -190,7 +190,7 @@ def is_command(line):
 def kind_of(block):
     """What a block of code is in; shell when every line begins with a command."""
     if block.startswith(">>> "):
-        return "session"
+        return "dialogue"
     if block.startswith("#!/bin/bash"):
         return "script"
     if block.startswith("#include"):
@@ -320,7 +320,7 @@ class Readme(unittest.TestCase):
             elif kind == "layout":
                 for entry in re.findall(r"^([a-z_/]+/) ", text, re.M):
                     self.assertTrue((SOURCE / entry).is_dir(), entry)
-            elif kind != "session":
+            elif kind != "dialogue":
                 self.fail(f"{path}: neither run nor left out:\n{text}")
         self.place.directory = self.place.checkout
         if re.search("^    >>> ", path.read_text(), re.M):

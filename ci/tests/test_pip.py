@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
-SESSION = "import seiche; wave = seiche.solitary(amplitude=0.3); print(seiche.__version__, wave(x=0.0)['eta'])"
+PROGRAM = "import seiche; wave = seiche.solitary(amplitude=0.3); print(seiche.__version__, wave(x=0.0)['eta'])"
 
 
 class Pip(unittest.TestCase):
@@ -21,7 +21,7 @@ class Pip(unittest.TestCase):
         shutil.copytree(SOURCE, folder / "source", ignore=shutil.ignore_patterns("build", ".git"))
         python = folder / "venv/bin/python"
         subprocess.run([python, "-m", "pip", "install", "-q", "--no-build-isolation", folder / "source"], check=True)
-        said = subprocess.run([python, "-c", SESSION], cwd=folder, check=True, capture_output=True, text=True).stdout.split()
+        said = subprocess.run([python, "-c", PROGRAM], cwd=folder, check=True, capture_output=True, text=True).stdout.split()
         self.assertIn(f"VERSION {said[0]}", (SOURCE / "CMakeLists.txt").read_text())
         self.assertAlmostEqual(float(said[1]), 0.3, delta=1e-14)
 

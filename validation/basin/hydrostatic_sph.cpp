@@ -180,27 +180,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
                        "1.0 and 0.8, differ by that much",
                    .expected = 0.5};
   const bool quick = values.tier() == Tier::quick;
-  if (values.standard()) {
-    claims
-        .fails({.value = quick ? 0.72 : 1.2,
-                .width = quick ? 0.1 : 0.2,
-                .reason =
-                    "sound that the start sets off at the walls dies away slowly, and noise in the densities, which no "
-                    "pressure gradient feels, grows with the number of steps: of both there is as much with finer "
-                    "spacings; density diffusion removes the noise, walls that follow the water the sound"})
-        .check(converges(options.front()), ratio(0), half);
-  } else {
-    claims.check(converges(options.front()), ratio(0), half);
-  }
-  const auto last =
-      values.standard() && !quick
-          ? claims.fails({.value = 1.1,
-                          .width = 0.3,
-                          .reason = "the error, 0.3 % of the pressure at the bottom, is about half of g H/c^2, "
-                                    "by which the water is compressed, and does not fall below it; after "
-                                    "some 1.5 s the lattice begins to break in the corners"})
-          : claims;
-  last.check(converges(options.back()), ratio(options.size() - 1), half);
+  claims
+      .fails({.value = quick ? 0.72 : 1.2,
+              .width = quick ? 0.1 : 0.2,
+              .reason =
+                  "sound that the start sets off at the walls dies away slowly, and noise in the densities, which no "
+                  "pressure gradient feels, grows with the number of steps: of both there is as much with finer "
+                  "spacings; density diffusion removes the noise, walls that follow the water the sound"},
+             values.standard())
+      .check(converges(options.front()), ratio(0), half);
+  claims
+      .fails({.value = 1.1,
+              .width = 0.3,
+              .reason = "the error, 0.3 % of the pressure at the bottom, is about half of g H/c^2, by which the water "
+                        "is compressed, and does not fall below it; after some 1.5 s the lattice begins to break in "
+                        "the corners"},
+             values.standard() && !quick)
+      .check(converges(options.back()), ratio(options.size() - 1), half);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {

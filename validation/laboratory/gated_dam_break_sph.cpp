@@ -85,9 +85,8 @@ Experiment experiment(const Values& values) {
   if (values.tier() == Tier::quick) {
     one.miss =
         "artificial viscosity, which goes with the spacing, holds the jet back: in 0.6 s the front falls behind by 4.7 "
-        "cm on spacings of 6 mm, by 3.8 cm on 3.75 mm, where that is within the uncertainty, and by 3.4 cm on 6 mm "
-        "with "
-        "half of that viscosity";
+        "cm on spacings of 6 mm, by 3.8 cm on 3.75 mm, where that is within the uncertainty, and by 3.4 cm "
+        "on 6 mm with half of that viscosity";
   }
   return one;
 }

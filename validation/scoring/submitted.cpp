@@ -1,10 +1,8 @@
 #include "validation/scoring/submitted.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -22,15 +20,6 @@ constexpr double dry_below = 0.01;  ///< of the largest depth of the reference: 
 
 bool is_missing(double value) {
   return std::isnan(value) || std::abs(value) >= 1e20 || value == -999 || value == -9999 || value == -99999;
-}
-
-/// The number at the end of a name: "WG6", "sta_0006", "x=-2.5".
-std::optional<double> number_at_end(const std::string& name) {
-  std::size_t begin = name.find_last_not_of("0123456789.");
-  begin = begin == std::string::npos ? 0 : begin + 1;
-  const bool negative = begin > 0 && name[begin - 1] == '-' && (begin == 1 || name[begin - 2] == '=');
-  const auto number = io::number_in(name.substr(begin));
-  return number && negative ? -*number : number;
 }
 
 /// Rows of a file that belong together, and the column of each quantity.
@@ -240,29 +229,14 @@ class Reader {
     return *group;
   }
 
-  /// The gauge at a place, to a tenth of the distance between gauges; without y its x alone counts.
+  /// The gauge at a place.
   [[nodiscard]] std::optional<double> group_at(double x, std::optional<double> y) const {
-    const auto distance = [](const auto& a, double bx, std::optional<double> by) {
-      return std::hypot(a.first - bx, by && !std::isnan(a.second) ? a.second - *by : 0);
-    };
-    double apart = 1;
-    std::optional<double> nearest;
-    double least = 0;
-    for (const auto& [group, place] : *wanted_.places) {
-      if (const double d = distance(place, x, y); !nearest || d < least) {
-        nearest = group;
-        least = d;
-      }
-      for (const auto& [other, at] : *wanted_.places) {
-        const double d = distance(place, at.first, std::isnan(at.second) ? std::nullopt : std::optional(at.second));
-        if (other != group && d > 0 && d < apart) apart = d;
-      }
-    }
-    if (!nearest || least > 0.1 * apart) return {};
-    if (least > 1e-6)
+    const auto found = nearest_group(*wanted_.places, x, y);
+    if (!found) return {};
+    if (found->apart > 1e-6)
       note(fmt::format("({:g}, {:g}) is taken for {} {:g}, {:.2g} m away", x, y.value_or(0), wanted_.group->name,
-                       *nearest, least));
-    return nearest;
+                       found->group, found->apart));
+    return found->group;
   }
 
   /// The group of a whole file, by --gauges or by a name such as sta_0006.

@@ -29,6 +29,15 @@ std::vector<Column> columns_of(const WantedTable& wanted);
 /// Names that solvers give to a column that is called so here, in small letters; a name in that form.
 const std::vector<std::string>& other_names(const std::string& wanted);
 std::string plain_name(std::string name);
+/// The number at the end of a name: "WG6", "sta_0006", "x=-2.5".
+std::optional<double> number_at_end(const std::string& name);
+
+struct NearestGroup {
+  double group, apart;  ///< [m]
+};
+/// Of groups at places the nearest one, to a tenth of the distance between them; without y, of either, x alone counts.
+std::optional<NearestGroup> nearest_group(const std::map<double, std::pair<double, double>>& places, double x,
+                                          std::optional<double> y);
 
 /// Names, in the file, of all columns that the tables ask for.
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed);

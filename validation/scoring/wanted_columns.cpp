@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "seiche/io/text_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/submitted.hpp"
 
@@ -126,6 +128,31 @@ std::string template_of(const WantedTable& wanted, const std::string& opening) {
     for (const double x : wanted.points(g)) text += fmt::format("{}{}{}\n", group, x, blanks);
   }
   return text;
+}
+
+std::optional<double> number_at_end(const std::string& name) {
+  std::size_t begin = name.find_last_not_of("0123456789.");
+  begin = begin == std::string::npos ? 0 : begin + 1;
+  const bool negative = begin > 0 && name[begin - 1] == '-' && (begin == 1 || name[begin - 2] == '=');
+  const auto number = io::number_in(name.substr(begin));
+  return number && negative ? -*number : number;
+}
+
+std::optional<NearestGroup> nearest_group(const std::map<double, std::pair<double, double>>& places, double x,
+                                          std::optional<double> y) {
+  const auto distance = [](const auto& a, double bx, std::optional<double> by) {
+    return std::hypot(a.first - bx, by && !std::isnan(a.second) ? a.second - *by : 0);
+  };
+  double between = 1;
+  std::optional<NearestGroup> nearest;
+  for (const auto& [group, place] : places) {
+    if (const double d = distance(place, x, y); !nearest || d < nearest->apart) nearest = NearestGroup{group, d};
+    for (const auto& [other, at] : places) {
+      const double d = distance(place, at.first, std::isnan(at.second) ? std::nullopt : std::optional(at.second));
+      if (other != group && d > 0 && d < between) between = d;
+    }
+  }
+  return nearest && nearest->apart <= 0.1 * between ? nearest : std::nullopt;
 }
 
 }  // namespace seiche::validation

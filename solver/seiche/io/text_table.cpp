@@ -4,9 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -108,12 +106,6 @@ std::vector<std::string> split(const std::string& line, char separator) {
     if (words.back().empty()) words.pop_back();
   }
   return words;
-}
-
-/// 2020-01-31, and a time behind it; years of four digits.
-bool is_date(std::string_view entry) {
-  return entry.size() >= 10 && entry.size() < 40 && entry[4] == '-' && entry[7] == '-' &&
-         entry.find_first_not_of("0123456789-+:. TZ") == std::string_view::npos;
 }
 
 /// A line of values, at least one of which is a number; none for another line.
@@ -319,21 +311,6 @@ std::optional<double> number_in(std::string_view entry) {
   if (failure == std::errc::result_out_of_range && plain.find("e-") != std::string::npos) return 0;
   if (failure != std::errc() || !std::isfinite(value)) return {};
   return value;
-}
-
-std::optional<double> date_in(const std::string& text) {
-  int year = 0;
-  unsigned month = 0;
-  unsigned day = 0;
-  int hour = 0;
-  int minute = 0;
-  double second = 0;
-  if (std::sscanf(text.c_str(), "%d-%2u-%2u%*1[ T]%2d:%2d:%lf", &year, &month, &day, &hour, &minute, &second) < 3)
-    return {};
-  const auto date = std::chrono::year(year) / std::chrono::month(month) / std::chrono::day(day);
-  if (!date.ok()) return {};
-  const std::chrono::sys_days days = date;
-  return 86400.0 * static_cast<double>(days.time_since_epoch().count()) + 3600 * hour + 60 * minute + second;
 }
 
 std::optional<double> value_in(std::string_view entry) {

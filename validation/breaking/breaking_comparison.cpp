@@ -1,0 +1,94 @@
+#include "validation/breaking/breaking_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "validation/case/claims.hpp"
+
+namespace seiche::validation::breaking {
+namespace {
+
+/// Below it an outline is the bottom's.
+constexpr double below_waves = -1;
+
+}  // namespace
+
+ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
+                        double spacing) {
+  ComparedSurface result{.time = flow.time(), .limit = reference.largest_distance(flow.time(), cell)};
+  const Polylines truth{reference.surface(flow.time())};
+  if (reference.has_jet(flow.time())) result.outline = water_outline(flow, spacing, below_waves);
+  result.distance =
+      polyline_distance(result.outline.empty() ? Polylines{marker_line(flow)} : result.outline, truth, forced_length);
+  return result;
+}
+
+void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
+                          std::size_t steepest, BreakingLattice finest, double speed) {
+  for (std::size_t frame = 0; frame < times.size(); ++frame) {
+    claims.from(cauchy).check(
+        fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
+        fmt::format("At t = {:g} the surface agrees with potential flow within half a cell and the parts of a jet "
+                    "thinner than a cell.",
+                    times[frame]),
+        "largest distance of the two surfaces [1/k]",
+        [frame](const BreakingComparison& c) -> Measurement {
+          const ComparedSurface& surface = c.finest().frames.at(frame);
+          return {.value = surface.distance.largest, .told = {.limit = surface.limit}};
+        },
+        Bound{.limit = Amount::told_by_run(2 * finest.cell),
+              .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
+                        "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
+  }
+  claims.from(cauchy).check(
+      "vertical-tangent",
+      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
+      "takes for half a cell.",
+      "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
+      [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
+      Bound{.limit = finest.cell / (2 * speed) + finest.tau,
+            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
+                      "every step"});
+  claims.from(cauchy).check(
+      "convergence",
+      fmt::format("At t = {:g} cells half as wide bring the surface nearer to potential flow.", times.at(steepest)),
+      "rms distance, finest lattice over coarsest",
+      [steepest](const BreakingComparison& c) {
+        return c.finest().frames.at(steepest).distance.rms / c.lattices.front().frames.at(steepest).distance.rms;
+      },
+      Bound{.limit = std::pow(0.5, 1.5),
+            .reason = "second order in the cells' width, of which half an order is left to their random shifts"});
+  const double phase = finest.tau * finest.tau / 24;
+  const double interpolation = std::pow(finest.cell, 3) / 24;
+  claims.from(cauchy).check(
+      "exact-work",
+      "The work of the pressure agrees with its work on potential flow within (omega tau)^2/24 for the step and (k "
+      "h)^3/24 for the splines.",
+      "work, relative difference", [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
+      Bound{.limit = phase + interpolation,
+            .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the error of "
+                      "velocities of cubic splines"});
+}
+
+void tabulate(evidence::Exhibit& exhibit, const BreakingComparison& comparison) {
+  evidence::Table& table =
+      add_table(exhibit, "potential-flow", "Distance from potential flow",
+                "Markers until the exact front is vertical, then the outline of the particles.", {"t [(g k)^(-1/2)]"});
+  for (const ComparedLattice& lattice : comparison.lattices) {
+    const std::string cells = fmt::format("{:.0f} cells", forced_length / lattice.cell);
+    table.columns.emplace_back("rms, " + cells, "1/k");
+    table.columns.emplace_back("largest, " + cells, "1/k");
+  }
+  for (std::size_t frame = 0; frame < comparison.finest().frames.size(); ++frame) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(comparison.finest().frames[frame].time);
+    for (const ComparedLattice& lattice : comparison.lattices) {
+      row.emplace_back(lattice.frames.at(frame).distance.rms);
+      row.emplace_back(lattice.frames.at(frame).distance.largest);
+    }
+  }
+}
+
+}  // namespace seiche::validation::breaking

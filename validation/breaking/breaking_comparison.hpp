@@ -1,0 +1,100 @@
+/// Free particles under Gauss's principle against potential flow: the wave that a pressure pushes until it breaks,
+/// whose surface exact::PressureForcedWave knows to many digits, for the same amplitude of the pressure.
+///
+/// Until the exact front is vertical the line of markers is compared, afterwards the outline of the water
+/// (surface_contour.hpp): markers in a jet thinner than a cell have no mass about them and fly on their own.
+///
+/// How far apart they may be is known beforehand. A curve of curvature K bends by K h^2/8 within a cell of width h:
+/// what a space of second order in h leaves, half a cell at most. Of a jet, nothing is known where it is thinner than a
+/// cell: by as much as the exact water sticks out of the discs of a cell's width that fit into it the distance may be
+/// larger.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "seiche/exact/overturning/overturning_wave.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
+#include "validation/breaking/free_particle_surface.hpp"
+#include "validation/case/case.hpp"
+#include "validation/instruments/polyline_distance.hpp"
+
+namespace seiche::validation::breaking {
+
+inline constexpr double forced_length = 2 * std::numbers::pi;
+inline constexpr double depth = std::numbers::pi;
+inline const std::string cauchy =
+    "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
+
+/// In units of 1/k, g and the density; the depth is pi.
+class PressureBreakingReference {
+ public:
+  PressureBreakingReference(double height, double pressure)
+      : wave_({.amplitude = height / 2,
+               .wavelength = forced_length,
+               .depth = depth,
+               .gravity = 1,
+               .pressure = pressure}) {}
+
+  [[nodiscard]] const exact::PressureForcedWave& wave() const { return wave_; }
+  /// One wavelength of the surface.
+  [[nodiscard]] Polyline surface(double time) const {
+    auto profile = wave_.profile(time, 1601);
+    return {std::move(profile.x), std::move(profile.y)};
+  }
+  [[nodiscard]] bool has_jet(double time) const { return time > vertical_tangent(); }
+  [[nodiscard]] double vertical_tangent() const { return wave_.vertical_tangent_time().value_or(nan); }
+  /// See above.
+  [[nodiscard]] double largest_distance(double time, double cell) const {
+    if (has_jet(time)) return cell / 2 + thin_part(surface(time), cell);
+    return std::min(wave_.largest_curvature(time) * cell * cell / 8, cell / 2);
+  }
+
+ private:
+  exact::PressureForcedWave wave_;
+};
+
+/// One lattice at one time.
+struct ComparedSurface {
+  double time = 0;
+  PolylineDistance distance;
+  double limit = 0;
+  Polylines outline;  ///< of the particles' water; none before the exact surface has a jet
+};
+
+/// One lattice at all frames.
+struct ComparedLattice {
+  double cell = 0;
+  std::vector<ComparedSurface> frames;
+  double overturned = nan;  ///< when the line of markers first goes backwards
+  double work = 0;          ///< of the pressure
+};
+
+struct BreakingComparison {
+  std::vector<ComparedLattice> lattices;  ///< coarsest first
+  double vertical_tangent = 0;            ///< of the exact surface
+  double work = 0;                        ///< exact
+
+  [[nodiscard]] const ComparedLattice& finest() const { return lattices.back(); }
+};
+
+struct BreakingLattice {
+  double cell, tau;
+};
+
+ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
+                        double spacing);
+
+/// Claims of the finest lattice, and of the coarsest against it.
+/// @param times  of the frames;  @param steepest  the frame at which lattices are compared, before the front is
+/// vertical
+/// @param speed  of the wave before it is pushed
+void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
+                          std::size_t steepest, BreakingLattice finest, double speed);
+
+/// Distances of all lattices at all frames.
+void tabulate(evidence::Exhibit& exhibit, const BreakingComparison& comparison);
+
+}  // namespace seiche::validation::breaking
