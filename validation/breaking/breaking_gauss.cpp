@@ -280,7 +280,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   claims.only_if(compared(values), "once is enough: beside the wave of the figure")
       .from("Frank (1994), section 6.3; " + cauchy)
       .check("perturbed-velocity",
-             "A wave of height 0.7 whose initial velocities are 1.5 times its own overturns when potential flow does.",
+             "The overturning of a wave of height 0.7 with 1.5 times its own initial velocities agrees with potential "
+             "flow within half a cell.",
              "overhang of potential flow when the line of markers first goes backwards [1/k]", &Results::overhang,
              Bound{.limit = lattice(values, values.integer("cells")).cell / 2,
                    .reason = "half a cell, to which the lattice knows a front"});

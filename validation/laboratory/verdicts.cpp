@@ -367,7 +367,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   const Metric found = metric(present, computed, sources);
   const bool stated = open.empty();
   const auto u = stated ? numerical_uncertainty(present, computed, sources, experiment.ceiling) : std::nullopt;
-  if (stated && !u) open = ", u_num more than decides anything";
+  if (stated && !u) open = ", u_num too large to decide";
   if (!lost.empty()) open += fmt::format(", without {}", fmt::join(lost, ", "));
   record.check(
       claim_of(experiment),

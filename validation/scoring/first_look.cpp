@@ -159,8 +159,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
   if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
     return fmt::format(
-        "state an uncertainty that decides (--uncertainty, or --sizes with three or more cell sizes), for records that "
-        "reach all readings: {}",
+        "state an uncertainty small enough to decide (--uncertainty, or --sizes with three or more cell sizes), for "
+        "records that reach all readings: {}",
         j.resolution);
   }
   if (!ladder) return "run three or more cell sizes and pass them with --sizes";
