@@ -138,6 +138,13 @@ const std::vector<Family> families = {
 
 constexpr double deepest = 5;
 
+/// Meshes of narrow columns, whose error is that of their rows: from one row, near to Boussinesq's equations, to water.
+const std::vector<std::size_t> row_numbers{1, 2, 4, 8, 16, 32};
+
+LagrangianMeshDispersion law_of_rows(std::size_t rows) {
+  return {1, 1, 0.005, rows};
+}
+
 /// Waves of one to twenty half-waves in tanks of twenty columns.
 std::vector<MeshTank> tanks_of_figure() {
   constexpr std::size_t columns = 20;
@@ -211,6 +218,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                [&](std::size_t i) { return error_of(tanks[i], r.long_waves.at(i)); });
           },
           of_the_law);
+  claims.at("4 to 32 rows, h1 = H/200")
+      .from(frank)
+      .check(
+          "rows", "The phase speed goes over into Airy's with the square of the rows' height.",
+          "order of the error at kH = 1",
+          [](const Results&) {
+            std::vector<double> heights, errors;
+            for (const std::size_t rows : row_numbers) {
+              if (rows < 4) continue;
+              heights.push_back(1 / static_cast<double>(rows));
+              errors.push_back(std::abs(law_of_rows(rows).phase_speed(1) / airy.phase_speed(1) - 1));
+            }
+            return evidence::observed_order(heights, errors);
+          },
+          Order{2, 0.1,
+                "long waves have the error (h2 k)^2/12, and with four rows the next order is a tenth of it; columns of "
+                "H/200 leave two millionths"});
   claims.at("3, 4, 6, 8, 16 rows")
       .from(frank)
       .check(
@@ -335,6 +359,20 @@ void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
   }
 }
 
+/// From shallow water to the Euler equations.
+void draw_rows(evidence::Exhibit& exhibit) {
+  auto& panel =
+      add_panel(exhibit, "rows", "From shallow water to the Euler equations by the number of rows",
+                "Phase speed by the laws, columns of H/200. Shallow water: 1 at every wavenumber.",
+                {.x = "k H", .y = "phase speed/sqrt(g H)", .y_min = 0, .y_max = 1.05}, {"frank-dispersion-2d"});
+  const std::vector<double> k = evenly(0.02, deepest, 200);
+  const auto line = [&](const std::string& label, const auto& law, Role role) {
+    panel.line(label, k, each(k, [&](double at) { return law.phase_speed(at); }), role);
+  };
+  line("Airy", airy, Role::exact);
+  for (const std::size_t rows : row_numbers) line(fmt::format("rows: {}", rows), law_of_rows(rows), Role::computed);
+}
+
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const MeshTank own = own_tank(values);
   exhibit.measure("h1_used", own.column_width());
@@ -345,6 +383,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("omega_airy", airy.frequency(own.wavenumber));
   tabulate(r, exhibit);
   draw(r.figure, exhibit);
+  draw_rows(exhibit);
 }
 
 }  // namespace

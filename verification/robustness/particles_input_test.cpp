@@ -27,6 +27,7 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
   particles({"velocity"}, [](Particles& p) { p.velocity[0] = not_a_number; });
   particles({"mass"}, [](Particles& p) { p.mass[2] = 0; });
   refusals.refused({"depth"}, [] { dam_break(0, 5, 10, {1, 0}, {0, 0}, 10); });
+  refusals.refused({"velocity = nan", "finite"}, [] { uniform_stretches({{0, 10, {1, not_a_number}}}, 10); });
   refusals.refused({"mass[2]"}, [] {
     const auto level = [](double) { return 0.0; };
     ParticleFlow flow(particles_from_profile(

@@ -55,6 +55,8 @@ class Matrix(unittest.TestCase):
         self.assertAlmostEqual(cell.worst, 0.3)
         self.assertEqual(cell.shade, 3)
         self.assertIsNone(matrix.of_claims(records.Record("wave.json", made), "c", None))
+        ended = matrix.of_claims(records.Record("wave.json", {**made, "status": "error", "error": "NaN"}), "a-1", None)
+        self.assertEqual(ended.flaws, ["did not finish"])
 
     def test_every_claim_that_is_named_is_in_the_record(self):
         kept = set()

@@ -8,6 +8,7 @@ import pickle
 import threading
 import time
 
+import matplotlib.colors
 import numpy
 import pytest
 
@@ -125,6 +126,13 @@ def test_a_result_is_scored(tmp_path):
     assert seiche.read_record(next(tmp_path.glob("standing_wave*.json"))).passed
     result = case.score({"wall": {"t": data["t"], "elevation": 1.5 * data["eta"]}})
     assert not result.passed and any("taken for eta" in note for note in result.notes)
+    verdicts = [claim["verdict"] for claim in result.claims]
+    assert {"pass", "fail"} <= set(verdicts)
+    assert f"standing_wave: {verdicts.count('pass')} of {len(verdicts)} claims met" in repr(result)
+    drawn = [matplotlib.colors.to_hex(bar.get_facecolor()) for bar in result.plot().patches]
+    told = [claim for claim in result.claims if claim["limit"] and claim["measured"] is not None]
+    wanted = {"pass": "tab:green"}
+    assert drawn == [matplotlib.colors.to_hex(wanted.get(claim["verdict"], "tab:red")) for claim in told]
     from seiche.testing import assert_score
     assert_score("standing_wave", {"wall": data})
     with pytest.raises(AssertionError, match="fail: "):
