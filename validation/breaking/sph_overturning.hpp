@@ -70,6 +70,7 @@ struct SphOverturned {
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
                        Part part);
 void exchange(Tape& tape, SphOverturned& result);
+void exchange(Tape& tape, Polyline& line);
 
 /// The exact surface at a time as one curve of the box [0, L].
 Polylines exact_surface(const exact::OverturningWave& wave, double time, std::size_t points = 1601);
