@@ -55,6 +55,7 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
                           "non-negative and finite",
                           LaminarSps{}, viscous);
   refuse(water, with([](Settings& s) { s.filter_every = -1; }), "filter");
+  refuse(water, with([](Settings& s) { s.lanes = 1; }), "lanes = 1");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
   refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));

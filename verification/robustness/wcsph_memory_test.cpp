@@ -30,7 +30,7 @@ TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
               "particle 57; rates 40; its record, as neighbours read it, 64; with eddies stresses 32. Clusters of as "
               "many particles as a register has lanes share 40 and a list of candidates at 4, about 45 beside eight "
               "particles.");
-  const auto lanes = static_cast<double>(pair_loops(KernelName::cubic_spline).lanes);
+  const auto lanes = static_cast<double>(pair_loops(KernelName::cubic_spline, 8).lanes);
   for (const bool eddies : {false, true}) {
     Settings settings;
     if (eddies) settings.viscosity = LaminarSps{};

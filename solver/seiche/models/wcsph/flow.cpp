@@ -96,7 +96,7 @@ Particles checked(Particles particles, const Settings& settings, double spacing,
 std::string name_of(std::size_t parameter) {
   std::istringstream names(
       "spacing kernel smoothing gravity density sound_speed xsph filter_every density_diffusion "
-      "particle_shifting walls courant period.x period.z viscosity alpha "
+      "particle_shifting walls courant period.x period.z lanes viscosity alpha "
       "kinematic_viscosity smagorinsky isotropic paddles");
   std::string name;
   for (std::size_t k = 0; k <= parameter; ++k) {
@@ -128,7 +128,8 @@ Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<P
       rates_(settings, spacing),
       corrections_(settings, spacing),
       stage_(fluid_, smoothing_, rates_.turbulent(), settings.walls == WallPressure::extrapolated),
-      neighbours_(mean_spacing_, expected_box(particles_), settings.period, pair_loops(settings.kernel).lanes),
+      neighbours_(mean_spacing_, expected_box(particles_), settings.period,
+                  pair_loops(settings.kernel, settings.lanes).lanes),
       reserve_(skin * support * smoothing_),
       listed_reserve_(reserve_) {
   rates_.resize(particles_.size());
@@ -161,7 +162,7 @@ void Flow::list(double reserve, double used) {
   const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
   neighbours_.arrange(particles_, smoothing_ * std::max(1.0, std::sqrt(settings_.density / lowest)), reserve);
   stage_.adopt(particles_, neighbours_.images(), used);
-  neighbours_.list(stage_.records(), pair_loops(settings_.kernel).search, reserve);
+  neighbours_.list(stage_.records(), pair_loops(settings_.kernel, settings_.lanes).search, reserve);
   listed_reserve_ = reserve;
   listed_pairs_ = neighbours_.pairs();
 }
@@ -303,14 +304,14 @@ long Flow::outside(double left, double right, double bottom, double top) const {
 std::vector<double> Flow::parameters(double time) const {
   // All settings that there are: with one more this does not compile.
   const auto& [kernel, smoothing, gravity, density, sound_speed, viscosity, xsph, filter_every, diffusion, shifting,
-               walls, courant, period] = settings_;
+               walls, courant, period, lanes] = settings_;
   const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
   const auto* given = std::get_if<LaminarSps>(&viscosity);
   const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
   std::vector<double> all;
   const auto add = [&](auto... values) { (all.push_back(static_cast<double>(values)), ...); };
   add(spacing_, kernel, smoothing, gravity, density, sound_speed, xsph, filter_every, diffusion, shifting, walls,
-      courant, period.x, period.z, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
+      courant, period.x, period.z, lanes, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
       sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
   const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {

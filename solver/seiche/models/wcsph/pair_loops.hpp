@@ -4,7 +4,7 @@
 /// is broadcast to all lanes: no gathers, no sums across lanes, no two threads writing to one place. Terms of a pair
 /// are symmetric or antisymmetric in its particles bit by bit, so forces cancel in sums over all particles.
 ///
-/// The loops exist for AVX-512 (8 lanes), AVX2 (4) and any machine (2); pair_loops() chooses when first called.
+/// The loops exist for AVX-512 (8 lanes), AVX2 (4) and any machine (2); pair_loops() chooses.
 #pragma once
 
 #include <cstddef>
@@ -136,8 +136,8 @@ inline constexpr int abreast = SEICHE_PAIR_LOOPS_PLAIN ? 1 : 4;
 /// Loops look this far ahead in the lists, which must be readable so far beyond the last cluster's.
 inline constexpr int candidates_ahead = 12;
 
-/// The widest that this machine runs.
-const PairLoops& pair_loops(KernelName kernel);
+/// The widest that this machine runs, with at most so many lanes.
+const PairLoops& pair_loops(KernelName kernel, int lanes);
 
 /// By kernel.
 namespace versions {

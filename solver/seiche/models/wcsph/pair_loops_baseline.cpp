@@ -27,11 +27,11 @@ struct TwoLanes {
 
 const PairLoops versions::baseline[2] = {loops_of<TwoLanes, CubicSpline>(), loops_of<TwoLanes, WendlandC2>()};
 
-const PairLoops& pair_loops(KernelName kernel) {
+const PairLoops& pair_loops(KernelName kernel, int lanes) {
   const auto k = static_cast<std::size_t>(kernel);
 #if SEICHE_PAIR_LOOPS_X86
-  if (__builtin_cpu_supports("x86-64-v4")) return versions::avx512[k];
-  if (__builtin_cpu_supports("x86-64-v3")) return versions::avx2[k];
+  if (lanes >= 8 && __builtin_cpu_supports("x86-64-v4")) return versions::avx512[k];
+  if (lanes >= 4 && __builtin_cpu_supports("x86-64-v3")) return versions::avx2[k];
 #endif
   return versions::baseline[k];
 }

@@ -6,7 +6,8 @@
 namespace seiche::wcsph {
 
 RightHandSide::RightHandSide(const Settings& settings, double spacing)
-    : loops_(&pair_loops(settings.kernel)), constants_{.gravity = settings.gravity, .xsph = settings.xsph} {
+    : loops_(&pair_loops(settings.kernel, settings.lanes)),
+      constants_{.gravity = settings.gravity, .xsph = settings.xsph} {
   if (const auto* artificial = std::get_if<ArtificialViscosity>(&settings.viscosity);
       artificial && artificial->alpha > 0) {
     friction_ = Friction::artificial;
@@ -84,7 +85,7 @@ double filtered(const FilterMoments& m, double smoothing) {
 }  // namespace
 
 Corrections::Corrections(const Settings& settings, double spacing)
-    : loops_(&pair_loops(settings.kernel)),
+    : loops_(&pair_loops(settings.kernel, settings.lanes)),
       fluid_(settings.density, settings.sound_speed),
       diffusion_(settings.density_diffusion * settings.sound_speed),
       spacing_(spacing),

@@ -40,6 +40,7 @@ void validate(const Settings& settings) {
   require_ranges(settings);
   std::visit([](const auto& viscosity) { require_ranges(viscosity); }, settings.viscosity);
   require_at_least("filter_every", settings.filter_every, 0);
+  require_within("lanes", settings.lanes, 2, 8);
   validate_period("period.x", settings.period.x);
   validate_period("period.z", settings.period.z);
 }

@@ -72,6 +72,8 @@ struct Settings {
   /// what has no artificial viscosity and takes ten thousand steps wants 0.2.
   double courant = 0.3;
   Period period;
+  /// Particles side by side at most: 2 (any machine), 4 (AVX2) or 8 (AVX-512); the widest registers of the machine.
+  int lanes = 8;
 
   static constexpr auto ranges() {
     return std::array{Number{"smoothing", &Settings::smoothing, Range::within(0.9, 3)},
