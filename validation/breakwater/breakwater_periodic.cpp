@@ -15,7 +15,7 @@ far wall is an antinode, so a mirror, of the standing wave in the tank too; the 
 one-step scheme gives that wave. Then neither cells nor steps make a difference. What remains is the start that has not
 yet left: linear theory of the piston, which knows no cells, tells how much, for the way to the antinode, for the way
 back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which tangles it
-at the edge of the berm when waves are high. So the waves are low; one of a tenth of the depth from trough to crest, on
+at the edge of the berm when waves are high. So the waves are low; one of a fifth of the depth from trough to crest, on
 a mesh with an hourglass potential, is in `breakwater_high_wave`. The height itself, two incident waves', is compared
 with the theory of the piston.
 
