@@ -2,11 +2,11 @@
 Water of a broken dam, 0.3 m high, runs over a dry floor and hits a wall 1.01 m away (Lobovsky and others). The
 pressure 0.015 m above the floor was recorded in about a hundred repeats.
 
-**What is compared.** Impulse of the impact, the plateau after it, and the root mean square difference from the
-median from T = 2.6 on: before, the pressure rises, and the band of the repeats is one of time. Times are counted from
-where the pressure first reaches 0.3, as the source has it, since a gate that takes 0.1 s to go delays the impact. The
-band of the repeats is the uncertainty. The case scores others, and weakly compressible SPH is scored by the same
-claims in the longer tiers.
+**What is compared.** Impulse of the impact, the mean from T = 2.6 to 2.8, where repeats differ least, by 4 %, the
+plateau after it, and the root mean square difference from the median from T = 2.6 on: before, the pressure rises, and
+the band of the repeats is one of time. Times are counted from where the pressure first reaches 0.3, as the source has
+it, since a gate that takes 0.1 s to go delays the impact. The band of the repeats is the uncertainty. The case scores
+others, and weakly compressible SPH is scored by the same claims in the longer tiers.
 
 **Our model.** Water with its viscosity, 8.9e-7 m²/s, density diffusion, walls that take their pressure from the water,
 Wendland kernel of $h = 2\,dx$. With `--set nu0=2e-4`, the eddy viscosity $\kappa u_* d/6$ of a boundary layer that
@@ -80,22 +80,22 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& values) {
-  return {
-      .source = source,
-      .parts = {{.name = "pressure",
-                 .table = "lobovsky_2014_dam_break_pressure",
-                 .abscissa = {"T", "1", "time t sqrt(g/H) since the gate starts"},
-                 .quantity = {"p", "1", "pressure over rho g H on the wall"},
-                 .band = {"p_low", "p_high"},
-                 .clock = Clock{.range = gate, .by = arrival(0, 0.3, {1.9, 4.0})},
-                 .readings = {impulse(0, {2.46, 4.0}), mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}},
-      .compute = values.tier() == Tier::quick ? nullptr : compute,  // what it has time for decides nothing
-      .model = "weakly compressible SPH",
-      .order = 1,
-      .coarsenings = {1, 1.5, 2},
-      .miss =
-          "cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 "
-          "was measured"};
+  return {.source = source,
+          .parts = {{.name = "pressure",
+                     .table = "lobovsky_2014_dam_break_pressure",
+                     .abscissa = {"T", "1", "time t sqrt(g/H) since the gate starts"},
+                     .quantity = {"p", "1", "pressure over rho g H on the wall"},
+                     .band = {"p_low", "p_high"},
+                     .clock = Clock{.range = gate, .by = arrival(0, 0.3, {1.9, 4.0})},
+                     .readings = {impulse(0, {2.46, 4.0}), mean(0, {2.6, 2.8}, Kind::pressure),
+                                  mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}},
+          .compute = values.tier() == Tier::quick ? nullptr : compute,  // what it has time for decides nothing
+          .model = "weakly compressible SPH",
+          .order = 1,
+          .coarsenings = {1, 1.5, 2},
+          .miss =
+              "cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 "
+              "was measured"};
 }
 
 }  // namespace

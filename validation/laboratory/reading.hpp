@@ -1,15 +1,15 @@
 /// What is read off a gauge's record or a profile, from the measured and from the computed curve by the same rule.
 ///
-/// | reading  | what it is | its standard uncertainty, u_i of the points, u_x of the abscissa |
-/// |----------|------------|-------|
-/// | highest  | extreme of the points in the window | what adding u_i changes |
-/// | height   | highest less lowest | sqrt(2) times that |
-/// | when highest | abscissa of the highest point | u_x, half of what lies within 2 u_i of the top over sqrt(3), and d
-/// | | arrival  | first abscissa at or above a level, between points on a straight line | u_x, what u_i changes, and d
-/// | | mean, impulse | trapezoidal mean, and integral, over the window | what adding u_i changes | | at       | value
-/// at an abscissa | u_i there, and the slope times u_x | | harmonic | amplitude of harmonic n, least squares with the
-/// mean and harmonics to 4 | stated, and u_i/sqrt(10) | | misfit   | rms of computed less measured at the measured
-/// points | that of u_i and of slope times u_x |
+/// Standard uncertainties, from u_i of the points and u_x of the abscissa:
+///
+/// - highest: extreme of the points in the window; what adding u_i changes
+/// - height: highest less lowest; sqrt(2) times that
+/// - when highest: abscissa of the highest point; u_x, half of what lies within 2 u_i of the top over sqrt(3), and d
+/// - arrival: first abscissa at or above a level, between points on a straight line; u_x, what u_i changes, and d
+/// - mean, impulse: trapezoidal mean, and integral, over the window; what adding u_i changes
+/// - at: value at an abscissa; u_i there, and the slope times u_x
+/// - harmonic: amplitude of harmonic n, least squares with the mean and harmonics to 4; stated, and u_i/sqrt(10)
+/// - misfit: rms of computed less measured at the measured points; that of u_i and of slope times u_x
 ///
 /// d is half of the distance of the points there: what lies between two of them is not seen.
 ///
