@@ -5,7 +5,7 @@ import pathlib
 import sys
 import tomllib
 
-from render import files
+from render import files, pictures
 from render.pages import tally
 from render.records import TIERS
 
@@ -46,6 +46,11 @@ class Tile:
         if declared:
             return [record for record in declared if record.published_set(self.id)["here"]]
         return [record for record in own if record.kind == "verification"] if self.kind == "set-up" else []
+
+    @property
+    def plate(self):
+        """The kept picture of the published size, where no run here has it."""
+        return None if self.at_source else pictures.of(self.id)
 
     @property
     def judged(self):

@@ -75,6 +75,8 @@ def build(evidence, stage, out, options):
     for asset in ("report.css", "report.js", "figure.js"):
         _copy(_HERE / "assets" / asset, stage / "assets" / asset)
     _copy_figures(loaded, drawn, stage)
+    for tile in (tile for _, members in sources for tile in members if tile.plate):
+        _copy(tile.plate, stage / "figures" / tile.plate.name)
     if options.with_data:
         _copy_data(evidence, loaded, broken, stage / "data")
     badge.write(stage / "badge.json", cases, broken)

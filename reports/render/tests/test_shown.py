@@ -87,6 +87,11 @@ class Tiles(Whole):
             self.assertIn(", ".join(f"{counts[word]} {word}" for word in atlas.WORDS), page)
         self.assertIn("tier paper", self.tile("sph-fig-6"))
 
+    def test_a_tile_of_a_longer_tier_shows_the_kept_picture(self):
+        self.assertIn('src="figures/sph-fig-6.webp"', self.tile("sph-fig-6"))
+        self.assertTrue((self.out / "figures/sph-fig-6.webp").is_file())
+        self.assertEqual(self.page("atlas").count(".webp"), 2)
+
     def test_a_tile_gives_the_parameters_of_its_source_and_what_differs(self):
         self.assertIn('<code>particles</code> <span class="n">12</span>', self.tile("bzz-fig-12"))
         self.assertIn("ours is 1 m deep", self.tile("bzz-fig-12"))
