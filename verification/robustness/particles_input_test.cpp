@@ -1,6 +1,7 @@
 // What the particle method refuses, and how it says so.
 
 #include "seiche/divergence.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/shallow_water_particles/as_written.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
@@ -112,7 +113,8 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
   Check check(
       "particles_as_written", "The rearrangement as it is written",
       "A dam break between free ends: momentum changes by the impulses of the ends, whose pressures stay those of "
-      "still water; ends and steps that it has not, and pairs without room, are refused and leave it as it was.");
+      "still water; with the deep water on the right, where a sweep meets the bore from ahead, the bore is as far; "
+      "ends and steps that it has not, and pairs without room, are refused and leave it as it was.");
   AsWritten flow(dam_break(0, 20, 40, {2, 0}, {1, 0}, 60), {Free{}, Free{}});
   const auto momentum = [&flow] {
     double sum = 0;
@@ -125,6 +127,23 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
       {momentum() - flow.time() * 0.5 * 9.81 * (4 - 1)},
       Bound{2e-9 * 0.5 * 9.81 * (4 + 1) * 2,
             "densities that differ by 1e-9 are equal, so that the thrusts of the ends are known to 2e-9, for 2 s"});
+  constexpr std::size_t count = 240;
+  constexpr double width = 80.0 / count;
+  AsWritten along(dam_break(0, 40, 80, {2, 0}, {1, 0}, count), {Free{}, Free{}});
+  AsWritten against(dam_break(0, 40, 80, {1, 0}, {2, 0}, count), {Free{}, Free{}});
+  for (int k = 0; k < 120; ++k) {
+    along.advance(0.05);
+    against.advance(0.05);
+  }
+  const double front = 40 + exact::Riemann(9.81, {2, 0}, {1, 0}).right_wave().fastest * along.time();
+  Worst off;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    if (along.depth(i) > 1.2 && along.depth(i + 1) <= 1.2) off.add(along.edges()[i + 1] - front);
+    if (against.depth(i) <= 1.2 && against.depth(i + 1) > 1.2) off.add(80 - against.edges()[i + 1] - front);
+  }
+  CHECK(off.count() == 2);
+  check.holds("The bore is in its place, whether the sweeps go with it or against it.", {off.value()},
+              Bound{3 * width, "three particles, by which the order of the sweep moves the bore of figure 12"});
   Refusals refusals(check);
   refusals.refused({"end"}, [] { AsWritten row(still_water(), {Open{}, Wall{}}); });
   refusals.refused({"tau"}, [&] { flow.advance(0); });
