@@ -365,10 +365,19 @@ class Reader {
       note(fmt::format("{} of {} rows{} have no value and are left out", slice.rows.size() - result.abscissa.size(),
                        slice.rows.size(), where));
     }
-    if (result.abscissa.size() < 2) {
+    if (result.abscissa.size() < 2 && !is_measured_point(result)) {
       fail(first, fmt::format("{} rows{} with a value, must be at least two", result.abscissa.size(), where));
     }
     return result;
+  }
+
+  /// Whether the group is one of the points of a measured profile: a reading by itself.
+  [[nodiscard]] bool is_measured_point(const SubmittedGroup& group) const {
+    if (wanted_.kind != WantedTable::Kind::profile || wanted_.reference_role != evidence::Role::data) return false;
+    const std::vector<double> x = wanted_.points(group.value);
+    const double rounding = 1e-6 * (x.back() - x.front());
+    return group.abscissa.size() == 1 &&
+           std::ranges::any_of(x, [&](double at) { return std::abs(at - group.abscissa.front()) <= rounding; });
   }
 
   void check_length(const Column& column, std::size_t length) const {
