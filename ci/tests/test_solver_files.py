@@ -434,6 +434,20 @@ class AsPeopleWrite(Scoring):
         claim, = (one for one in self.record(f"{case}.mine")["claims"] if one["id"] == "agreement")
         return claim["verdict"], claim["resolution"], scored.stdout
 
+    def test_one_gauge_is_known_by_the_name_of_its_column_under_any_header(self):
+        data = (SOURCE / "reference_data/briggs_1995_conical_island_a/table.csv").read_text().splitlines()
+        rows = [line.split(",")[1:] for line in data if line.startswith("6,")]
+        plain, cm = ("".join(f"{t},{float(eta) * per}\n" for t, eta in rows) for per in (1, 100))
+        measured = set()
+        for text in ("t,6\n" + plain, "# my data\nt,WG6\n" + plain, "# t,WG6\n# s,m\n" + plain, "t,WG6\ns,cm\n" + cm,
+                     "t,WG6\n[s],[cm]\n" + cm):
+            told = self.agreement("island_gauges", text, "--table", "gauges", "--uncertainty", "eta=0.0001,t=0.001")
+            self.assertIn("1 of 8 given, without gauge = 1, 2, 3, 4, 9, 16, 22", told[2])
+            claim, = (one for one in self.record("island_gauges.mine")["claims"] if one["id"] == "agreement")
+            measured.add(round(claim["measured"], 9))
+        self.assertEqual(len(measured), 1, measured)
+        self.accepted(self.score("island_gauges", "--data", self.write("t,WG7\n" + plain), "--table", "gauges"), 2)
+
     def test_some_of_several_run_ups_are_judged_and_the_others_named(self):
         means = {1: 0.5375 / 6, 2: 0.3625 / 6, 3: 0.3350 / 6}
         words = ("--table", "runup", "--uncertainty", "R=0.001")

@@ -36,10 +36,11 @@ class Reader {
   Reader(const io::Table& file, const WantedTable& wanted, bool alone, Understanding& understood,
          std::set<std::string>& used)
       : file_(file), wanted_(wanted), alone_(alone), understood_(understood), used_(used) {
-    if (wanted.group && wanted.quantities.size() == 1 && !find(*wanted.group) &&
-        !find(wanted.quantities.front().column)) {
-      beside_ = gauges_beside();
-    }
+    if (!wanted.group || wanted.quantities.size() != 1 || find(*wanted.group)) return;
+    const std::optional<std::string>& column = find(wanted.quantities.front().column);
+    // A single column that is called by its gauge's number.
+    const bool numbered = column && wanted.group->unit == "1" && !file.has("x") && group_near(number_at_end(*column));
+    if (!column || (numbered && !group_of_file())) beside_ = gauges_beside();
   }
 
   [[nodiscard]] bool holds() const {
@@ -481,7 +482,8 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
     }
     if (groups.empty() && !holder.empty()) {
       throw std::invalid_argument(fmt::format("{}: column {}: holds {}, must be some of {}", holder, table.group->name,
-                                              there, fmt::join(*table.groups, ", ")));
+                                              there.empty() ? "places where none is" : there,
+                                              fmt::join(*table.groups, ", ")));
     }
     const auto number = [&](const SubmittedGroup& one) { return std::ranges::find(*table.groups, one.value); };
     if (table.group) std::ranges::stable_sort(groups, {}, number);
