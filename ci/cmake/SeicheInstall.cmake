@@ -94,7 +94,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOC
         PATTERN __pycache__ EXCLUDE PATTERN "*.sh" EXCLUDE)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/score_your_solver/run.sh
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/score_your_solver COMPONENT command)
-foreach(solver IN ITEMS openfoam gerris)
+foreach(solver IN ITEMS openfoam gerris published)
   install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/solvers/${solver}/run.sh
           DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/solvers/${solver} COMPONENT command)
 endforeach()

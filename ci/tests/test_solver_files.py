@@ -4,12 +4,13 @@ import datetime
 import os
 import re
 import shutil
+import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from submitting import SOURCE, Scoring, exact, rows_of, seiche
+from submitting import SEICHE, SOURCE, Scoring, exact, rows_of, seiche
 
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 
@@ -425,6 +426,94 @@ class AsPeopleWrite(Scoring):
         places = {"5": "4.521,1.196", "7": "4.521,1.696", "9": "4.521,2.196"}
         text = "x,y,t,eta\n" + "\n".join(",".join([places[gauge], *rest]) for gauge, *rest in rows)
         self.accepted(self.score("monai_valley", "--data", self.write(text), *words), 0)
+
+    def agreement(self, case, text, *words):
+        """Verdict and resolution of the comparison with the data; what is there is no full pass."""
+        scored = self.score(case, "--data", self.write(text), *words)
+        self.accepted(scored, 1)
+        claim, = (one for one in self.record(f"{case}.mine")["claims"] if one["id"] == "agreement")
+        return claim["verdict"], claim["resolution"], scored.stdout
+
+    def test_one_gauge_is_known_by_the_name_of_its_column_under_any_header(self):
+        data = (SOURCE / "reference_data/briggs_1995_conical_island_a/table.csv").read_text().splitlines()
+        rows = [line.split(",")[1:] for line in data if line.startswith("6,")]
+        plain, cm = ("".join(f"{t},{float(eta) * per}\n" for t, eta in rows) for per in (1, 100))
+        measured = set()
+        for text in ("t,6\n" + plain, "# my data\nt,WG6\n" + plain, "# t,WG6\n# s,m\n" + plain, "t,WG6\ns,cm\n" + cm,
+                     "t,WG6\n[s],[cm]\n" + cm):
+            told = self.agreement("island_gauges", text, "--table", "gauges", "--uncertainty", "eta=0.0001,t=0.001")
+            self.assertIn("1 of 8 given, without gauge = 1, 2, 3, 4, 9, 16, 22", told[2])
+            claim, = (one for one in self.record("island_gauges.mine")["claims"] if one["id"] == "agreement")
+            measured.add(round(claim["measured"], 9))
+        self.assertEqual(len(measured), 1, measured)
+        self.accepted(self.score("island_gauges", "--data", self.write("t,WG7\n" + plain), "--table", "gauges"), 2)
+
+    def test_some_of_several_run_ups_are_judged_and_the_others_named(self):
+        means = {1: 0.5375 / 6, 2: 0.3625 / 6, 3: 0.3350 / 6}
+        words = ("--table", "runup", "--uncertainty", "R=0.001")
+        self.refused(self.score("island_gauges", "--data", self.write("angle,R\n80,0.03\n"), *words), "at least two")
+        for places, named in (((1,), "1 of 3 given, without place = 2, 3"), ((1, 3), "2 of 3 given, without place = 2")):
+            for factor, verdict in ((1, "pass"), (1.3, "fail")):
+                text = "place,R\n" + "".join(f"{place},{factor * means[place]}\n" for place in places)
+                told = self.agreement("monai_valley", text, *words)
+                self.assertEqual(told[:2], (verdict, f"{len(places)} readings"))
+                self.assertIn(named, told[2])
+        for factor, verdict in ((1, "inconclusive"), (1.5, "fail")):  # one run-up is known to a fifth
+            told = self.agreement("island_gauges", f"angle,R\n90,{0.02659 * factor}\n", *words)
+            self.assertEqual(told[:2], (verdict, "1 readings"))
+            self.assertIn("1 point, 1 of 9 reference points", told[2].splitlines()[0])
+
+    def test_a_gauge_sets_the_clock_where_that_of_the_clock_is_missing(self):
+        data = (SOURCE / "reference_data/luth_1994_bar_a/table.csv").read_text().splitlines()
+        rows = [line.split(",") for line in data if line.startswith("17.3,")]
+        for late, factor, verdict in ((0, 1, "pass"), (0.6, 1, "pass"), (0.6, 1.4, "fail")):
+            text = "x,t,eta\n" + "".join(f"{x},{float(t) + late},{factor * float(eta)}\n" for x, t, eta in rows)
+            told = self.agreement("luth_bar", text, "--uncertainty", "eta=0.0001")
+            self.assertIn(", clock set at x = 17.3", told[1])
+            self.assertEqual(told[0], verdict)
+            self.assertAlmostEqual(self.record("luth_bar.mine")["measurements"]["gauges_time_shift"], late,
+                                   delta=0.05)  # points are 0.1 s apart
+
+
+class Published(Scoring):
+    """Results that others have published: examples/solvers/published."""
+
+    def worked_out(self, x, y, exact):
+        """Relative L2 error of the points (x, y), joined by lines, at the case's points."""
+        at, right = exact
+        return np.sqrt(np.sum((np.interp(at, x, y) - right) ** 2) / np.sum(right ** 2))
+
+    def pulsating(self, t):
+        """Thacker's formula, with the radius and depth that the files are of."""
+        radius, depth, middle = 430620.0, 50.0, 2.0
+        a = ((depth + middle) ** 2 - depth ** 2) / ((depth + middle) ** 2 + depth ** 2)
+        d = 1 - a * np.cos(np.sqrt(8 * 9.81 * depth) / radius * t)
+        reach = radius * np.sqrt((depth + middle) / depth)
+        at = np.linspace(-reach, reach, 201)
+        eta = depth * (np.sqrt(1 - a * a) / d - 1 - (at / radius) ** 2 * ((1 - a * a) / d ** 2 - 1))
+        wet = eta > depth * ((at / radius) ** 2 - 1)
+        return at[wet], eta[wet]
+
+    def test_they_are_whole_and_score_what_is_worked_out_by_hand(self):
+        folder = SOURCE / "examples/solvers/published"
+        subprocess.run(["sha256sum", "--check", "--quiet", "--strict", "SHA256SUMS"], cwd=folder, check=True)
+        subprocess.run([folder / "run.sh", self.out], check=True, capture_output=True, env={**os.environ, "SEICHE": SEICHE})
+        rows = np.loadtxt(folder / "geoclaw/gauge00001.txt")
+        t = np.linspace(0, 0.1 * 2 * np.pi / np.sqrt(2 * 9.81 * 0.1), 101)
+        phase = np.sqrt(2 * 9.81 * 0.1) * t
+        errors = {"GeoClaw": self.worked_out(rows[:, 1], rows[:, 2], (t, 0.05 * (np.cos(phase) + np.sin(phase) - 0.5) + 0.05))}
+        for hour in (18, 24):
+            x, eta = np.loadtxt(folder / f"thetis/{hour}h.csv", unpack=True)
+            errors[f"Thetis-{hour}h"] = self.worked_out(x, eta, self.pulsating(3600 * hour))
+        limit = 0.05 / np.sqrt(2)
+        for solver, error in errors.items():
+            claim, = (one for one in self.record(f"thacker_bowl.{solver}")["claims"] if one["id"].endswith("relative_l2"))
+            self.assertAlmostEqual(claim["measured"], error, 9)
+            self.assertEqual(claim["verdict"], "pass" if error < limit else "fail")
+        self.assertEqual(self.verdicts("thacker_bowl.GeoClaw")["gauges-given"], "fail")
+        bar = self.record("luth_bar.Basilisk")
+        self.assertIn("3 readings, clock set at x = 17.3, u_num not stated",
+                      [one["resolution"] for one in bar["claims"] if one["id"] == "agreement"][0])
 
 
 if __name__ == "__main__":

@@ -96,8 +96,9 @@ def rows_of(record, versions):
         yield dict(zip(COLUMNS, (
             record.case, record.standing["settings"], quantity, " ".join([record.solver, *scheme]),
             versions.get(record.solver, told["version"]), _digits(cell), _digits(error),
-            _digits(record.measurements.get(f"ladder_order_{quantity}")), _digits(record.wall_time),
-            sum(claim.verdict == "pass" for claim in record.claims), len(record.claims), told["processor"],
+            _digits(record.measurements.get(f"ladder_order_{quantity}")), _digits(record.wall_time or None),
+            sum(claim.verdict == "pass" for claim in record.claims), len(record.claims),
+            told["processor"] if record.wall_time else "",     # a run of others: nobody has told where
             told["date"][:10])))
 
 

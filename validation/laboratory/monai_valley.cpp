@@ -33,10 +33,11 @@ Experiment experiment(const Values& /*values*/) {
   }
   const Series runup{.name = "runup",
                      .table = "matsuyama_tanaka_2001_monai_valley_runup",
-                     .kind = WantedTable::Kind::profile,
-                     .abscissa = {"place", "1", "number: 1 is the valley's end"},
+                     .kind = WantedTable::Kind::scalars,
+                     .group = Column{"place", "1", "number: 1 is the valley's end"},
+                     .abscissa = {"place", "1", "the same"},
                      .quantity = {"R", "m", "highest run-up"},
-                     .readings = {at(0, 1, Kind::run_up), at(0, 2, Kind::run_up), at(0, 3, Kind::run_up)}};
+                     .readings = {at(1, 1, Kind::run_up), at(2, 2, Kind::run_up), at(3, 3, Kind::run_up)}};
   const std::string folder = "matsuyama_tanaka_2001_monai_valley/";
   return {.source = source,
           .parts = {gauges, runup},

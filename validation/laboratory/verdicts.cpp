@@ -43,6 +43,16 @@ const SubmittedGroup* group_of(const Submitted& computed, const Series& part, do
   return nullptr;
 }
 
+/// A part's clock; where its group was not submitted, the same at the first of those that were, in its misfit's window.
+std::optional<Clock> clock_of(const Submitted& computed, const Series& part) {
+  if (!part.clock || group_of(computed, part, part.clock->group) != nullptr) return part.clock;
+  const auto other = std::ranges::find_if(part.readings, [&](const Reading& one) {
+    return one.misfit() && group_of(computed, part, one.group) != nullptr;
+  });
+  if (other == part.readings.end()) return std::nullopt;
+  return Clock{.group = other->group, .range = part.clock->range, .window = other->window};
+}
+
 /// Names of the parts that a factor changes.
 std::vector<std::string> scaled_parts(const std::vector<Question>& all) {
   std::set<std::string> names;
@@ -161,11 +171,12 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
     for (SubmittedGroup& one : groups) {
       if (part.still) set_zero(one.abscissa, one.values.at(part.quantity.name), *part.still);
     }
-    const SubmittedGroup* group = part.clock ? group_of(shifted, part, part.clock->group) : nullptr;
+    const std::optional<Clock> clock = clock_of(shifted, part);
+    const SubmittedGroup* group = clock ? group_of(shifted, part, clock->group) : nullptr;
     if (group == nullptr) continue;
     for (const Measured& curve : measured(part, values)) {
-      if (part.group && curve.group != part.clock->group) continue;
-      const double lag = part.clock->lag({group->abscissa, group->values.at(part.quantity.name)}, curve);
+      if (part.group && curve.group != clock->group) continue;
+      const double lag = clock->lag({group->abscissa, group->values.at(part.quantity.name)}, curve);
       shifts[part.name] = lag;
       for (SubmittedGroup& one : groups) {
         for (double& x : one.abscissa) x -= lag;
@@ -330,6 +341,13 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   std::map<std::string, double> shifts;
   const Submitted computed = on_the_clock(experiment, values, submitted, shifts);
   for (const auto& [part, shift] : shifts) record.measure(part + "_time_shift", shift);
+  std::string set;  // whose phase is no evidence
+  for (const Series& part : experiment.parts) {
+    const std::optional<Clock> clock = clock_of(submitted, part);
+    if (clock && part.group && clock->group != part.clock->group) {
+      set += fmt::format(", clock set at {} = {:g}", part.group->name, clock->group);
+    }
+  }
   std::vector<Question> present;
   Sources sources;
   std::string open;  // why nothing is decided, unless it is clearly wrong
@@ -369,10 +387,11 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   const auto u = stated ? numerical_uncertainty(present, computed, sources, experiment.ceiling) : std::nullopt;
   if (stated && !u) open = ", u_num too large to decide";
   if (!lost.empty()) open += fmt::format(", without {}", fmt::join(lost, ", "));
-  record.check(
-      claim_of(experiment),
-      {.value = found.difference, .uncertainty = u, .resolution = fmt::format("{} readings{}", present.size(), open)},
-      criterion_of(experiment, found.data, found.input, found.coverage));
+  record.check(claim_of(experiment),
+               {.value = found.difference,
+                .uncertainty = u,
+                .resolution = fmt::format("{} readings{}{}", present.size(), set, open)},
+               criterion_of(experiment, found.data, found.input, found.coverage));
   show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), nan), found.scores,
                 record.solver, record);
   show_calibration(experiment, values, computed, record);

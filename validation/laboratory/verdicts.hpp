@@ -62,8 +62,8 @@ class Question {
 /// @param calibration  those of what sets the model's input, which are shown, instead of those that are judged
 std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration = false);
 
-/// The same with the zero of every record that has one and the clock of every part that has one set by its group; the
-/// shift is told to `shifts` by part.
+/// The same with the zero of every record that has one and the clock of every part that has one set by its group,
+/// or where that is missing by the first that was submitted; the shift is told to `shifts` by part.
 Submitted on_the_clock(const Experiment& experiment, const Values& values, const Submitted& computed,
                        std::map<std::string, double>& shifts);
 

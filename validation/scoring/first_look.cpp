@@ -45,7 +45,10 @@ std::string verdict_line(const evidence::Record& record) {
     if (count(verdict) > 0) parts.push_back(fmt::format("{} {}", count(verdict), words));
   }
   for (const JudgedClaim& claim : claims) {
-    if (claim.claim.id.ends_with("-given")) parts.push_back(claim.judgement.resolution);
+    const bool part = claim.judgement.verdict == Verdict::fail && claim.judgement.measured > 0;
+    if (claim.claim.id.ends_with("-given") || (part && claim.claim.id.ends_with("-coverage"))) {
+      parts.push_back(claim.judgement.resolution);
+    }
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -156,7 +156,7 @@ class QuantityScore {
                     fmt::format("The submitted points cover {:.3g} % of the reference points of the {} or more.",
                                 100 * table_.least_coverage, table_.name),
                     "share of the reference points within the submitted ones", "1", "what the case asks for"},
-                   {.value = coverage_, .resolution = resolution()},
+                   {.value = coverage_, .resolution = resolution() + uncovered_},
                    evidence::Bound{.limit = 1 - table_.least_coverage,
                                    .reason = "N cell centres leave half a cell out at either end, 1/N of the points",
                                    .expected = 1});
@@ -272,6 +272,7 @@ class QuantityScore {
       if (at >= group_.abscissa.front() - rounding && at <= group_.abscissa.back() + rounding) ++covered;
     }
     coverage_ = covered / known;
+    if (covered < known) uncovered_ = fmt::format(", {:g} of {:g} reference points", covered, known);
   }
 
   /// Of a number that was not computed before it was asked for.
@@ -309,6 +310,7 @@ class QuantityScore {
   const std::map<std::string, StatedUncertainty>& uncertainty_;
   Agreement agreement_;
   double coverage_ = 0;
+  std::string uncovered_;
   Measures measures_;
 };
 

@@ -36,10 +36,11 @@ class Reader {
   Reader(const io::Table& file, const WantedTable& wanted, bool alone, Understanding& understood,
          std::set<std::string>& used)
       : file_(file), wanted_(wanted), alone_(alone), understood_(understood), used_(used) {
-    if (wanted.group && wanted.quantities.size() == 1 && !find(*wanted.group) &&
-        !find(wanted.quantities.front().column)) {
-      beside_ = gauges_beside();
-    }
+    if (!wanted.group || wanted.quantities.size() != 1 || find(*wanted.group)) return;
+    const std::optional<std::string>& column = find(wanted.quantities.front().column);
+    // A single column that is called by its gauge's number.
+    const bool numbered = column && wanted.group->unit == "1" && !file.has("x") && group_near(number_at_end(*column));
+    if (!column || (numbered && !group_of_file())) beside_ = gauges_beside();
   }
 
   [[nodiscard]] bool holds() const {
@@ -365,10 +366,19 @@ class Reader {
       note(fmt::format("{} of {} rows{} have no value and are left out", slice.rows.size() - result.abscissa.size(),
                        slice.rows.size(), where));
     }
-    if (result.abscissa.size() < 2) {
+    if (result.abscissa.size() < 2 && !is_measured_point(result)) {
       fail(first, fmt::format("{} rows{} with a value, must be at least two", result.abscissa.size(), where));
     }
     return result;
+  }
+
+  /// Whether the group is one of the points of a measured profile: a reading by itself.
+  [[nodiscard]] bool is_measured_point(const SubmittedGroup& group) const {
+    if (wanted_.kind != WantedTable::Kind::profile || wanted_.reference_role != evidence::Role::data) return false;
+    const std::vector<double> x = wanted_.points(group.value);
+    const double rounding = 1e-6 * (x.back() - x.front());
+    return group.abscissa.size() == 1 &&
+           std::ranges::any_of(x, [&](double at) { return std::abs(at - group.abscissa.front()) <= rounding; });
   }
 
   void check_length(const Column& column, std::size_t length) const {
@@ -472,7 +482,8 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
     }
     if (groups.empty() && !holder.empty()) {
       throw std::invalid_argument(fmt::format("{}: column {}: holds {}, must be some of {}", holder, table.group->name,
-                                              there, fmt::join(*table.groups, ", ")));
+                                              there.empty() ? "places where none is" : there,
+                                              fmt::join(*table.groups, ", ")));
     }
     const auto number = [&](const SubmittedGroup& one) { return std::ranges::find(*table.groups, one.value); };
     if (table.group) std::ranges::stable_sort(groups, {}, number);

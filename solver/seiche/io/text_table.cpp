@@ -162,9 +162,12 @@ std::pair<std::string, std::string> name_and_unit(std::string_view entry) {
           std::string(trimmed(entry.substr(open + 1, entry.size() - open - 2)))};
 }
 
+/// "[m]", "(m)", or a unit that nobody calls a column.
 bool is_unit(const std::string& entry) {
-  return entry.size() > 1 && (entry.front() == '[' || entry.front() == '(') &&
-         (entry.back() == ']' || entry.back() == ')');
+  constexpr std::array bare{"s", "sec", "m", "cm", "mm", "ft", "m/s", "cm/s", "Pa", "kPa"};
+  return std::ranges::find(bare, entry) != bare.end() ||
+         (entry.size() > 1 && (entry.front() == '[' || entry.front() == '(') &&
+          (entry.back() == ']' || entry.back() == ')'));
 }
 
 /// A line of names in the order of the columns, with the units of a line below it.
@@ -198,11 +201,14 @@ std::optional<Header> header_of(const Text& text, const Start& start) {
     }
     const auto numbers =
         std::count_if(entries.begin(), entries.end(), [](const auto& e) { return number_in(e).has_value(); });
-    if (numbers >= fewest) continue;
+    if (numbers >= fewest || (header && is_comment(text.lines[line]) && !is_comment(text.lines[header->line])))
+      continue;
     fewest = numbers;
     header = Header{line, std::move(entries)};
   }
-  for (std::size_t k = 0; header && k < units.size(); ++k) header->columns[k] += units[k];
+  for (std::size_t k = 0; header && k < units.size(); ++k) {
+    header->columns[k] += std::isalpha(units[k].front()) != 0 ? "[" + units[k] + "]" : units[k];
+  }
   return header;
 }
 
