@@ -36,7 +36,7 @@ class Corners(unittest.TestCase):
         found = [became(0, claims=[{"id": "mass", "as_declared": True, "verdict": "pass"}]),
                  became(1, claims=[{"id": "mass", "as_declared": False, "verdict": "fail"}]),
                  became(2, "depth = 0 is out of range: must be in [1, 2]"),
-                 became(3, error="the mesh folds at x = 2, t = 0.7, after 17 steps"),
+                 became(3, error="the mesh tangles at x = 2, t = 0.7, after 17 steps"),
                  became(3, error="stopped at its time limit of 8 s, 21 % done")]
         self.assertEqual(found, ["as declared", "failed claims", "refused", "broke down", "stopped"])
         self.assertEqual(set(found) & set(corners.DEFECTS), set())

@@ -8,7 +8,7 @@
 
 namespace seiche {
 
-/// A configuration that cannot be: a place beyond a bottom or a curve, cells that fold, water that is gone.
+/// A configuration that cannot be: a place beyond a bottom or a curve, cells that tangle, water that is gone.
 class Infeasible : public std::runtime_error {
  public:
   /// @param what   "width of cell 12 is -0.1". @param place  coordinate

@@ -115,9 +115,9 @@ Complex TankStart::settled_share(double distance) const {
 
 const std::string source = "Frank (1994), section 2.3";
 constexpr double largest_limit = 0.02;
-// A wave of this height at an antinode folds the mesh at the edge of the berm within these periods.
-constexpr double folding_height = 0.02;
-constexpr double folding_periods = 2;
+// A wave of this height at an antinode tangles the mesh at the edge of the berm within these periods.
+constexpr double tangling_height = 0.02;
+constexpr double tangling_periods = 2;
 
 /// What the parameters decide.
 struct SetUp {
@@ -156,7 +156,7 @@ struct Periodic {
   /// Of a force over the larger one: the start in the force and in the elevation; the mesh that is carried away.
   [[nodiscard]] double limit(const SetUp& s) const {
     const double periods = waves.end * waves.omega / (2 * std::numbers::pi);
-    return 2 * unsettled + std::pow(s.height / folding_height, 2) * periods / folding_periods;
+    return 2 * unsettled + std::pow(s.height / tangling_height, 2) * periods / tangling_periods;
   }
   /// Of a phase, by which the smaller force is off more.
   [[nodiscard]] double phase_limit(const SetUp& s) const {

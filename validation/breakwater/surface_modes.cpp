@@ -47,7 +47,7 @@ class SurfaceResponse {
   [[nodiscard]] Index size() const { return size_; }
 
  private:
-  /// Height of the lowest cell, which no displacement may fold.
+  /// Height of the lowest cell, which no displacement may tangle.
   [[nodiscard]] double lowest_cell() const {
     const double width = rest_[first_ + 1] - rest_[first_];
     return std::ranges::min(model_.first_volumes()) / width;

@@ -85,18 +85,18 @@ struct Passed {
   long halved = 0;                        // steps
   double displaced = 0;                   // by rezoning, of all water
   Worst volume_defect;                    // relative, of the worst cell
-  std::optional<double> folded;           // when [s]
+  std::optional<double> tangled;          // when [s]
   RunupEnvelope envelope;                 // run-up of the markers
 
   /// Run-up over the height.
   [[nodiscard]] double at(double place) const { return envelope.at(place) / height; }
   /// Angles whose largest run-up the run has seen: the wave has gone by there by a second.
   [[nodiscard]] bool saw(double place) const {
-    if (!folded) return true;
+    if (!tangled) return true;
     const std::vector<double>& angle = envelope.angle();
     const auto marker =
         static_cast<std::size_t>(std::lower_bound(angle.begin(), angle.end() - 1, place) - angle.begin());
-    return envelope.time(marker) < *folded - 0.25;
+    return envelope.time(marker) < *tangled - 0.25;
   }
 };
 
@@ -123,7 +123,7 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
       if (observe) observe(now, flow.time());
     });
   } catch (const Divergence&) {
-    passed.folded = flow.time();
+    passed.tangled = flow.time();
   }
   passed.rezoned = flow.rezoned();
   passed.refused = flow.refused();
@@ -139,7 +139,7 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
   return passed;
 }
 
-/// Root mean square of the relative difference from the measurements; where the lattice folded too early, of what had
+/// Root mean square of the relative difference from the measurements; where the lattice tangled too early, of what had
 /// been reached.
 double deviation(const Passed& passed, const io::Table& data) {
   const std::vector<double>& angle = data.column("angle");
@@ -234,7 +234,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
           "whole-" + wave.name, fmt::format("Case {}: the wave passes the island entirely.", wave.name),
           "wave fronts met behind the island, lattice sound",
           [](const std::vector<Passed>& spacings) {
-            return std::ranges::none_of(spacings, [](const Passed& one) { return one.folded.has_value(); });
+            return std::ranges::none_of(spacings, [](const Passed& one) { return one.tangled.has_value(); });
           },
           Qualitative{.detector = "no cell inverts until 6 s after the crest would pass the middle, at either spacing",
                       .reason = "the water behind the island has run up and down by then"});
@@ -362,7 +362,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure("halved_" + waves[k].name, static_cast<double>(passed.halved));
     exhibit.measure("displaced_" + waves[k].name, passed.displaced);
     exhibit.measure("volume_defect_" + waves[k].name, passed.volume_defect.value());
-    if (passed.folded) exhibit.measure("fold_time_" + waves[k].name, *passed.folded);
+    if (passed.tangled) exhibit.measure("tangle_time_" + waves[k].name, *passed.tangled);
   }
   draw_runup(exhibit, r, values.table("conical_island_runup"));
 }

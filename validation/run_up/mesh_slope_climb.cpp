@@ -27,7 +27,7 @@ Flow MeshSlopeClimb::start() const {
     const exact::Velocity v = wave.velocity(r.x - crest, std::min(r.y, elevation(r.x)));
     return Point{v.u, v.v};
   };
-  const double lowest = beyond_folds ? -std::numeric_limits<double>::infinity() : 0.0;
+  const double lowest = beyond_tangling ? -std::numeric_limits<double>::infinity() : 0.0;
   return Flow(std::move(mesh), velocity, scheme, {.hourglass = hourglass, .lowest_corner = lowest});
 }
 
@@ -53,10 +53,10 @@ MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(c
     defect.add(flow.energy() / energy - 1, flow.time());
     if (!(flow.surface_y().back() <= level.value())) run.energy_defect = defect;
     level.add(flow.time(), flow.surface_y().back());
-    if (!run.fold) {
+    if (!run.tangle) {
       const lagrangian_mesh_2d::Corner worst = flow.worst_corner();
       if (worst.shape <= 0) {
-        run.fold = {.time = flow.time(), .place = flow.x()[flow.model().mesh().corners(worst.cell)[0]]};
+        run.tangle = {.time = flow.time(), .place = flow.x()[flow.model().mesh().corners(worst.cell)[0]]};
       }
     }
     if (after_step) after_step(flow);

@@ -29,8 +29,8 @@ struct MeshSlopeClimb {
   double rounding = 0;
   /// Farthest that nodes may be from upright columns, in cells, before the mesh is rezoned; 0: never.
   double rezone = 0;
-  /// Go on when cells fold: their areas stay right, and the bottom's nodes may pass the toe.
-  bool beyond_folds = true;
+  /// Go on when cells tangle: their areas stay right, and the bottom's nodes may pass the toe.
+  bool beyond_tangling = true;
 
   [[nodiscard]] lagrangian_mesh_2d::Flow start() const;
   /// "h1 = 0.25, 8 rows, tau = 0.025".
@@ -43,11 +43,11 @@ struct MeshSlopeRun {
   double runup = std::numeric_limits<double>::quiet_NaN();
   double time = 0;      ///< since the start
   Worst energy_defect;  ///< largest change over the wave's energy, until then
-  struct Fold {
+  struct Tangle {
     double time = 0;
     double place = 0;
   };
-  std::optional<Fold> fold = {};  ///< the first
+  std::optional<Tangle> tangle = {};  ///< the first
 };
 
 /// Runs until the contact point has fallen to 0.98 of its highest. Throws Divergence.

@@ -114,7 +114,7 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
   try {
     march(flow, climb.end(), climb.tau, observe);
   } catch (const Divergence& failure) {
-    run.fold = {.time = failure.time(), .place = failure.place(), .what = failure.what()};
+    run.tangle = {.time = failure.time(), .place = failure.place(), .what = failure.what()};
   }
   run.highest = level.value();
   run.time_of_runup = level.time();

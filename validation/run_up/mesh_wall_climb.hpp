@@ -45,7 +45,7 @@ struct MeshWallClimb {
 
 /// The largest values while the wave is at the wall, between steps from the parabola through three.
 struct MeshWallRun {
-  lagrangian_mesh_2d::Flow flow;  ///< at the end, or before the step in which the mesh folded
+  lagrangian_mesh_2d::Flow flow;  ///< at the end, or before the step in which the mesh tangled
   double highest = 0;             ///< the contact point
   double time_of_runup = 0;
   bool fell = false;           ///< the water fell after that: it was the maximum
@@ -55,18 +55,18 @@ struct MeshWallRun {
   Smallest worst_shape;        ///< of the mesh's corners (Flow::worst_corner) up to the largest run-up
   Worst energy_defect;         ///< largest change over the wave's energy, with its time
   Worst climb_energy_defect;   ///< up to the largest run-up
-  struct Fold {
+  struct Tangle {
     double time = 0;
     double place = 0;
     std::string what;
   };
-  std::optional<Fold> fold = {};
+  std::optional<Tangle> tangle = {};
 
   /// NaN unless the water fell after its highest.
   [[nodiscard]] double runup() const { return fell ? highest : std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// Runs until the crest would be as far behind the wall as half its distance at the start, or until the mesh folds.
+/// Runs until the crest would be as far behind the wall as half its distance at the start, or until the mesh tangles.
 MeshWallRun climb_wall(const MeshWallClimb& climb,
                        const std::function<void(const lagrangian_mesh_2d::Flow&)>& after_step = {});
 

@@ -72,7 +72,7 @@ constexpr std::array<Climb, 6> climbs{{{0, 0.5}, {0, 0.6}, {1, 0.41}, {1, 0.5}, 
 struct Reached {
   double spacing = 0;
   double runup = 0;  ///< NaN unless the water fell after it
-  std::optional<double> fold;
+  std::optional<double> tangle;
   Worst unbooked;            ///< change of the energy less what rezoning took, over the wave's energy
   double taken = 0;          ///< by rezoning, over the wave's energy
   double rezoned = 0;        ///< times
@@ -119,11 +119,11 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
                   climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
       "meshes that tangle",
       [id = climb.id()](const Results& all) {
-        Count folded;
+        Count tangled;
         for (const Reached& one : find(all, id).on) {
-          folded.add(one.spacing, [&](double) { return one.fold.has_value() || std::isnan(one.runup); });
+          tangled.add(one.spacing, [&](double) { return one.tangle.has_value() || std::isnan(one.runup); });
         }
-        return folded.value();
+        return tangled.value();
       },
       Bound{.limit = 0, .reason = "none: the Euler equations have a solution to the end"});
 }
@@ -211,7 +211,7 @@ Reached reach(const Climb& climb, const exact::SolitaryWave& wave, long rows, do
     wall.rezone = drift;
     const MeshWallRun run = climb_wall(wall, [&](const Flow& flow) { watch(flow); });
     reached.runup = run.runup();
-    if (run.fold) reached.fold = run.fold->time;
+    if (run.tangle) reached.tangle = run.tangle->time;
     return reached;
   }
   const MeshSlopeRun run = climb_slope({.wave = wave,
@@ -222,7 +222,7 @@ Reached reach(const Climb& climb, const exact::SolitaryWave& wave, long rows, do
                                         .rezone = drift},
                                        [&](const Flow& flow) { watch(flow); });
   reached.runup = run.runup;
-  if (run.fold) reached.fold = run.fold->time;
+  if (run.tangle) reached.tangle = run.tangle->time;
   return reached;
 }
 

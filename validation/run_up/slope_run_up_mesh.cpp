@@ -18,9 +18,10 @@ it; that makes its motion along the surface inexact to first order, and on a slo
 motion. Against a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values lie within a
 few per cent of the formula, which is drawn through measurements, and nearer to the exact ones. Water arrives at the toe
 in finite time and goes on up the slope. With Frank's toe a node on the level bottom cannot: it passes the toe, the last
-cell at the bottom tangles, its area stays right, and the run goes on (`beyond_folds`). With the toe that slides no cell
-tangles, and energy is exact while nodes go around the corner. What either changes of the run-up is of first order like
-its error: 3 % of the highest wave on the mild slope with columns an eighth wide, a few tenths of a per cent of most.
+cell at the bottom tangles, its area stays right, and the run goes on (`beyond_tangling`). With the toe that slides no
+cell tangles, and energy is exact while nodes go around the corner. What either changes of the run-up is of first order
+like its error: 3 % of the highest wave on the mild slope with columns an eighth wide, a few tenths of a per cent of
+most.
 */
 #include <algorithm>
 #include <array>
@@ -74,11 +75,11 @@ struct Row {
 };
 
 struct Climbed : Row {
-  std::vector<double> runup;        ///< on the meshes
-  std::optional<double> fold_time;  ///< first fold on the finest mesh with one before the largest run-up
-  std::vector<double> sliding;      ///< run-up with a toe that slides, on the meshes
-  Count sliding_folds;              ///< of them those with a fold before it
-  Worst sliding_energy;             ///< largest change over the wave's energy
+  std::vector<double> runup;          ///< on the meshes
+  std::optional<double> tangle_time;  ///< first tangle on the finest mesh with one before the largest run-up
+  std::vector<double> sliding;        ///< run-up with a toe that slides, on the meshes
+  Count sliding_tangles;              ///< of them those with a tangle before it
+  Worst sliding_energy;               ///< largest change over the wave's energy
 
   /// To zero spacing, first order; from the two finest meshes but `coarser`.
   [[nodiscard]] double extrapolated(std::size_t coarser = 0) const {
@@ -108,8 +109,8 @@ struct Climbed : Row {
 };
 
 /// Before the largest run-up.
-bool folds(const MeshSlopeRun& run) {
-  return run.fold && run.fold->time < run.time;
+bool tangles(const MeshSlopeRun& run) {
+  return run.tangle && run.tangle->time < run.time;
 }
 
 MeshSlopeClimb with_sliding_toe(MeshSlopeClimb climb) {
@@ -143,10 +144,10 @@ Climbed climb_row(const Row& row, std::size_t levels) {
         .wave = wave, .tan_slope = 1 / row.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
     const MeshSlopeRun result = climb_slope(climb);
     climbed.runup.push_back(result.runup);
-    if (folds(result)) climbed.fold_time = result.fold->time;
+    if (tangles(result)) climbed.tangle_time = result.tangle->time;
     const MeshSlopeRun sliding = climb_slope(with_sliding_toe(climb));
     climbed.sliding.push_back(sliding.runup);
-    climbed.sliding_folds.add(sliding.runup, [&](double) { return folds(sliding); });
+    climbed.sliding_tangles.add(sliding.runup, [&](double) { return tangles(sliding); });
     climbed.sliding_energy.add(sliding.energy_defect.value());
   }
   return climbed;
@@ -263,10 +264,10 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
   const double finest = meshes[levels - 1].tau;
   claims.at("all meshes")
       .check(
-          "folds", "With a toe that slides no cell tangles before the maximum run-up.",
+          "tangles", "With a toe that slides no cell tangles before the maximum run-up.",
           "meshes on which one does, of all waves",
           [](const std::vector<Climbed>& all) {
-            return over<Mean>(all, [](const Climbed& one) { return one.sliding_folds.value(); }).sum();
+            return over<Mean>(all, [](const Climbed& one) { return one.sliding_tangles.value(); }).sum();
           },
           Bound{.limit = 0, .reason = "none"});
   claims.at("all meshes")
@@ -311,7 +312,7 @@ Climb climb_one(const Values& values) {
                              .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))},
                              .hourglass = values.real("hourglass"),
                              .rounding = values.real("rounding"),
-                             .beyond_folds = values.toggle("beyond_folds")};
+                             .beyond_tangling = values.toggle("beyond_tangling")};
   std::vector<double> time, level, x, y;
   Largest highest;
   MeshSlopeRun run = climb_slope(climb, [&](const lagrangian_mesh_2d::Flow& flow) {
@@ -349,7 +350,7 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
     std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{1 / one.cot_slope, one.amplitude});
     for (std::size_t m = 0; m < compared; ++m) cells.push_back(rounded(one.runup[m]));
     cells.insert(cells.end(), {rounded(one.extrapolated()), rounded(one.sliding.back()), rounded(one.exact), one.thesis,
-                               rounded(one.formula()), one.fold_time ? rounded(*one.fold_time) : ""});
+                               rounded(one.formula()), one.tangle_time ? rounded(*one.tangle_time) : ""});
   }
 }
 
@@ -380,9 +381,9 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
   exhibit.measure("runup", one.run.runup);
   exhibit.measure("time_of_maximum", one.run.time);
   exhibit.measure("energy_defect", one.run.energy_defect.value());
-  if (one.run.fold) {
-    exhibit.measure("fold_time", one.run.fold->time);
-    exhibit.measure("fold_place", one.run.fold->place);
+  if (one.run.tangle) {
+    exhibit.measure("tangle_time", one.run.tangle->time);
+    exhibit.measure("tangle_place", one.run.tangle->place);
   }
   const std::string title = fmt::format("A = {:g}, slope of tangent {:g}, {}.", one.climb.wave.amplitude(),
                                         one.climb.tan_slope, one.climb.resolution());
@@ -398,9 +399,9 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   show_one(r.one, exhibit);
-  exhibit.measure(
-      "waves_that_fold_with_a_toe_that_stays",
-      static_cast<double>(std::ranges::count_if(r.all, [](const Climbed& one) { return one.fold_time.has_value(); })));
+  exhibit.measure("waves_that_tangle_with_a_toe_that_stays",
+                  static_cast<double>(
+                      std::ranges::count_if(r.all, [](const Climbed& one) { return one.tangle_time.has_value(); })));
   const std::vector<double> orders = each(r.all, &Climbed::order);
   exhibit.measure("smallest_order", smallest(orders));
   exhibit.measure("largest_order", largest(orders));
@@ -420,7 +421,7 @@ void slope_run_up_mesh(Case& c) {
                real("tan_slope", 1.0, "1", {0.3, 5}, "tangent of the slope")},
               mesh_parameters(0.25, 8, 0.025),
               {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: the toe's node stays"),
-               toggle("beyond_folds", true, "go on when a cell inverts, as Frank's model does")}});
+               toggle("beyond_tangling", true, "go on when a cell inverts, as Frank's model does")}});
   c.published = {{.tiles = {"frank-slopes-2d"}, .stated = {"tan_slope", "scheme"}}};
   c.study = Study(claims, compute, show, source);
 }

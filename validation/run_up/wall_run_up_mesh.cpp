@@ -87,7 +87,7 @@ std::optional<double> tabled_runup(const Values& values) {
   return entry_where(values.table("wall_runup_exact"), {{"a", values.real("amplitude")}}, "R");
 }
 
-/// What the meshes give, the one that was asked for last; NaN where one folds before its largest run-up.
+/// What the meshes give, the one that was asked for last; NaN where one tangles before its largest run-up.
 struct Sequence {
   std::vector<double> spacing, runup, still, bottom, force;
 
@@ -131,18 +131,18 @@ struct Results {
 
 void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
   // A little lower it depends on the mesh.
-  constexpr double folding = 0.48;
+  constexpr double tangling = 0.48;
   claims
       .fails({.value = 0,
               .width = 0,
               .reason =
-                  fmt::format("from A = {:g} on the thin column at the wall collapses when the water falls", folding)},
-             climb.wave.amplitude() >= folding && climb.settings.hourglass == 0 && climb.rezone == 0)
+                  fmt::format("from A = {:g} on the thin column at the wall collapses when the water falls", tangling)},
+             climb.wave.amplitude() >= tangling && climb.settings.hourglass == 0 && climb.rezone == 0)
       .check(
           "holds", "The mesh holds until the wave has left the wall.", "it does",
           [](const Results& r) -> Measurement {
-            if (!r.up.fold) return {.value = 1};
-            return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.fold->time, r.up.fold->place)};
+            if (!r.up.tangle) return {.value = 1};
+            return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.tangle->time, r.up.tangle->place)};
           },
           Qualitative{.detector = "no corner of a cell inverts",
                       .reason = "the Euler equations have a solution to the end"});
@@ -249,7 +249,7 @@ Results compute(const Run& run) {
 
 void draw_wall(const Results& r, evidence::Exhibit& exhibit) {
   const History& all = r.history;
-  if (all.time.empty()) return;  // folded in its first step
+  if (all.time.empty()) return;  // tangled in its first step
   auto& histories = exhibit.figure("wall", "Water level and load at the wall",
                                    fmt::format("A = {:g}; {}.", r.climb.wave.amplitude(), r.climb.resolution()));
   histories.panel({.x = "t [sqrt(depth/g)]", .y = "contact point [depth]"}).line("mesh", all.time, all.contact);
@@ -260,8 +260,8 @@ void draw_wall(const Results& r, evidence::Exhibit& exhibit) {
 
   const MeshWindow window{.begin = -2.5, .end = 0};
   auto& meshes = exhibit.figure("mesh", "The mesh at the wall",
-                                r.up.fold ? "At the maximum run-up, and before the step in which it tangles."
-                                          : "At the maximum run-up, and at the end.");
+                                r.up.tangle ? "At the maximum run-up, and before the step in which it tangles."
+                                            : "At the maximum run-up, and at the end.");
   auto& highest = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.time_of_runup), window));
   draw_mesh(highest, "mesh", r.up.flow.model().mesh(), all.highest_x, all.highest_y, window);
   auto& last = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.flow.time()), window));
@@ -290,9 +290,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("pressure_bottom", up.pressure_bottom);
   exhibit.measure("force", up.force);
   exhibit.measure("worst_corner_at_runup", up.worst_shape.value());
-  if (up.fold) {
-    exhibit.measure("fold_time", up.fold->time);
-    exhibit.measure("fold_place", up.fold->place);
+  if (up.tangle) {
+    exhibit.measure("tangle_time", up.tangle->time);
+    exhibit.measure("tangle_place", up.tangle->place);
   }
   draw_wall(r, exhibit);
   if (!r.all.spacing.empty() && r.all.complete()) show_convergence(r, exhibit);

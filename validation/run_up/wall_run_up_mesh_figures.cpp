@@ -34,7 +34,7 @@ namespace {
 
 const std::string source = "Frank (1994), section 2.2, figures 2 and 3";
 constexpr double lowest_compared = 0.1;       // of the loads
-constexpr double highest_claimed = 0.5;       // beyond, fine meshes fold
+constexpr double highest_claimed = 0.5;       // beyond, fine meshes tangle
 constexpr double largest_uncertainty = 0.05;  // of a value, that still says something
 const std::string counted_text = "5 % of the value counts";
 
@@ -54,7 +54,7 @@ struct Curve {
         points, [&](const Climbed& point) { return std::abs(point.amplitude - amplitude) < 1e-9; });
     return found == points.end() ? nullptr : &*found;
   }
-  /// NaN where the mesh folds.
+  /// NaN where the mesh tangles.
   [[nodiscard]] double value(double amplitude, double Climbed::*member) const {
     const Climbed* point = at(amplitude);
     return point == nullptr ? nan : point->*member;
@@ -117,7 +117,7 @@ Results compute(const Run& run) {
   return r;
 }
 
-/// Of the values that all meshes give for one wave, as half-width for the finest; NaN where one of them folds.
+/// Of the values that all meshes give for one wave, as half-width for the finest; NaN where one of them tangles.
 double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member) {
   const auto size = each(curves, [](const Curve& curve) { return 1 / static_cast<double>(curve.rows); });
   const auto value = each(curves, [&](const Curve& curve) { return curve.value(amplitude, member); });

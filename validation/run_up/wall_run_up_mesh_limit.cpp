@@ -89,7 +89,7 @@ struct Fate {
   bool reached = false;  ///< its largest run-up
   bool through = false;  ///< the whole reflection
   bool barrier = false;
-  std::optional<MeshWallRun::Fold> fold;
+  std::optional<MeshWallRun::Tangle> tangle;
 };
 
 struct Told {
@@ -126,9 +126,9 @@ std::vector<Told> tell(const Run& run, Waves& waves) {
           MeshWallClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, run.integer("rows"));
       variant.change(climb);
       const MeshWallRun up = climb_wall(climb);
-      Fate fate{.amplitude = amplitude, .runup = up.runup(), .fold = up.fold};
+      Fate fate{.amplitude = amplitude, .runup = up.runup(), .tangle = up.tangle};
       fate.reached = up.fell && up.climb_energy_defect.value() < energy_limit;
-      fate.through = !up.fold;
+      fate.through = !up.tangle;
       fate.barrier = climb.settings.corner_barrier > 0;
       told.fates.push_back(fate);
       if (!told.fates.back().reached && amplitude > enough - 1e-9) break;
@@ -139,17 +139,17 @@ std::vector<Told> tell(const Run& run, Waves& waves) {
   return all;
 }
 
-/// A wave of the article's heights, before its mesh folds and with the hourglass potential at the same time.
-struct Folded {
+/// A wave of the article's heights, before its mesh tangles and with the hourglass potential at the same time.
+struct Tangled {
   double amplitude;
   lagrangian_mesh_2d::Flow plain, held;
 };
 
-Folded folded(Waves& waves, double amplitude, long rows) {
+Tangled tangled(Waves& waves, double amplitude, long rows) {
   const MeshWallClimb plain = MeshWallClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, rows);
   MeshWallClimb held = plain;
   held.settings.hourglass = 0.6;
-  Folded both{amplitude, climb_wall(plain).flow, held.start()};
+  Tangled both{amplitude, climb_wall(plain).flow, held.start()};
   try {
     march(both.held, both.plain.time(), held.tau);
   } catch (const Divergence&) {  // drawn as far as it comes
@@ -159,7 +159,7 @@ Folded folded(Waves& waves, double amplitude, long rows) {
 
 struct Results {
   std::vector<Told> all;
-  std::vector<Folded> drawn = {};
+  std::vector<Tangled> drawn = {};
 };
 
 const Told& find(const std::vector<Told>& all, const std::string& name) {
@@ -186,8 +186,9 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
         exhibit.measure(fmt::format("{}_a_{:g}_over_exact_less_1", told.variant.name, amplitude), error);
       }
       row.emplace_back(fate == nullptr ? std::string("not tried")
-                       : fate->through ? std::string("through")
-                                       : fmt::format("t = {:.2f}, x = {:.2f}", fate->fold->time, fate->fold->place));
+                       : fate->through
+                           ? std::string("through")
+                           : fmt::format("t = {:.2f}, x = {:.2f}", fate->tangle->time, fate->tangle->place));
     }
     for (const auto& [what, is] : {std::pair{"run_up", &Fate::reached}, std::pair{"reflection", &Fate::through}}) {
       const std::optional<double> largest = told.largest(is);
@@ -216,30 +217,30 @@ void draw_runup(const std::vector<Told>& all, const io::Table& exact, evidence::
   }
 }
 
-void draw_meshes(const std::vector<Folded>& drawn, evidence::Exhibit& exhibit) {
+void draw_meshes(const std::vector<Tangled>& drawn, evidence::Exhibit& exhibit) {
   const MeshWindow window{.begin = -1.2, .end = 0.05};
   const auto axes = [&](const std::string& title) {
     evidence::Axes above = mesh_axes(title, window);
     above.y_min = 0;
     return above;
   };
-  auto& figure = exhibit.figure("folds", "The mesh at the wall",
+  auto& figure = exhibit.figure("tangles", "The mesh at the wall",
                                 "The upper half of the water: Frank's model before the step in which the mesh tangles, "
                                 "and with the hourglass potential, kappa_0 = 0.6, at the same time.");
-  for (const Folded& one : drawn) {
+  for (const Tangled& one : drawn) {
     draw_mesh(figure.panel(axes(fmt::format("A = {:g}, t = {:.2f}", one.amplitude, one.plain.time()))), "mesh",
               one.plain, window);
     draw_mesh(figure.panel(axes("with the potential")), "mesh", one.held, window);
   }
 }
 
-/// 1 or 0, and where the mesh folds. All variants are tried at A = 0.5 and 0.6.
+/// 1 or 0, and where the mesh tangles. All variants are tried at A = 0.5 and 0.6.
 auto fate_of(const std::string& variant, double amplitude, bool Fate::*is) {
   return [=](const Results& r) -> Measurement {
     const Fate* fate = find(r.all, variant).at(amplitude);
     if (fate == nullptr) throw std::logic_error(fmt::format("A = {:g} was not tried", amplitude));
     Measurement so{.value = fate->*is ? 1.0 : 0.0};
-    if (fate->fold) so.where = fmt::format("t = {:.2f}, x = {:.2f}", fate->fold->time, fate->fold->place);
+    if (fate->tangle) so.where = fmt::format("t = {:.2f}, x = {:.2f}", fate->tangle->time, fate->tangle->place);
     return so;
   };
 }
@@ -298,8 +299,8 @@ void claims(const Values& values, const Claims<Results>& all) {
         Count inside;
         for (const Told& one : r.all) {
           for (const Fate& fate : one.fates) {
-            if (fate.barrier || !fate.fold) continue;
-            inside.add(fate.fold->place, [](double x) { return std::abs(x) < 2 * MeshWallClimb::distance; });
+            if (fate.barrier || !fate.tangle) continue;
+            inside.add(fate.tangle->place, [](double x) { return std::abs(x) < 2 * MeshWallClimb::distance; });
           }
         }
         return inside.value() / static_cast<double>(inside.samples());
@@ -310,7 +311,7 @@ void claims(const Values& values, const Claims<Results>& all) {
 Results compute(const Run& run) {
   Waves waves;
   Results r{.all = tell(run, waves)};
-  for (const double amplitude : {0.5, 0.6}) r.drawn.push_back(folded(waves, amplitude, run.integer("rows")));
+  for (const double amplitude : {0.5, 0.6}) r.drawn.push_back(tangled(waves, amplitude, run.integer("rows")));
   return r;
 }
 
@@ -321,9 +322,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_meshes(r.drawn, exhibit);
   for (const double amplitude : {0.5, 0.6}) {
     const Fate* fate = find(r.all, "frank").at(amplitude);
-    if (fate == nullptr || !fate->fold) continue;
-    exhibit.measure(fmt::format("fold_time_a_{:g}", amplitude), fate->fold->time);
-    exhibit.measure(fmt::format("fold_place_a_{:g}", amplitude), fate->fold->place);
+    if (fate == nullptr || !fate->tangle) continue;
+    exhibit.measure(fmt::format("tangle_time_a_{:g}", amplitude), fate->tangle->time);
+    exhibit.measure(fmt::format("tangle_place_a_{:g}", amplitude), fate->tangle->place);
   }
 }
 

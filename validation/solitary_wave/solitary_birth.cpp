@@ -200,7 +200,7 @@ Results compute(const Run& run) {
   };
   keep();
   r.own = follow(r.flow, run.real("tau"), keep);
-  if (r.own.track.folded) throw Divergence(*r.own.track.folded);
+  if (r.own.track.tangled) throw Divergence(*r.own.track.tangled);
   for (Family& family : r.families) {
     for (const Hump& hump : starts) {
       Flow flow = raised(hump, family.mesh, 0);
@@ -294,14 +294,14 @@ void claim_one_curve(const Claims<Results>& claims) {
                           "while they are averaged: 4e-4"});
 }
 
-void claim_fold(const Claims<Family>& claims) {
+void claim_tangle(const Claims<Family>& claims) {
   claims
       .fails({.value = 117.1,
               .width = 0.5,
               .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; the shear "
                         "grows slowly, so that it tangles a few steps earlier or later"})
       .check(
-          "fold", "The highest hump leaves no corner inverted on cells one depth wide.",
+          "tangle", "The highest hump leaves no corner inverted on cells one depth wide.",
           "end of the run [sqrt(depth/g)]", [](const Family& coarse) { return coarse.waves.back().track.time.back(); },
           Bound{.limit = 1e-9,
                 .reason = "the time that was asked for, to the rounding of its steps",
@@ -315,7 +315,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_approach(claims, all);
   claim_second_approximation(coarsest);
   claim_one_curve(claims);
-  claim_fold(coarsest);
+  claim_tangle(coarsest);
 }
 
 void tabulate_waves(evidence::Exhibit& exhibit, const std::vector<Family>& all, const EulerSpeed& euler) {
@@ -414,7 +414,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("worst_corner", own.track.worst_corner);
   exhibit.measure("from_exact_amplitude", r.from_exact.amplitude);
   exhibit.measure("from_exact_speed", r.from_exact.speed);
-  if (const auto& fold = r.coarsest().waves.back().track.folded) exhibit.measure("fold_place", fold->place());
+  if (const auto& tangle = r.coarsest().waves.back().track.tangled) exhibit.measure("tangle_place", tangle->place());
   const io::Table published = values.table("frank_1994_celerity");
   draw_own(exhibit, r, own_mesh(values).text());
   tabulate_waves(exhibit, r.families, r.euler);

@@ -62,8 +62,8 @@ struct Outcome {
   double profile = 0;      ///< largest error about the computed crest
   double phase = 0;        ///< crest less exact crest at the end
 
-  /// One of the errors; NaN where the mesh folded on the way.
-  [[nodiscard]] double whole(double Outcome::*error) const { return track.folded ? nan : this->*error; }
+  /// One of the errors; NaN where the mesh tangled on the way.
+  [[nodiscard]] double whole(double Outcome::*error) const { return track.tangled ? nan : this->*error; }
 };
 
 enum class First { sampled, impulse };  ///< velocities
@@ -135,7 +135,7 @@ struct Results {
 const MeshResolution coarsest{1, 2, 0.1};
 
 /// The coarsest mesh under a high wave: how long it lasts with either start, and with the restoring force.
-void claim_fold(const Claims<Results>& all) {
+void claim_tangle(const Claims<Results>& all) {
   const auto claims = all.at(coarsest.text());
   const Bound to_the_end{
       .limit = 1e-9, .reason = "the time that was asked for, to the rounding of its steps", .expected = duration};
@@ -148,14 +148,14 @@ void claim_fold(const Claims<Results>& all) {
               .width = 0.2,
               .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the "
                         "time of tangling is known to two steps"})
-      .check("fold",
+      .check("tangle",
              "A = 0.5 on cells one depth wide: no corner tangles behind a wave that starts with sampled velocities.",
              quantity, end(&Results::sampled), to_the_end);
-  claims.check("fold-impulse",
+  claims.check("tangle-impulse",
                "The mesh does not tangle behind a solitary wave of H/h = 0.5 that a surface impulse starts.", quantity,
                end(&Results::impulse), to_the_end);
   claims.check(
-      "fold-hourglass",
+      "tangle-hourglass",
       "The mesh does not tangle behind a solitary wave of H/h = 0.5 where the hourglass force, kappa_0 = 0.02, "
       "holds it.",
       quantity, end(&Results::held), to_the_end);
@@ -201,7 +201,7 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
               "the next term is of third order, not fourth: surface nodes feel the pressure half a cell below; with "
               "four rows it takes a fifth off the error, so 0.2 off the order"});
   }
-  claim_fold(claims);
+  claim_tangle(claims);
 }
 
 Results compute(const Run& run) {
@@ -215,7 +215,7 @@ Results compute(const Run& run) {
   Results r{.wave = wave,
             .flow = flow_of(wave, own, {.stepping = mechanics::stepping_named(run.text("scheme"))}, hourglass, first)};
   r.own = travel(r.flow, wave, own.tau);
-  if (r.own.track.folded) throw Divergence(*r.own.track.folded);
+  if (r.own.track.tangled) throw Divergence(*r.own.track.tangled);
   run.progress(0.05);
   for (const auto& [width, rows] : {std::pair{0.5, 4L}, {0.25, 4L}, {0.5, 8L}, {0.25, 8L}}) {
     r.sides.push_back(on({width, rows, 0.05}));
@@ -241,7 +241,7 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
       "The wave of the mesh is not quite the exact one: the crest falls back while the difference is left behind.");
   auto& lag = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest less exact crest [depth]"});
   auto& height = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest/A"});
-  Travels unfolded;
+  Travels intact;
   for (const Travel& travel : r.refinement) {
     const CrestTrack& track = travel.outcome.track;
     std::vector<double> lags = track.place;
@@ -249,12 +249,12 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
     lag.line(fmt::format("{} rows", travel.mesh.rows), track.time, lags, Role::computed);
     height.line(fmt::format("{} rows", travel.mesh.rows), track.time,
                 each(track.elevation, [&](double y) { return y / travel.amplitude; }), Role::computed);
-    if (!track.folded) unfolded.push_back(travel);
+    if (!track.tangled) intact.push_back(travel);
   }
-  if (unfolded.empty()) return;
-  const std::vector<double> h2 = heights_of_cells(unfolded);
-  for (const Refined& error : refined) errors.points(error.what, h2, each(unfolded, error.of), Role::computed);
-  slope_guide(errors, 2, h2, 2 * each(unfolded, refined.back().of).back());
+  if (intact.empty()) return;
+  const std::vector<double> h2 = heights_of_cells(intact);
+  for (const Refined& error : refined) errors.points(error.what, h2, each(intact, error.of), Role::computed);
+  slope_guide(errors, 2, h2, 2 * each(intact, refined.back().of).back());
 }
 
 void draw_wave(evidence::Exhibit& exhibit, const Results& r, const MeshResolution& mesh) {
@@ -286,9 +286,9 @@ void measure(evidence::Exhibit& exhibit, const Results& r, const MeshResolution&
   exhibit.measure("phase_error", r.own.phase);
   exhibit.measure("max_profile_error", r.own.profile);
   exhibit.measure("worst_corner", track.worst_corner);
-  if (r.sampled.track.folded) {
-    exhibit.measure("fold_time", r.sampled.track.folded->time());
-    exhibit.measure("fold_place", r.sampled.track.folded->place());
+  if (r.sampled.track.tangled) {
+    exhibit.measure("tangle_time", r.sampled.track.tangled->time());
+    exhibit.measure("tangle_place", r.sampled.track.tangled->place());
   }
   for (const auto& [id, outcome] :
        {std::pair{"sampled", &r.sampled}, std::pair{"impulse", &r.impulse}, std::pair{"hourglass", &r.held}}) {

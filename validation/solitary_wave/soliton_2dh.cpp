@@ -37,7 +37,7 @@ namespace {
 
 const std::string frank = "Frank (1994), section 4.3";
 
-constexpr double unfolded = 100;  // sqrt(H/g), as long as meshes of all layers run without a fold
+constexpr double intact = 100;    // sqrt(H/g), as long as meshes of all layers run without a tangle
 constexpr double shedding = 100;  // sqrt(H/g)
 
 /// A wave on one of the lattices.
@@ -81,7 +81,7 @@ std::vector<Travel> travels_of(const Values& values) {
   }
   for (std::size_t layers = 1; layers <= 3; ++layers) {
     run = mesh;
-    run.time = (layers == 1 ? 2 : 1) * (mesh.time < unfolded ? mesh.time : unfolded);
+    run.time = (layers == 1 ? 2 : 1) * (mesh.time < intact ? mesh.time : intact);
     run.settled = 0.5 * run.time;  // its own wave is farther from the one it starts with
     all.push_back({.id = fmt::format("mesh-{}-layers", layers),
                    .name = fmt::format("hexahedra, {} {}", layers, layers > 1 ? "layers" : "layer"),

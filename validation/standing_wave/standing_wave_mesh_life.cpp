@@ -47,12 +47,12 @@ const std::string frank = "Frank, Discrete models of incompressible fluids (1994
 
 /// A wave in the tank and what became of its mesh.
 struct Life {
-  std::unique_ptr<Flow> flow;  ///< at the end, or before the step that folds the mesh
+  std::unique_ptr<Flow> flow;  ///< at the end, or before the step that tangles the mesh
   double tau = 0;
   std::vector<double> time, corner, energy_error, amplitude;
-  std::optional<Divergence> fold;
+  std::optional<Divergence> tangle;
 
-  [[nodiscard]] double end() const { return fold ? fold->time() : flow->time(); }
+  [[nodiscard]] double end() const { return tangle ? tangle->time() : flow->time(); }
   [[nodiscard]] double largest_energy_error() const {
     const auto& energy = flow->ledger().entry("energy");
     return energy.largest_defect / energy.initial;
@@ -61,7 +61,7 @@ struct Life {
   [[nodiscard]] double frequency() const {
     const auto count = std::min(amplitude.size(), static_cast<std::size_t>(40 / tau));
     constexpr std::size_t fewest = 12;
-    if (fold && count < fewest) throw Divergence(*fold);  // before the wave has a frequency
+    if (tangle && count < fewest) throw Divergence(*tangle);  // before the wave has a frequency
     return fit_oscillation({amplitude.data(), count}, tau, {1, 3}).frequency;
   }
 };
@@ -69,34 +69,35 @@ struct Life {
 /// One wave: Frank's model, with the hourglass potential, and the variants that are compared with them.
 struct Wave {
   Life without, with;
-  Life rezoned;                     ///< without it, on a mesh that is rezoned
-  double folds_conservative = nan;  ///< without it; where the time of the fold is compared
-  double folds_half_step = nan;
+  Life rezoned;                       ///< without it, on a mesh that is rezoned
+  double tangles_conservative = nan;  ///< without it; where the time of the tangle is compared
+  double tangles_half_step = nan;
   double change = nan;  ///< of the frequency by the potential, relative
 
-  /// Of the times of the fold without the potential.
+  /// Of the times of the tangle without the potential.
   [[nodiscard]] double spread() const {
     Worst difference;
-    difference.add(folds_conservative - without.end());
-    difference.add(folds_half_step - without.end());
+    difference.add(tangles_conservative - without.end());
+    difference.add(tangles_half_step - without.end());
     return difference.value();
   }
 };
 
 using Results = std::vector<Wave>;
 
-/// A time of the fold that is known, as the model's property: of these waves on this mesh, where the step hardly
+/// A time of the tangle that is known, as the model's property: of these waves on this mesh, where the step hardly
 /// matters.
-struct KnownFold {
+struct KnownTangle {
   double amplitude, time, width;
 };
-constexpr std::array<KnownFold, 2> known_folds{{{0.15, 51.1, 0.2}, {0.05, 216.75, 1}}};
+constexpr std::array<KnownTangle, 2> known_tangles{{{0.15, 51.1, 0.2}, {0.05, 216.75, 1}}};
 
 /// Empty where the wave or the mesh is another one, or the run ends before.
-std::optional<KnownFold> known_fold(const Values& values, double amplitude) {
+std::optional<KnownTangle> known_tangle(const Values& values, double amplitude) {
   if (values.integer("columns") != 16 || values.integer("rows") != 4 || values.real("tau") != 0.05) return {};
-  for (const KnownFold& fold : known_folds) {
-    if (std::abs(fold.amplitude - amplitude) < 1e-12 && fold.time + fold.width < values.real("time")) return fold;
+  for (const KnownTangle& tangle : known_tangles) {
+    if (std::abs(tangle.amplitude - amplitude) < 1e-12 && tangle.time + tangle.width < values.real("time"))
+      return tangle;
   }
   return {};
 }
@@ -151,8 +152,8 @@ Life live(const Values& values, const Setting& setting) {
       life.energy_error.push_back(flow.energy() / begin - 1);
       life.amplitude.push_back(mode_amplitude(tank, flow));
     });
-  } catch (const Divergence& folded) {
-    life.fold = folded;
+  } catch (const Divergence& tangled) {
+    life.tangle = tangled;
   }
   return life;
 }
@@ -165,13 +166,13 @@ Results compute(const Run& run) {
   for (const double amplitude : waves) {
     Wave& wave = results.emplace_back();
     wave.without = live(run, {amplitude, tau, 0});
-    if (known_fold(run, amplitude)) {
-      const auto folds = [&](double step, Stepping stepping) {
+    if (known_tangle(run, amplitude)) {
+      const auto tangles = [&](double step, Stepping stepping) {
         const Life life = live(run, {amplitude, step, 0, stepping});
-        return life.fold ? life.end() : nan;
+        return life.tangle ? life.end() : nan;
       };
-      wave.folds_conservative = folds(tau, Stepping::conservative);
-      wave.folds_half_step = folds(0.5 * tau, Stepping::one_step);
+      wave.tangles_conservative = tangles(tau, Stepping::conservative);
+      wave.tangles_half_step = tangles(0.5 * tau, Stepping::one_step);
     }
     run.progress((static_cast<double>(results.size()) - 0.7) / static_cast<double>(waves.size()));
     wave.with = live(run, {amplitude, tau, hourglass});
@@ -182,13 +183,14 @@ Results compute(const Run& run) {
   return results;
 }
 
-/// Frank's model: the fold, and that it is not the time step's.
-void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitude, const std::string& suffix) {
-  const std::optional<KnownFold> fold = known_fold(values, amplitude);
-  (fold ? claims.fails({.value = fold->time,
-                        .width = fold->width,
-                        .reason = "a property of the model: motions that change no cell's area meet no force and grow"})
-        : claims)
+/// Frank's model: the tangle, and that it is not the time step's.
+void claim_tangle(const Claims<Wave>& claims, const Values& values, double amplitude, const std::string& suffix) {
+  const std::optional<KnownTangle> tangle = known_tangle(values, amplitude);
+  (tangle
+       ? claims.fails({.value = tangle->time,
+                       .width = tangle->width,
+                       .reason = "a property of the model: motions that change no cell's area meet no force and grow"})
+       : claims)
       .check(
           "carries" + suffix,
           fmt::format("The mesh carries the wave of amplitude {:g} through the whole run without help.", amplitude),
@@ -197,7 +199,7 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
                 .reason = "the time that was asked for, to the rounding of its steps",
                 .expected = values.real("time")});
   claims
-      .only_if(fold.has_value(),
+      .only_if(tangle.has_value(),
                "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they tangle "
                "the mesh")
       .check("not-the-step" + suffix,
@@ -215,7 +217,7 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
       .check(
           "carries-with-hourglass" + suffix,
           fmt::format("With the hourglass potential the mesh carries the wave to t = {:g}.", values.real("time")),
-          "the mesh does not tangle", [](const Wave& wave) { return !wave.with.fold; },
+          "the mesh does not tangle", [](const Wave& wave) { return !wave.with.tangle; },
           Qualitative{.detector = "a corner's triangle with negative area",
                       .reason = "the potential gives those motions a frequency, so that they are no longer driven at "
                                 "zero frequency"});
@@ -243,7 +245,7 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
   claims.from(hirt).check(
       "carries-rezoned" + suffix,
       fmt::format("With rezoned columns the mesh carries the wave to t = {:g}.", values.real("time")),
-      "the mesh does not tangle", [](const Wave& wave) { return !wave.rezoned.fold; },
+      "the mesh does not tangle", [](const Wave& wave) { return !wave.rezoned.tangle; },
       Qualitative{.detector = "a corner's triangle with negative area",
                   .reason = "water under a wave of this height has a surface of one elevation at every place: upright "
                             "columns cannot tangle"});
@@ -253,7 +255,7 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
       "energy taken over the first one, in a period",
       [periods](const Wave& wave) {
         const Flow& flow = *wave.rezoned.flow;
-        return wave.rezoned.fold ? nan : flow.rezoning().lost / (flow.energy() + flow.rezoning().lost) / periods;
+        return wave.rezoned.tangle ? nan : flow.rezoning().lost / (flow.energy() + flow.rezoning().lost) / periods;
       },
       Bound{
           .limit = 0.001,
@@ -267,7 +269,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                   .at(fmt::format("{} x {} cells, tau = {:g}", values.integer("columns"),
                                                   values.integer("rows"), values.real("tau")))
                                   .entry(i);
-    claim_fold(wave, values, waves[i], suffix(i));
+    claim_tangle(wave, values, waves[i], suffix(i));
     claim_longer_life(wave, values, suffix(i));
     claim_rezoned(wave, values, suffix(i));
   }
@@ -301,13 +303,13 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   }
   exhibit.measure("worst_corner" + suffix, smallest(with.corner));
   exhibit.measure("frequency" + suffix, without.frequency());
-  if (!without.fold) return;
-  exhibit.measure("fold_place" + suffix, without.fold->place());
+  if (!without.tangle) return;
+  exhibit.measure("tangle_place" + suffix, without.tangle->place());
   auto& meshes =
       exhibit.figure("mesh" + suffix, fmt::format("The mesh, a = {:g}", amplitude),
                      fmt::format("Left: without the potential, one step before a corner inverts at t = {:.2f}, x = "
                                  "{:.2f}; the surface has drifted along the row below it. Right: with it, at t = {:g}.",
-                                 without.fold->time(), without.fold->place(), with.flow->time()));
+                                 without.tangle->time(), without.tangle->place(), with.flow->time()));
   draw_mesh(meshes.panel(mesh_axes("before it tangles")), "mesh", *without.flow);
   draw_mesh(meshes.panel(mesh_axes("with the hourglass potential")), "mesh", *with.flow);
 }

@@ -35,7 +35,7 @@ TEST_CASE("sloshing water on a Lagrangian mesh keeps energy and areas with the c
               "potential's gradient over a step, the Jacobian at its middle and, on curves, chords: energy and areas "
               "are exact. Its compositions to fourth order inherit both.");
   auto all = basins();
-  // Nodes that may slide around the toe need the hourglass potential, or the last cells fold.
+  // Nodes that may slide around the toe need the hourglass potential, or the last cells tangle.
   all.emplace_back("an inclined wall, around whose rounded toe nodes slide, with the hourglass potential", [] {
     return MeshProblem(lagrangian_mesh_2d::layer_mesh_with_slope(
                            {.begin = 0, .end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation}, 1, 0, 0.25),

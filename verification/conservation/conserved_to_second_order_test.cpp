@@ -78,7 +78,7 @@ TEST_CASE("what the one-step scheme does not keep errs by the square of the step
               "blob of overlapping particles until t = 0.2; water that sloshes in a box until t = 1, with what the "
               "stabilisation took, of Dirichlet cells and of variable masses, nodes mapped with the surface or at "
               "fixed x, and what areas and masses of the latter differ by. With the hourglass potential, which keeps "
-              "the mesh from folding, the errors up to t = 400 are those of the first few periods.");
+              "the mesh from tangling, the errors up to t = 400 are those of the first few periods.");
   std::vector<Row> rows;
   for (const auto& [basin, make] : basins()) {
     rows.push_back({"Lagrangian mesh, " + basin,

@@ -29,9 +29,9 @@ Record sample(const std::string& solver, const std::string& tier = "quick", cons
   record.check(claim("pass"), {.value = 0.5, .uncertainty = 0.1, .resolution = "N = 10"}, bound);
   record.check(claim("fail"), {.value = 2}, bound);
   record.check(claim("inconclusive"), {.value = 0.9, .uncertainty = 0.5}, bound);
-  const KnownFailure folds{.value = 3, .width = 0.5, .reason = "it folds"};
-  record.known_failure(claim("declared-fail"), {.value = 3}, bound, folds);
-  record.known_failure(claim("undeclared-pass"), {.value = 0.25}, bound, folds);
+  const KnownFailure tangles{.value = 3, .width = 0.5, .reason = "it tangles"};
+  record.known_failure(claim("declared-fail"), {.value = 3}, bound, tangles);
+  record.known_failure(claim("undeclared-pass"), {.value = 0.25}, bound, tangles);
   return record;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("JUnit shows every verdict as what it is", "[junit]") {
   const std::string reason = find(suite, "declared-fail").child("skipped").attribute("message").value();
   CHECK(reason.find("Measured 3, ") != std::string::npos);
   CHECK(reason.find("within 1 m") != std::string::npos);
-  CHECK(reason.find("it folds") != std::string::npos);
+  CHECK(reason.find("it tangles") != std::string::npos);
   CHECK(find(suite, "declared-fail").child("skipped").text().get() == reason);
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 using namespace seiche::lagrangian_mesh_3d;
 
-/// A linearisation with its projection, per cell: predict (9 arrays, 6 operations), gradients (27, 297), folded corners
-/// (164 operations), assembly (41, 324), rates of the volumes (28, 47), mean velocities (6), reaction (34, 51), advance
-/// (9, 6), reflection (9, 6). Forces act on the surface alone.
+/// A linearisation with its projection, per cell: predict (9 arrays, 6 operations), gradients (27, 297), inverted
+/// corners (164 operations), assembly (41, 324), rates of the volumes (28, 47), mean velocities (6), reaction (34, 51),
+/// advance (9, 6), reflection (9, 6). Forces act on the surface alone.
 constexpr seiche::performance::Work linearisation = seiche::performance::pass(163, 901);
 
 void steps(benchmark::State& state, Stepping stepping) {
@@ -53,7 +53,7 @@ void steps(benchmark::State& state, Stepping stepping) {
 }  // namespace
 
 /// Cells along a side of the box, layers, cells to a depth. Of so many steps however fast the machine is: the wave that
-/// comes back to the corner steepens, and after some seven hundred steps the mesh folds.
+/// comes back to the corner steepens, and after some seven hundred steps the mesh inverts.
 BENCHMARK_CAPTURE(steps, one_step, Stepping::one_step)
     ->Args({96, 1, 2})
     ->Args({96, 2, 2})

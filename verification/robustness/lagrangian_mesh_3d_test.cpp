@@ -80,7 +80,7 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
 }
 
 TEST_CASE("a wave that tangles hexahedra at a wall stops with time, step and place", "[robustness]") {
-  Check check("lagrangian_mesh_3d_fold", "A high wave inverts hexahedra at a wall",
+  Check check("lagrangian_mesh_3d_tangle", "A high wave inverts hexahedra at a wall",
               "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake "
               "the wall's: a corner of a cell is inverted. The run stops there, whatever the scheme.");
   constexpr double a = 0.7;

@@ -14,7 +14,7 @@ namespace seiche::verification::lagrangian_mesh_breakdown_test {
 using namespace lagrangian_mesh_2d;
 
 TEST_CASE("a wave that tangles the mesh at a wall stops with time, step and place", "[robustness]") {
-  Check check("lagrangian_mesh_fold", "A high wave inverts the mesh at a wall",
+  Check check("lagrangian_mesh_tangle", "A high wave inverts the mesh at a wall",
               "A solitary wave of height 0.6 is reflected by a vertical wall. Surface nodes beside the wall overtake "
               "the wall's: a corner of a cell is inverted. The run stops there, whatever the scheme.");
   const exact::SolitaryWave wave(0.6);

@@ -89,7 +89,7 @@ class Matrix(unittest.TestCase):
 
     def test_a_contest_says_where_a_model_stops(self):
         rows = [row("Lagrangian mesh", size=0.2, error=0.5),
-                row("Lagrangian mesh", size=0.1, error=None, lasted=0.7, **{"broke by": "it folds"}),
+                row("Lagrangian mesh", size=0.1, error=None, lasted=0.7, **{"broke by": "it tangles"}),
                 row("SPH", error=0.03, energy=-0.2)]
         cases = loaded(record("drop_models", group="drop", tables=table(rows)))
         drop = next(one for one in matrix.survey(cases, {}, [])["problems"] if one.id == "drop")

@@ -92,7 +92,7 @@ class Phone(unittest.TestCase):
             several = [{"name": f"a column with a long name {k}", "unit": "m^2/s"} for k in range(12)]
             long_names = {f"a_parameter_with_a_long_name_{k}": {"value": 0.123456789, "unit": "(g H)^(1/2)",
                                                                "default": 1.0, "meaning": "word " * 20} for k in range(9)}
-            contest = [contest_row("Lagrangian mesh", **{"broke by": "the mesh folds at node " + "1234567890" * 9})]
+            contest = [contest_row("Lagrangian mesh", **{"broke by": "the mesh tangles at node " + "1234567890" * 9})]
             write_arrays(evidence / "drop_models.h5", {"cost": [[("a", "computed", "points", [1, 2], [2, 1])]]})
             cases = ",".join(f"a_phenomenon/a_case_that_scores_others_{k}" for k in range(9))
             report = reported(

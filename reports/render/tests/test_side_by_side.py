@@ -21,7 +21,7 @@ class Models(unittest.TestCase):
         drop = [row("coarse and fine", size=0.2, error=0.5), row("coarse and fine", size=0.1, error=0.0123),
                 row("breaks late", size=0.125, error=0.044), row("breaks late", size=0.0625, error=None, uncertainty=None,
                                                               energy=None, momentum=None, lasted=1.25,
-                                                              **{"broke by": f"folds {HOSTILE}"}),
+                                                              **{"broke by": f"tangles {HOSTILE}"}),
                 row("never there", error=None, uncertainty=None, energy=None, momentum=None, lasted=0.0,
                     **{"broke by": "cannot start"}),
                 row("between walls", momentum=None, energy=3e-16)]

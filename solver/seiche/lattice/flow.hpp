@@ -31,7 +31,7 @@ class Flow : public mechanics::ModelFlow<Model> {
   /// Multipliers of the cells at the middle of the last step [Pa]: dynamic pressure. Single values alternate.
   [[nodiscard]] std::span<const double> multipliers() const { return state_.multipliers; }
 
-  /// Shape of the worst corner: 1 at the beginning for equal boxes, 0 where the lattice folds; a warning below 0.2.
+  /// Shape of the worst corner: 1 at the beginning for equal boxes, 0 where the lattice inverts; a warning below 0.2.
   [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
 
  protected:

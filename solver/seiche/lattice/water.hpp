@@ -48,7 +48,7 @@ using mechanics::Input;
 using mechanics::Interval;
 using mechanics::Output;
 
-/// The worst corner of a lattice: 1 where cells are as at first, 0 where one folds.
+/// The worst corner of a lattice: 1 where cells are as at first, 0 where one inverts.
 struct Corner {
   double shape = 1;
   std::size_t cell = 0;
@@ -131,7 +131,7 @@ class Water {
   [[nodiscard]] std::size_t coordinates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t rates() const { return E::axes * n_; }
   [[nodiscard]] std::size_t constraints() const { return volume_.size(); }
-  /// Throws mechanics::Infeasible where a cell folds or a node cannot stay.
+  /// Throws mechanics::Infeasible where a cell tangles or a node cannot stay.
   void linearise(Interval when, Input q) {
     linearise_over(when, q, q, q, 0);
     sweeping_ = false;
@@ -398,7 +398,7 @@ class Water {
     }
   }
   /// @param lowest  allowed shape
-  [[noreturn]] void throw_folded(Input q, double lowest = 0) const {
+  [[noreturn]] void throw_tangled(Input q, double lowest = 0) const {
     const Corner worst = worst_corner(q);
     const auto [columns, rows, layers] = shape_;
     const std::size_t corner = first_node(worst.cell);

@@ -3,7 +3,7 @@
 /// A place has coordinates (i, j) on the lattice, whole at the nodes. Between them x, y and what the nodes carry are
 /// the cubics through four nodes along each direction, next to sides those of the last four; places and values use the
 /// same ones, so that a field which is linear in plan is reproduced on any lattice, and a smooth one to fourth order.
-/// Where the cubics do not find a place, on a lattice about to fold, the bilinear cells do, to second order.
+/// Where the cubics do not find a place, on a lattice about to tangle, the bilinear cells do, to second order.
 ///
 /// Values stay between the smallest and the largest of the nodes they come from: no new extremes.
 ///
@@ -41,8 +41,8 @@ struct CornerValues {
 /// Of what all nodes carry.
 CornerValues corner_values(std::span<const double> values, const Shape& shape, std::size_t cell);
 
-/// Where a place is in a cell with corners (x, y), by Newton's method. Outside the map may fold: there the coordinates
-/// tell the way, and stay within two cells.
+/// Where a place is in a cell with corners (x, y), by Newton's method. Outside the map may invert: there the
+/// coordinates tell the way, and stay within two cells.
 CellCoordinates find_in_cell(Point place, const CornerValues& x, const CornerValues& y);
 
 /// Weights of a row's neighbouring nodes in the polynomial through them, and the weights' derivatives.

@@ -55,7 +55,7 @@ void require_convex(const Shape& shape, std::span<const double> x, std::span<con
     const auto corners = shape.corners(cell);
     if (smallest(jacobians(at_corners(x, corners), at_corners(y, corners))) > 0) continue;
     const Point corner{x[corners[0]], y[corners[0]]};
-    throw mechanics::Infeasible(corner.x, "cell {} at ({:g}, {:g}) would fold", cell, corner.x, corner.y);
+    throw mechanics::Infeasible(corner.x, "cell {} at ({:g}, {:g}) would tangle", cell, corner.x, corner.y);
   }
 }
 

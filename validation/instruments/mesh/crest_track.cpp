@@ -91,7 +91,7 @@ CrestTrack follow_crest(lagrangian_mesh_2d::Flow& flow, double time, double tau,
       if (after_step) after_step();
     });
   } catch (const Divergence& divergence) {
-    track.folded = divergence;
+    track.tangled = divergence;
   }
   track.worst_corner = corner.value();
   return track;

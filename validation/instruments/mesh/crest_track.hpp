@@ -12,8 +12,8 @@ namespace seiche::validation {
 
 struct CrestTrack {
   std::vector<double> time, place, elevation;
-  double worst_corner = 0;                ///< smallest shape of a corner of the mesh on the way
-  std::optional<Divergence> folded = {};  ///< why the run ended before its time
+  double worst_corner = 0;                 ///< smallest shape of a corner of the mesh on the way
+  std::optional<Divergence> tangled = {};  ///< why the run ended before its time
 
   /// Of the least-squares line through the places from a time on [m/s].
   [[nodiscard]] double speed(double from) const;
@@ -21,7 +21,7 @@ struct CrestTrack {
   [[nodiscard]] double mean_elevation(double from) const;
 };
 
-/// Advances the flow to a time, or until its mesh folds.
+/// Advances the flow to a time, or until its mesh tangles.
 CrestTrack follow_crest(lagrangian_mesh_2d::Flow& flow, double time, double tau,
                         const std::function<void()>& after_step = {});
 

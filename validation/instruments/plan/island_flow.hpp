@@ -52,7 +52,7 @@ class ConicalIsland {
   [[nodiscard]] double crest() const { return -base_radius - reach_; }
   [[nodiscard]] const exact::SerreSolitary& wave() const { return wave_; }
   [[nodiscard]] dispersive_shallow_water_2d::Flow flow() const;
-  /// The same on a lattice that is rezoned: the wave passes the island where the other folds.
+  /// The same on a lattice that is rezoned: the wave passes the island where the other tangles.
   [[nodiscard]] dispersive_shallow_water_2d::RezonedFlow rezoned_flow() const;
   /// What the flows are made of.
   [[nodiscard]] dispersive_shallow_water_2d::Lattice lattice() const;

@@ -60,9 +60,9 @@ struct ReflectionWindow {
 /// waves, and so is, next to resonance, the one at which the crests of stem and incident wave stay together,
 /// tan chi = (cos psi - c_i/c_w)/sin psi, c = sqrt(1 + a), with the theory's a_w.
 ///
-/// Its rear: the reflected crest must not stay where the rear and the north side meet, for the lattice folds there. If
-/// the crest is steep it leaves the window 10 width units below the corner, else it meets the north side well before,
-/// and the window ends before the wave that returns from there meets the wall.
+/// Its rear: the reflected crest must not stay where the rear and the north side meet, for the lattice tangles there.
+/// If the crest is steep it leaves the window 10 width units below the corner, else it meets the north side well
+/// before, and the window ends before the wave that returns from there meets the wall.
 ReflectionWindow window_until(double time, const ObliqueWave& wave, double spacing);
 
 /// What a flow of the plan model in that window is made of.

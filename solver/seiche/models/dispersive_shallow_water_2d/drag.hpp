@@ -12,7 +12,7 @@
 /// makes the difference d of their speeds along it decay, d' = -rate d. It acts on both and keeps momentum.
 ///
 /// The pattern + - + - of the lattice's nodes changes no volume, so that nothing restores it, and grows in waves until
-/// the lattice folds. Cells have g = u_0 - u_1 + u_2 - u_3 of it; forces on the six nodes of every two neighbours,
+/// the lattice tangles. Cells have g = u_0 - u_1 + u_2 - u_3 of it; forces on the six nodes of every two neighbours,
 /// weighted as in the difference of their g, make that difference decay, so that the pattern decays at a given rate.
 /// They keep momentum, and on equal parallelograms angular momentum; motions of second degree over two cells have
 /// nothing of it, and velocities cos(k1 x + k2 y) decay at

@@ -6,8 +6,8 @@
 ///     while (flow.time() < 20) flow.advance(0.2);
 ///
 /// The first velocities are projected on constant volumes. Throws std::invalid_argument for bad input and Divergence,
-/// with time, step and place, when a cell folds, a marker touches the bottom or leaves it, a solver fails or a value is
-/// not finite.
+/// with time, step and place, when a cell tangles, a marker touches the bottom or leaves it, a solver fails or a value
+/// is not finite.
 #pragma once
 
 #include <cstddef>

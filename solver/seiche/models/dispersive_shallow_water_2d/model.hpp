@@ -28,7 +28,7 @@
 /// form: exact/lattice_dispersion.hpp.
 ///
 /// Waves may be shorter with improved dispersion (element.hpp); trains of them need what keeps the lattice
-/// from folding, and layers that absorb (drag.hpp).
+/// from tangling, and layers that absorb (drag.hpp).
 ///
 /// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
 /// overturning.
@@ -150,7 +150,7 @@ class Model : public lattice::Water<Column, Model> {
   [[nodiscard]] double east_width() const { return east_width_; }
 
   // What lattice::Water asks for.
-  /// Throws mechanics::Infeasible where a cell folds, a marker touches the bottom or leaves it.
+  /// Throws mechanics::Infeasible where a cell tangles, a marker touches the bottom or leaves it.
   void gather(Input q0, Input q1, Input at, int sweep);
   [[nodiscard]] std::array<const double*, 6> mobility() const {
     const InverseMasses& w = masses_.inverse();

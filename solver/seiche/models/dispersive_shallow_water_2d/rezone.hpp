@@ -1,7 +1,7 @@
 /// A flow of the plan model whose lattice is rezoned: put back, now and then, to where its columns do not crumple.
 ///
 /// Lagrangian columns go with the water. The thin edge of the water slides along a shore, piles up where it meets and
-/// crumples where it runs down, until the lattice folds, though the water does nothing of the kind.
+/// crumples where it runs down, until the lattice tangles, though the water does nothing of the kind.
 ///
 /// In a rezoned lattice the nodes slide along their rows, back to the lines that the columns were at the beginning.
 /// Rows stay lines of the same water, so that thin sheets thin out no more than they do of themselves, and the columns
@@ -81,14 +81,14 @@ struct Remapped {
 /// @param model, q, u  where the flow is; its volumes are model.first_volumes()
 /// @param x, y         the new places in plan, each within a few cells of the old one: of nodes on sides on them, of
 ///                     those on a shoreline near it
-/// Throws mechanics::Infeasible where that is not so, where a cell would fold and where a column would have no water.
+/// Throws mechanics::Infeasible where that is not so, where a cell would tangle and where a column would have no water.
 Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y);
 
 struct RezoneSettings {
   double drift = 0.2;       ///< of a cell
   double narrowest = 0.25;  ///< below 1; 0: as it comes
   /// A film of 8 mm may be 0.1 m long; 0: as thin as it gets. The highest run-up on a slope of 1:4 has 2 % less of it
-  /// than with 0.01, of which films are so thin that lattices fold when bores run over them.
+  /// than with 0.01, of which films are so thin that lattices tangle when bores run over them.
   double edge_slope = 0.08;
   double strain = 0.3;     ///< of an edge, in a step
   double shore_slope = 2;  ///< of the shoreline against its columns, in plan; 0: as it comes

@@ -13,7 +13,7 @@
 /// Of each of its cells a marker has the mass V/6, what linear elements give it: with it a surface that is inclined
 /// along the shore accelerates as it should. Inclined across the shore a surface would ask for V/12
 /// (TipMass::consistent of dispersive_shallow_water_1d); with that the edge of the water outruns what is beside it and
-/// folds the lattice.
+/// tangles the lattice.
 #pragma once
 
 #include <array>

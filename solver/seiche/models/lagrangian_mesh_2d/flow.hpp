@@ -7,7 +7,7 @@
 ///     while (flow.time() < 20) flow.advance(0.05);
 ///
 /// The first velocities are projected on constant areas. Throws std::invalid_argument for bad input and Divergence,
-/// with time, step and place, when a cell folds, a node leaves its curve, a solver fails or a value is not finite.
+/// with time, step and place, when a cell tangles, a node leaves its curve, a solver fails or a value is not finite.
 #pragma once
 
 #include <functional>

@@ -73,8 +73,8 @@ struct Mesh : plan_lattice::Shape {
 };
 
 /// Twice the smallest triangle at a corner of a cell; over the cell's first area it is the corner's shape: 1 for a
-/// rectangle, 0 where the corner is about to fold. A corner of the mesh between joined sides is left out: it is flat
-/// where the wall is straight; should its node pass one of its neighbours, that one's corner folds.
+/// rectangle, 0 where the corner is about to invert. A corner of the mesh between joined sides is left out: it is flat
+/// where the wall is straight; should its node pass one of its neighbours, that one's corner inverts.
 double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
 
 /// A quadrilateral cell of the mesh. Its two half diagonals a = (r2 - r0)/2 and b = (r3 - r1)/2 are all that its

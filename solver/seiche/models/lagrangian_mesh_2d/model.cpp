@@ -162,7 +162,7 @@ void Model::measure(Input at) {
   });
   // A flat corner between joined sides is none that counts.
   if (low && !(mesh_.has_joined_sides() && worst_corner(at).shape > settings_.lowest_corner)) {
-    throw_folded(at, settings_.lowest_corner);
+    throw_tangled(at, settings_.lowest_corner);
   }
 }
 

@@ -22,8 +22,8 @@
 /// scheme if there is no gravity, energy and areas to round-off always with ConservativeStep, also on curved walls: it
 /// takes chords for tangents. Dispersion in closed form: exact/lattice_dispersion.hpp.
 ///
-/// Node motions (-1)^(i+j) change no area and meet no force: long runs fold the mesh by them. Settings::hourglass adds
-/// a conservative restoring force. A corner that folds is an Infeasible configuration, with its place.
+/// Node motions (-1)^(i+j) change no area and meet no force: long runs tangle the mesh by them. Settings::hourglass
+/// adds a conservative restoring force. A corner that inverts is an Infeasible configuration, with its place.
 ///
 /// When not to use it: waves that overturn; slopes gentler than about 1:3; surface nodes' tangential places (first
 /// order only: a surface node feels the pressure half a cell below it; the surface's shape is of second order).
@@ -65,10 +65,10 @@ struct Settings {
   /// Vertical inertia of surface nodes times 1 - h2/(3H), h2/H the part of the top row in the depth: dispersion exact
   /// to one more power of k. No angular momentum then.
   bool tuned_surface_inertia = false;
-  /// Stiffness of a repulsion between the sides of a corner that is about to fold (nodes.hpp); 0: none.
+  /// Stiffness of a repulsion between the sides of a corner that is about to invert (nodes.hpp); 0: none.
   double corner_barrier = 0;
-  /// Shape of a corner (mesh.hpp) at which the mesh counts as folded, for the largest cell. Areas stay positive, and
-  /// the equations solvable, beyond a fold: minus infinity goes on as in the source.
+  /// Shape of a corner (mesh.hpp) at which the mesh counts as inverted, for the largest cell. Areas stay positive, and
+  /// the equations solvable, beyond a tangle: minus infinity goes on as in the source.
   double lowest_corner = 0;
   linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured

@@ -110,7 +110,7 @@ class FreeEdges {
   std::size_t n_;
 };
 
-/// A potential that keeps the corners of cells from folding.
+/// A potential that keeps the corners of cells from inverting.
 ///
 ///     Pi_c = stiffness sum over corners with s < s_0 of V_0^(3/2) (s_0/s - 1)^2,   s_0 = 0.3
 ///
@@ -123,7 +123,7 @@ class CornerBarrier {
   explicit CornerBarrier(double stiffness) : stiffness_(stiffness) {}
 
   [[nodiscard]] bool active() const { return stiffness_ > 0; }
-  /// Infinite where a corner has folded.
+  /// Infinite where a corner has inverted.
   [[nodiscard]] double energy(const Mesh& mesh, Input first_areas, Input q) const;
   /// Adds weight times its forces.
   void push(const Mesh& mesh, Input first_areas, Input q, double weight, Output push) const;

@@ -4,7 +4,7 @@
 /// corners of their cells inside out, though the water does nothing of the kind. In the rezoned mesh every column is
 /// again a line with the direction that it had in the first mesh, where no water has passed it on the whole; the line
 /// ends on the bottom and on the surface, and the nodes between have the parts of its length that they had at first.
-/// Columns over a level bottom cannot fold as long as the surface has one elevation at every place.
+/// Columns over a level bottom cannot tangle as long as the surface has one elevation at every place.
 ///
 /// The surface is the cubic through its nodes; what its new polygon has too little water in an edge, the ends of the
 /// edge rise for. The water is kept to round-off. A layer at rest is left alone.
@@ -55,7 +55,7 @@ class UprightColumns {
 
 /// Carries a flow from its mesh to another one of the same water.
 ///
-/// Lagrangian cells shear and fold; a rezoned mesh (rezone.hpp) has its nodes at better places. Velocities there come
+/// Lagrangian cells shear and tangle; a rezoned mesh (rezone.hpp) has its nodes at better places. Velocities there come
 /// from the old nodes (plan_lattice/lattice_interpolant.hpp), cubic between them. The momentum of a cell is carried
 /// through the quadrilaterals that its edges sweep on their way,
 ///
@@ -82,8 +82,8 @@ struct Remapped {
 /// @param model, q, u  where the flow is
 /// @param x, y         the new places, each within a few cells of the old one: of nodes on walls on them, of surface
 ///                     nodes on the surface
-/// Throws mechanics::Infeasible where that is not so and where a cell would fold; std::invalid_argument for fewer than
-/// three columns or rows.
+/// Throws mechanics::Infeasible where that is not so and where a cell would tangle; std::invalid_argument for fewer
+/// than three columns or rows.
 Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y);
 
 }  // namespace seiche::lagrangian_mesh_2d

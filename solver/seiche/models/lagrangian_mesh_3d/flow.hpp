@@ -5,7 +5,7 @@
 ///     while (flow.time() < 20) flow.advance(0.2);
 ///
 /// The first velocities are projected on constant volumes. Throws std::invalid_argument for bad input and Divergence,
-/// with time, step and place, when a cell folds, a solver fails or a value is not finite.
+/// with time, step and place, when a cell tangles, a solver fails or a value is not finite.
 #pragma once
 
 #include <functional>
@@ -67,7 +67,7 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
 /// An impulsive pressure -rho phi on the free surface sets water at rest into the potential flow with phi there. On the
 /// mesh it gives velocities that the mesh itself could have got from rest. Velocities of the exact flow, sampled at the
 /// nodes, are not such ones: they hold vorticity of the mesh, levels slide over each other for ever, and cells are
-/// sheared until they fold.
+/// sheared until they tangle.
 ///
 /// The force of a pressure on a bilinear patch is shared among its corners by p int N_a dr x dr, N_a the corner's
 /// bilinear function: with n_a = (r_{a+1} - r_a) x (r_{a-1} - r_a), p (4 n_a + 2 n_{a+1} + 2 n_{a-1} + n_{a+2})/36.

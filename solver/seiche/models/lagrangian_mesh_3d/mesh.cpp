@@ -176,10 +176,10 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
 }
 
 SEICHE_SIMD_CLONES
-double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
+double inverted_corners_of_row(std::size_t columns, const NodeVectors& rows) {
   const NodeVectors r = rows;
-  double folded = 0;
-#pragma omp simd reduction(+ : folded)
+  double tangled = 0;
+#pragma omp simd reduction(+ : tangled)
   for (std::size_t i = 0; i < columns; ++i) {
     const V3 r0 = at(r, 0, i), r1 = at(r, 1, i), r2 = at(r, 2, i), r3 = at(r, 3, i);
     const V3 r4 = at(r, 4, i), r5 = at(r, 5, i), r6 = at(r, 6, i), r7 = at(r, 7, i);
@@ -191,9 +191,9 @@ double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
                        (dot(x1, cross(y1, z2)) > 0 ? 0.0 : 1.0) + (dot(x1, cross(y0, z3)) > 0 ? 0.0 : 1.0);
     const double high = (dot(x2, cross(y2, z0)) > 0 ? 0.0 : 1.0) + (dot(x2, cross(y3, z1)) > 0 ? 0.0 : 1.0) +
                         (dot(x3, cross(y3, z2)) > 0 ? 0.0 : 1.0) + (dot(x3, cross(y2, z3)) > 0 ? 0.0 : 1.0);
-    folded += low + high;
+    tangled += low + high;
   }
-  return folded;
+  return tangled;
 }
 
 SEICHE_SIMD_CLONES

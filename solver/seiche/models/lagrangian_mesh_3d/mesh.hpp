@@ -60,7 +60,7 @@ using CellCorners = std::array<Vector, 8>;
 
 /// Volume of the trilinear hexahedron.
 double hexahedron_volume(const CellCorners& r);
-/// Volume spanned by the edges at each corner: positive for all of them if the cell is not folded there; over the
+/// Volume spanned by the edges at each corner: positive for all of them if the cell is not inverted there; over the
 /// cell's first volume it is the shape of the corner, 1 for a box.
 std::array<double, 8> corner_volumes(const CellCorners& r);
 
@@ -91,6 +91,6 @@ using linear::RowBlocks;
 /// that their mean gradient over r -> r + delta is that at the middle plus 1/12 of that of the cell `delta`.
 void measure_row(std::size_t columns, const NodeVectors& r, double factor, bool add, RowBlocks::Row gradients);
 /// Number of corners whose edges do not span a positive volume.
-double folded_corners_of_row(std::size_t columns, const NodeVectors& r);
+double inverted_corners_of_row(std::size_t columns, const NodeVectors& r);
 
 }  // namespace seiche::lagrangian_mesh_3d

@@ -122,13 +122,13 @@ void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
 
 void Model::measure(Input q) {
   driven_place_ = driven_places(q);
-  std::atomic<bool> folded = false;
+  std::atomic<bool> tangled = false;
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);
-    if (folded_corners_of_row(mesh_.plan.columns, r) > 0) folded = true;
+    if (inverted_corners_of_row(mesh_.plan.columns, r) > 0) tangled = true;
     measure_row(mesh_.plan.columns, r, 1, false, gradients_.row(row));
   });
-  if (folded) throw_folded(q);
+  if (tangled) throw_tangled(q);
 }
 
 void Model::hold() {

@@ -25,7 +25,7 @@
 ///
 /// When not to use it: waves that overturn; shorelines; waves shorter than about seven depths with one layer
 /// (dispersion error 6 per cent at 7 depths, 2 per cent with two layers); more than some ten layers (surface nodes'
-/// tangential places are of first order). A corner that folds is an Infeasible configuration, with its place.
+/// tangential places are of first order). A corner that inverts is an Infeasible configuration, with its place.
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 1 and 4.
 #pragma once
