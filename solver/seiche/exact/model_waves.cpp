@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 #include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/special_functions/ellint_rg.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -33,41 +35,21 @@ struct EllipticParameter {
   static EllipticParameter without(double complement) { return {1 - complement, complement}; }
 };
 
-/// K and E/K, by the arithmetic-geometric mean, which keeps the digits as m -> 1.
-struct CompleteIntegrals {
-  double first;
-  double ratio;
-};
-
-CompleteIntegrals complete_integrals(EllipticParameter parameter) {
-  double a = 1;
-  double b = std::sqrt(parameter.complement);
-  double weight = 0.5;
-  double sum = weight * parameter.m;
-  while (std::abs(a - b) > 1e-8 * a) {  // the next difference is its square
-    const double c = (a - b) / 2;
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-    weight *= 2;
-    sum += weight * c * c;
-  }
-  return {std::numbers::pi / (a + b), 1 - sum};
-}
-
 /// Depths under crest and trough, the third root, and what decides the length.
 struct Roots {
   double crest, trough, lowest, kappa, first;
 };
 
 Roots roots_of(double height, double depth, EllipticParameter parameter) {
-  const CompleteIntegrals complete = complete_integrals(parameter);
+  // The complete integrals K and E in Carlson's forms, which keep the digits as m -> 1.
+  const double first = boost::math::ellint_rf(0.0, parameter.complement, 1.0);
+  const double second = 2 * boost::math::ellint_rg(0.0, parameter.complement, 1.0);
   const double span = height / parameter.m;  // h_c - h_0
-  const double lowest = depth - span * complete.ratio;
+  const double lowest = depth - span * second / first;
   const double crest = lowest + span;
   const double trough = crest - height;
   const double kappa = lowest > 0 ? std::sqrt(0.75 * span / (lowest * trough * crest)) : 0;
-  return {crest, trough, lowest, kappa, complete.first};
+  return {crest, trough, lowest, kappa, first};
 }
 
 /// Points of the sums over a wavelength: the nearest singularity of the longest wave leaves exp(-0.4 points).

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <boost/math/special_functions/ellint_rf.hpp>
+
 #include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
 
@@ -113,7 +115,7 @@ class PeriodicNodes : public ConformalNodes {
       : ConformalNodes(true, depth),
         // The nearest singularity lies q^3 c^2 above the crest.
         width_(std::min(1.0, resolution.clustering * std::pow(crest_speed, 3) * speed_squared)),
-        quarter_period_(quarter_period(width_)) {
+        quarter_period_(boost::math::ellint_rf(0.0L, width_ * width_, 1.0L)) {
     const auto quarter = static_cast<double>(quarter_period_);
     // Half the number of nodes: resolution of the surface, and steps below 0.15 depth for the kernel.
     const double half_count = std::max(56 * quarter / pi + 20, 2 * quarter / (0.15 * depth));
@@ -133,19 +135,15 @@ class PeriodicNodes : public ConformalNodes {
     return {2 * std::atan2(cn, sn), static_cast<double>(scale * dn)};
   }
 
+  /// The incomplete integral F(psi, k), tan psi = tan(phi/2)/k', in Carlson's form.
   [[nodiscard]] double label(double potential) const override {
-    double low = 0;
-    double high = pi;
-    double s = potential;
-    for (int step = 0; step < 60 && high - low > 1e-15; ++step) {
-      const Node node = at(s);
-      const double excess = static_cast<double>(node.potential) - potential;
-      (excess > 0 ? high : low) = s;
-      const double next = s - excess / node.stretch;
-      if (std::abs(next - s) < 1e-15) return next;
-      s = next > low && next < high ? next : 0.5 * (low + high);
-    }
-    return s;
+    const long double sine = std::sin(static_cast<long double>(potential) / 2);
+    const long double cosine = width_ * std::cos(static_cast<long double>(potential) / 2);
+    const long double length = std::hypot(sine, cosine);
+    const long double square = std::pow(cosine / length, 2);
+    const long double u =
+        sine / length * boost::math::ellint_rf(square, square + std::pow(width_ * sine / length, 2), 1.0L);
+    return static_cast<double>(u / quarter_period_ * long_pi);
   }
 
   [[nodiscard]] Matrix derivative() const override {
@@ -183,17 +181,6 @@ class PeriodicNodes : public ConformalNodes {
     const long double sn = std::sin(angle);
     const long double cn = std::cos(angle);
     return {sn, cn, std::sqrt(cn * cn + width_ * width_ * sn * sn)};
-  }
-
-  static long double quarter_period(long double width) {
-    long double a = 1;
-    long double b = width;
-    while (std::abs(a - b) > 1e-10L * a) {  // quadratic convergence: one more mean is exact
-      const long double mean = (a + b) / 2;
-      b = std::sqrt(a * b);
-      a = mean;
-    }
-    return long_pi / (a + b);
   }
 
   long double width_, quarter_period_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace seiche::shallow_water_particles {
@@ -28,25 +29,13 @@ shallow_water::State TipProfile::at(double gravity, double s) const {
   return {depth, front_velocity - 2 * std::sqrt(gravity * depth)};
 }
 
-double tip_velocity_ratio(double exponent) {
-  return (exponent + 1) * std::sqrt(exponent + 1) / (1.5 * exponent + 1);
-}
-
 TipProfile tip_profile(double gravity, shallow_water::State mean, double front_velocity, double highest) {
+  // (u_f - u)/(2 c) of the means is (pi + 1)^(3/2)/(1.5 pi + 1): with w = (pi + 1)^(-1/2) a cubic, w^3 - 3 w + 2/ratio.
+  const double steepest = 0.75 * std::numbers::sqrt3;  // of the parabola, pi = 2
   const double ratio = (front_velocity - mean.velocity) / (2 * shallow_water::celerity(gravity, mean.depth));
-  double low = 0;
-  double high = 2;
-  if (ratio <= tip_velocity_ratio(low)) {
-    high = low;
-  } else if (ratio >= tip_velocity_ratio(high)) {
-    low = high;
-  }
-  // The ratio grows with the exponent; 60 halvings of [0,2] exhaust the mantissa.
-  for (int k = 0; k < 60 && low < high; ++k) {
-    const double middle = 0.5 * (low + high);
-    (tip_velocity_ratio(middle) < ratio ? low : high) = middle;
-  }
-  const double exponent = 0.5 * (low + high);
+  const double angle = std::acos(-1 / std::clamp(ratio, 1.0, steepest));
+  const double w = 2 * std::cos((2 * std::numbers::pi - angle) / 3);
+  const double exponent = 1 / (w * w) - 1;
   const double edge_depth = std::clamp((exponent + 1) * mean.depth, mean.depth, std::max(mean.depth, highest));
   // A clamped edge depth changes the exponent: the profile keeps the mass of the particle.
   return {edge_depth / mean.depth - 1, edge_depth, front_velocity};

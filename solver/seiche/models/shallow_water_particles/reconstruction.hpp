@@ -123,9 +123,6 @@ struct TipProfile {
   [[nodiscard]] shallow_water::State at(double gravity, double s) const;
 };
 
-/// Ratio (u_f - u)/(2 c) of the particle's means for exponent pi: (pi+1)^(3/2)/(1.5 pi + 1).
-double tip_velocity_ratio(double exponent);
-
 /// Profile with the means (depth, velocity) of the particle; the exponent is clamped to [0,2] and the edge depth to
 /// [depth, highest].
 TipProfile tip_profile(double gravity, shallow_water::State mean, double front_velocity, double highest);

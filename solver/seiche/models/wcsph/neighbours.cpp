@@ -9,8 +9,6 @@
 namespace seiche::wcsph {
 namespace {
 
-/// Work on a cluster besides its candidates, in candidates.
-constexpr std::size_t overhead = 6;
 /// Lists are whole numbers of these.
 constexpr std::size_t group = abreast;
 
@@ -23,69 +21,41 @@ void wrap(std::vector<double>& values, double period) {
   }
 }
 
-/// Order of particles in the plane: tiles of strips of bins.
+/// Order of particles in the plane: tiles of strips.
 ///
-/// A strip is a few particle spacings high, a bin one spacing wide. Within a strip particles go by x, in every second
-/// strip backwards, so that consecutive ones stay near each other across its ends; strips are cut into tiles, so that
-/// neighbours above and below stay in cache however long the tank. What lies outside the box counts to its edge:
-/// neighbouring places stay neighbours.
+/// A strip is a few particle spacings high. Within a strip particles go by x, in every second strip backwards, so that
+/// consecutive ones stay near each other across its ends; strips are cut into tiles, so that neighbours above and below
+/// stay in cache however long the tank. What lies outside the box counts to its edge: neighbouring places stay
+/// neighbours.
 class TileGrid {
  public:
   TileGrid(const Box& box, double spacing)
-      : left_(box.left), bottom_(box.bottom), per_bin_(1 / spacing), per_strip_(1 / (strip_height * spacing)) {
-    const double columns = std::min((box.right - box.left) * per_bin_, most_bins_across);
-    const double rows = std::min((box.top - box.bottom) * per_strip_, most_bins_across);
-    tiles_ = 1 + static_cast<std::int32_t>(columns) / bins_per_tile;
-    strips_ = 1 + static_cast<std::int32_t>(rows);
+      : left_(box.left),
+        bottom_(box.bottom),
+        per_tile_(1 / (tile_width * spacing)),
+        per_strip_(1 / (strip_height * spacing)) {
+    tiles_ = 1 + static_cast<std::int32_t>(std::min((box.right - box.left) * per_tile_, most_across));
+    strips_ = 1 + static_cast<std::int32_t>(std::min((box.top - box.bottom) * per_strip_, most_across));
   }
 
-  /// Appends `members` in their new order, and takes them away. Stable: particles in the same place keep theirs.
-  void sort(std::span<const double> x, std::span<const double> z, std::vector<std::int32_t>& members,
-            std::vector<std::int32_t>& order) const {
-    std::vector<std::int32_t> ends(static_cast<std::size_t>(tiles_ * strips_ * bins_per_tile), 0);
-    std::vector<std::int32_t> bins;
-    for (const std::int32_t i : members) {
-      bins.push_back(bin(x[static_cast<std::size_t>(i)], z[static_cast<std::size_t>(i)]));
-      ++ends[static_cast<std::size_t>(bins.back())];
-    }
-    // Placing from the back turns the ends of bins into their beginnings.
-    std::inclusive_scan(ends.begin(), ends.end(), ends.begin());
-    const auto first = static_cast<std::ptrdiff_t>(order.size());
-    order.resize(order.size() + members.size());
-    for (std::size_t k = members.size(); k-- > 0;) {
-      order[static_cast<std::size_t>(first + --ends[static_cast<std::size_t>(bins[k])])] = members[k];
-    }
-    for (std::size_t bin = 0; bin < ends.size(); ++bin) {
-      const std::int32_t end = bin + 1 < ends.size() ? ends[bin + 1] : static_cast<std::int32_t>(members.size());
-      const bool backwards = static_cast<std::int32_t>(bin) / bins_per_tile % strips_ % 2 != 0;
-      std::sort(order.begin() + first + ends[bin], order.begin() + first + end, [&](std::int32_t a, std::int32_t b) {
-        const double place = x[static_cast<std::size_t>(a)];
-        const double other = x[static_cast<std::size_t>(b)];
-        return place == other ? a < b : (place < other) != backwards;
-      });
-    }
-    members.clear();
-  }
-
- private:
-  static constexpr std::int32_t bins_per_tile = 64;
-  /// In spacings: eight particles fill about a square.
-  static constexpr double strip_height = 3;
-  /// Beyond it the rest counts to the edge; keeps indices within 32 bits.
-  static constexpr double most_bins_across = 20000;
-
-  [[nodiscard]] std::int32_t bin(double x, double z) const {
+  /// The place of a strip in the order, below count().
+  [[nodiscard]] std::int32_t strip(double x, double z) const {
     const auto clamped = [](double place, std::int32_t count) {
       return static_cast<std::int32_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
     };
-    const std::int32_t column = clamped((x - left_) * per_bin_, tiles_ * bins_per_tile);
-    const std::int32_t strip = clamped((z - bottom_) * per_strip_, strips_);
-    const std::int32_t tile = column / bins_per_tile;
-    const std::int32_t within = column - tile * bins_per_tile;
-    return (tile * strips_ + strip) * bins_per_tile + (strip % 2 == 0 ? within : bins_per_tile - 1 - within);
+    return clamped((x - left_) * per_tile_, tiles_) * strips_ + clamped((z - bottom_) * per_strip_, strips_);
   }
+  [[nodiscard]] std::int32_t count() const { return tiles_ * strips_; }
+  [[nodiscard]] bool backwards(std::int32_t strip) const { return strip % strips_ % 2 != 0; }
 
-  double left_, bottom_, per_bin_, per_strip_;
+ private:
+  /// In spacings: eight particles fill about a square.
+  static constexpr double tile_width = 64;
+  static constexpr double strip_height = 3;
+  /// Beyond it the rest counts to the edge; keeps indices within 32 bits.
+  static constexpr double most_across = 20000;
+
+  double left_, bottom_, per_tile_, per_strip_;
   std::int32_t tiles_, strips_;
 };
 
@@ -163,15 +133,19 @@ void Neighbours::sort(Particles& particles) {
   const TileGrid grid({std::max(*left, expected_.left), std::min(*right, expected_.right),
                        std::max(*bottom, expected_.bottom), std::min(*top, expected_.top)},
                       spacing_);
-  // Sorting is done once in many steps: nothing of it is kept in between.
-  order_.clear();
-  std::vector<std::int32_t> members;
-  for (const bool fluid : {true, false}) {
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      if ((particles.kind[i] == Kind::fluid) == fluid) members.push_back(static_cast<std::int32_t>(i));
-    }
-    grid.sort(particles.x, particles.z, members, order_);
+  std::vector<std::int32_t> strip;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    strip.push_back(grid.strip(particles.x[i], particles.z[i]) + (particles.kind[i] == Kind::fluid ? 0 : grid.count()));
   }
+  order_.resize(particles.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(), [&](std::int32_t first, std::int32_t second) {
+    const auto a = static_cast<std::size_t>(first);
+    const auto b = static_cast<std::size_t>(second);
+    if (strip[a] != strip[b]) return strip[a] < strip[b];
+    if (particles.x[a] == particles.x[b]) return a < b;
+    return (particles.x[a] < particles.x[b]) != grid.backwards(strip[a]);
+  });
   std::vector<double> scratch;
   for (std::vector<double>* const values :
        {&particles.x, &particles.z, &particles.u, &particles.w, &particles.density, &particles.mass}) {
@@ -179,8 +153,8 @@ void Neighbours::sort(Particles& particles) {
   }
   std::vector<Kind> kinds;
   reorder(particles.kind, kinds);
-  reorder(particles.body, members);
-  reorder(particles.identity, members);
+  reorder(particles.body, strip);
+  reorder(particles.identity, strip);
 }
 
 void Neighbours::arrange(const Particles& particles, double widest, double reserve) {
@@ -248,9 +222,10 @@ void Neighbours::list_share(const Listing& listing, std::size_t thread, std::siz
   std::vector<IndexRange> ranges;
   Tally& tally = tallies_[thread];
   tally = {};
+  std::vector<std::int32_t> counts;  // of candidates
   std::size_t used = 0;
   for (std::size_t c = first; c < last; ++c) {
-    Cluster& cluster = clusters_[c];
+    const Cluster& cluster = clusters_[c];
     const auto a = static_cast<std::size_t>(cluster.first);
     Box box = Boxes::nothing;
     for (const Record& record : listing.records.subspan(a, static_cast<std::size_t>(cluster.count))) {
@@ -272,7 +247,7 @@ void Neighbours::list_share(const Listing& listing, std::size_t thread, std::siz
                                        list.data() + used);
     used += static_cast<std::size_t>(found.candidates);
     while (used % group != 0) list[used++] = nobody;
-    work_before_[c + 1] = static_cast<std::size_t>(found.candidates);
+    counts.push_back(found.candidates);
     const std::int32_t pairs = found.pairs - (fluid ? cluster.count : 0);
     tally.pairs += pairs;
     const double mean = static_cast<double>(pairs) / cluster.count;
@@ -284,10 +259,9 @@ void Neighbours::list_share(const Listing& listing, std::size_t thread, std::siz
   // The lists stand still only now.
   const std::int32_t* begin = list.data();
   for (std::size_t c = first; c < last; ++c) {
-    const std::size_t count = work_before_[c + 1];
     clusters_[c].begin = begin;
-    clusters_[c].end = begin + count;
-    begin += (count + group - 1) / group * group;
+    clusters_[c].end = begin + counts[c - first];
+    begin += (static_cast<std::size_t>(counts[c - first]) + group - 1) / group * group;
   }
 }
 
@@ -295,7 +269,6 @@ void Neighbours::list(std::span<const Record> records, CandidateSearch search, d
   const auto threads = clusters_.size() > worth_threads ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
   lists_.resize(std::max(lists_.size(), threads));
   tallies_.resize(lists_.size());
-  work_before_.resize(clusters_.size() + 1);
   const Boxes boxes(records.first(count_ + images_.size()));
   const Listing listing{records, boxes, search, reserve};
 #pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
@@ -307,18 +280,6 @@ void Neighbours::list(std::span<const Record> records, CandidateSearch search, d
     pairs_ += tallies_[thread].pairs;
     if (tallies_[thread].neighbours > most_.neighbours) most_ = tallies_[thread];
   }
-  work_before_[0] = 0;
-  for (std::size_t c = 0; c < clusters_.size(); ++c) work_before_[c + 1] += work_before_[c] + overhead;
-}
-
-std::size_t Neighbours::boundary(std::size_t begin, std::size_t end, std::size_t share, std::size_t shares) const {
-  if (share == shares) return end;
-  const std::size_t work = work_before_[end] - work_before_[begin];
-  const auto first = work_before_.begin();
-  const auto found =
-      std::lower_bound(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
-                       work_before_[begin] + work * share / shares);
-  return static_cast<std::size_t>(found - first);
 }
 
 }  // namespace seiche::wcsph

@@ -8,12 +8,11 @@
 /// and who is too far away adds nothing: sums depend on the order of the particles alone, not on where lists were made.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <omp.h>
 
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
@@ -75,17 +74,12 @@ class Neighbours {
   /// First particle of that cluster.
   [[nodiscard]] std::size_t most_crowded() const { return most_.particle; }
 
-  /// Calls loop(first, last) for shares of the clusters [begin, end) of about equal work, on all threads.
+  /// Calls loop(first, last) for shares of the clusters [begin, end), on all threads.
   template <class Loop>
   void share(std::size_t begin, std::size_t end, const Loop& loop) const {
-#pragma omp parallel if (end - begin > worth_threads)
-    {
-      const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-      const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-      const std::size_t first = boundary(begin, end, thread, threads);
-      const std::size_t last = boundary(begin, end, thread + 1, threads);
-      if (first < last) loop(first, last);
-    }
+    constexpr std::size_t together = 64;
+#pragma omp parallel for schedule(dynamic) if (end - begin > worth_threads)
+    for (std::size_t first = begin; first < end; first += together) loop(first, std::min(first + together, end));
   }
 
   /// The loop over all clusters of the fluid.
@@ -119,8 +113,6 @@ class Neighbours {
   /// Makes room for so many candidates in a list that has come so far through the clusters [first, last).
   static void make_room(std::vector<std::int32_t>& list, std::size_t room, std::size_t first, std::size_t at,
                         std::size_t last);
-  /// First cluster of a share.
-  [[nodiscard]] std::size_t boundary(std::size_t begin, std::size_t end, std::size_t share, std::size_t shares) const;
 
   double spacing_;
   Box expected_;
@@ -136,7 +128,6 @@ class Neighbours {
   std::size_t fluid_clusters_ = 0;
   std::vector<std::vector<std::int32_t>> lists_;  ///< one per thread
   std::vector<Tally> tallies_;                    ///< one per thread
-  std::vector<std::size_t> work_before_;          ///< candidates and overhead of all earlier clusters
   long long pairs_ = 0;
   Tally most_;
 };
