@@ -223,25 +223,17 @@ void SplineSpace::add_continued_cell(std::size_t c, const double* matrix) {
       involved_.push_back(term.unknown);
     }
   }
-  const std::size_t n = involved_.size();
-  half_.assign(local_ * n, 0.0);  // A E
-  for (std::size_t b = 0; b < local_; ++b) {
-    for (const ActiveFunctions::Term& term : functions_.terms(functions[b])) {
-      const std::size_t column = column_of_[term.unknown];
-      for (std::size_t a = 0; a < local_; ++a) half_[a * n + column] += matrix[a * local_ + b] * term.weight;
-    }
-  }
-  reduced_.assign(n * n, 0.0);
+  Eigen::MatrixXd extension =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(local_), static_cast<Eigen::Index>(involved_.size()));
   for (std::size_t a = 0; a < local_; ++a) {
     for (const ActiveFunctions::Term& term : functions_.terms(functions[a])) {
-      double* const row = reduced_.data() + column_of_[term.unknown] * n;
-      const double* const from = half_.data() + a * n;
-#pragma omp simd
-      for (std::size_t k = 0; k < n; ++k) row[k] += term.weight * from[k];
+      extension(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(column_of_[term.unknown])) += term.weight;
     }
   }
+  const Eigen::Map<const Eigen::MatrixXd> full(matrix, extension.rows(), extension.rows());
+  const Eigen::MatrixXd reduced = extension.transpose() * (full * extension);
   for (const std::size_t unknown : involved_) column_of_[unknown] = ActiveFunctions::none;
-  system_.add(involved_, reduced_.data());
+  system_.add(involved_, reduced.data());
 }
 
 void SplineSpace::evaluate() {

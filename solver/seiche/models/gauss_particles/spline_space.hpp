@@ -123,8 +123,7 @@ class SplineSpace final : public FieldSpace {
   SpaceFacts facts_;
   std::vector<std::uint8_t> free_;  // of particles; empty: none
 
-  std::vector<double> matrices_;        // of a chunk of cells
-  std::vector<double> half_, reduced_;  // of one continued cell
+  std::vector<double> matrices_;  // of a chunk of cells
   std::vector<std::size_t> involved_;
   std::vector<std::size_t> column_of_;                      // of unknowns, in a continued cell
   std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_, ones_;  // by places of the cells

@@ -213,38 +213,35 @@ void Neighbours::make_room(std::vector<std::int32_t>& list, std::size_t room, st
   list.resize(list.capacity());
 }
 
-void Neighbours::list_share(const Listing& listing, std::size_t thread, std::size_t threads) {
-  const std::size_t first = clusters_.size() * thread / threads;
-  const std::size_t last = clusters_.size() * (thread + 1) / threads;
+Neighbours::Tally Neighbours::list_share(std::span<const Record> records, const Boxes& boxes, CandidateSearch search,
+                                         double reserve, std::size_t first, std::size_t last,
+                                         std::vector<std::int32_t>& list) {
   const auto first_image = static_cast<std::int32_t>(count_);
   const auto nobody = static_cast<std::int32_t>(count_ + images_.size());
-  std::vector<std::int32_t>& list = lists_[thread];
   std::vector<IndexRange> ranges;
-  Tally& tally = tallies_[thread];
-  tally = {};
+  Tally tally;
   std::vector<std::int32_t> counts;  // of candidates
   std::size_t used = 0;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster& cluster = clusters_[c];
     const auto a = static_cast<std::size_t>(cluster.first);
     Box box = Boxes::nothing;
-    for (const Record& record : listing.records.subspan(a, static_cast<std::size_t>(cluster.count))) {
+    for (const Record& record : records.subspan(a, static_cast<std::size_t>(cluster.count))) {
       Boxes::extend(box, {record.x - reach_, record.x + reach_, record.z - reach_, record.z + reach_});
     }
     const bool fluid = c < fluid_clusters_;
     ranges.clear();
     if (fluid) {
-      listing.boxes.collect(box, {0, nobody}, ranges);
+      boxes.collect(box, {0, nobody}, ranges);
     } else {
-      listing.boxes.collect(box, {0, static_cast<std::int32_t>(fluid_count_)}, ranges);
-      listing.boxes.collect(box, {first_image, first_image + static_cast<std::int32_t>(fluid_images_)}, ranges);
+      boxes.collect(box, {0, static_cast<std::int32_t>(fluid_count_)}, ranges);
+      boxes.collect(box, {first_image, first_image + static_cast<std::int32_t>(fluid_images_)}, ranges);
     }
     // The search writes before it decides, and lists are filled up to whole groups.
     std::size_t room = used + group + candidates_ahead;
     for (const IndexRange& range : ranges) room += static_cast<std::size_t>(range.end - range.begin);
     if (list.size() < room) make_room(list, room, first, c, last);
-    const Found found = listing.search(listing.records.data(), listing.reserve, cluster, ranges.data(), ranges.size(),
-                                       list.data() + used);
+    const Found found = search(records.data(), reserve, cluster, ranges.data(), ranges.size(), list.data() + used);
     used += static_cast<std::size_t>(found.candidates);
     while (used % group != 0) list[used++] = nobody;
     counts.push_back(found.candidates);
@@ -263,22 +260,25 @@ void Neighbours::list_share(const Listing& listing, std::size_t thread, std::siz
     clusters_[c].end = begin + counts[c - first];
     begin += (static_cast<std::size_t>(counts[c - first]) + group - 1) / group * group;
   }
+  return tally;
 }
 
 void Neighbours::list(std::span<const Record> records, CandidateSearch search, double reserve) {
   const auto threads = clusters_.size() > worth_threads ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
   lists_.resize(std::max(lists_.size(), threads));
-  tallies_.resize(lists_.size());
+  std::vector<Tally> tallies(threads);
   const Boxes boxes(records.first(count_ + images_.size()));
-  const Listing listing{records, boxes, search, reserve};
 #pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
-  for (std::size_t thread = 0; thread < threads; ++thread) list_share(listing, thread, threads);
+  for (std::size_t k = 0; k < threads; ++k) {
+    tallies[k] = list_share(records, boxes, search, reserve, clusters_.size() * k / threads,
+                            clusters_.size() * (k + 1) / threads, lists_[k]);
+  }
   std::vector<std::int32_t>().swap(order_);
   pairs_ = 0;
   most_ = {};
-  for (std::size_t thread = 0; thread < threads; ++thread) {
-    pairs_ += tallies_[thread].pairs;
-    if (tallies_[thread].neighbours > most_.neighbours) most_ = tallies_[thread];
+  for (const Tally& tally : tallies) {
+    pairs_ += tally.pairs;
+    if (tally.neighbours > most_.neighbours) most_ = tally;
   }
 }
 

@@ -99,17 +99,12 @@ class Neighbours {
   };
 
   class Boxes;
-  /// What the threads of list() share.
-  struct Listing {
-    std::span<const Record> records;
-    const Boxes& boxes;
-    CandidateSearch search;
-    double reserve;
-  };
 
   void make_images(const Particles& particles);
   void make_clusters(std::size_t first, std::size_t last);
-  void list_share(const Listing& listing, std::size_t thread, std::size_t threads);
+  /// The lists of the clusters [first, last).
+  Tally list_share(std::span<const Record> records, const Boxes& boxes, CandidateSearch search, double reserve,
+                   std::size_t first, std::size_t last, std::vector<std::int32_t>& list);
   /// Makes room for so many candidates in a list that has come so far through the clusters [first, last).
   static void make_room(std::vector<std::int32_t>& list, std::size_t room, std::size_t first, std::size_t at,
                         std::size_t last);
@@ -127,7 +122,6 @@ class Neighbours {
   std::vector<Cluster> clusters_;
   std::size_t fluid_clusters_ = 0;
   std::vector<std::vector<std::int32_t>> lists_;  ///< one per thread
-  std::vector<Tally> tallies_;                    ///< one per thread
   long long pairs_ = 0;
   Tally most_;
 };
