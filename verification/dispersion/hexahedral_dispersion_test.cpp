@@ -22,11 +22,16 @@ using exact::SurfaceInertia;
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
 
+/// Relative error of the frequency against Airy's law.
+double frequency_error(const HexahedralDispersion& law, const AiryDispersion& airy, double k, double direction) {
+  return law.frequency(k * std::cos(direction), k * std::sin(direction)) / airy.frequency(k) - 1;
+}
+
 /// Errors against Airy's law along an axis, in per cent.
 double layers_error(double wavelength, double spacing, std::size_t layers, double direction = 0,
                     SurfaceInertia inertia = SurfaceInertia::nodal) {
-  return 100 *
-         HexahedralDispersion(1, 1, spacing, spacing, layers, inertia).frequency_error(2 * pi / wavelength, direction);
+  return 100 * frequency_error(HexahedralDispersion(1, 1, spacing, spacing, layers, inertia), AiryDispersion(1, 1),
+                               2 * pi / wavelength, direction);
 }
 
 double plan_error(double wavelength, double spacing) {
@@ -57,7 +62,7 @@ void claim_limits(Check& check) {
   }
   const HexahedralDispersion fine(9.81, 2, 1e-4, 1e-4, 20000);
   Worst airy;
-  for (const double k : {0.3, 1.0, 3.0}) airy.add(fine.frequency_error(k, 0.3));
+  for (const double k : {0.3, 1.0, 3.0}) airy.add(frequency_error(fine, AiryDispersion(9.81, 2), k, 0.3));
   check.that("airy", "With 20000 layers of cubes the law is k tanh kH.",
              "largest relative error of the frequency, k H = 0.6, 2, 6", {airy.value()},
              Bound{9e-8, "(k h)^2 of the shortest wave; the leading coefficient is below 1"});

@@ -394,12 +394,6 @@ std::vector<double> FiniteVolumeFlow::edges() const {
   return faces;
 }
 
-double FiniteVolumeFlow::sum(std::span<const double> values) {
-  CompensatedSum total;
-  for (const double value : values) total.add(value);
-  return total.value();
-}
-
 Ledger FiniteVolumeFlow::ledger() const {
   return {booked_[0].value(), booked_[1].value(), booked_[2].value(),
           booked_[3].value(), booked_[4].value(), booked_[5].value()};

@@ -126,8 +126,8 @@ class FiniteVolumeFlow {
   [[nodiscard]] std::span<const double> discharge() const { return inner(now_.discharge); }
   [[nodiscard]] std::span<const double> velocity() const { return inner(now_.velocity); }
 
-  [[nodiscard]] double mass() const { return dx_ * sum(depth()); }          ///< [m^2]
-  [[nodiscard]] double momentum() const { return dx_ * sum(discharge()); }  ///< [m^3/s]
+  [[nodiscard]] double mass() const { return dx_ * compensated_sum(depth()); }          ///< [m^2]
+  [[nodiscard]] double momentum() const { return dx_ * compensated_sum(discharge()); }  ///< [m^3/s]
   [[nodiscard]] Ledger ledger() const;
   /// What the ledger does not explain: present minus initial minus booked.
   [[nodiscard]] double mass_defect() const;
@@ -157,7 +157,6 @@ class FiniteVolumeFlow {
   [[nodiscard]] std::span<const double> inner(const std::vector<double>& all) const {
     return {all.data() + ghosts, n_};
   }
-  static double sum(std::span<const double> values);
   void fill_ghosts(const CellsView& cells, std::size_t n, bool left, bool right) const;
   void advance_strip(std::size_t begin, std::size_t end, double tau, Report& report);
   void stage(Strip& strip, std::size_t number, std::size_t first, std::size_t last, const CellsView& from,
