@@ -400,7 +400,12 @@ class AsPeopleWrite(Scoring):
         water = "T,p\n" + "".join(f"{k / 20},0.01\n" for k in range(201))
         scored = self.score("dam_break_wall_pressure", "--data", self.write(water))
         self.accepted(scored, 1)
-        self.assertIn("readings, u_num not stated, without pressure-", scored.stdout)
+        self.assertEqual(self.verdicts("dam_break_wall_pressure.mine")["agreement"], "fail")  # nothing sets its clock
+        names, rows = rows_of(seiche("score", "composite_beach", "--template", "--table", "gauges").stdout)
+        still = ",".join(names) + "\n" + "".join(f"{gauge},{t},0\n" for gauge, t, _ in rows)
+        scored = self.score("composite_beach", "--data", self.write(still), "--table", "gauges")
+        self.accepted(scored, 1)
+        self.assertIn("readings, u_num not stated, without gauges-arrival-", scored.stdout)
         self.assertIn("it does not hold what is measured", scored.stdout)
         self.assertNotIn("error nan %", scored.stdout)
         names, rows = rows_of(seiche("score", "breaking_on_slope", "--template", "--table", "levels").stdout)
@@ -447,6 +452,35 @@ class AsPeopleWrite(Scoring):
             measured.add(round(claim["measured"], 9))
         self.assertEqual(len(measured), 1, measured)
         self.accepted(self.score("island_gauges", "--data", self.write("t,WG7\n" + plain), "--table", "gauges"), 2)
+
+    def test_a_record_that_ends_before_the_clocks_window_does_is_judged_by_what_it_holds(self):
+        data = (SOURCE / "reference_data/briggs_1995_conical_island_a/table.csv").read_text().splitlines()
+        rows = [line.split(",") for line in data if line[0].isdigit()]
+        for end, late, factor, verdict in ((30, 0, 1, "pass"), (30, 0.5, 1, "pass"), (30, 0, 1.4, "fail"), (21, 0, 1, "error")):
+            text = "gauge,t,eta\n" + "".join(f"{gauge},{float(t) + late},{factor * float(eta)}\n" for gauge, t, eta in rows
+                                             if float(t) <= end)
+            told = self.agreement("island_gauges", text, "--table", "gauges", "--uncertainty", "eta=0.0001,t=0.001")
+            self.assertEqual(told[0], verdict, told)
+            self.assertEqual("too short to set its clock" in told[1], verdict == "error", told)
+
+    def test_what_is_given_of_a_wave_on_a_beach_is_judged(self):
+        """Seven of eight instants, or one gauge: as good as the whole, and named."""
+        for table, column, missing in (("profiles", "eta_over_d", "t"), ("gauges", "gauge_over_d", "x_over_d")):
+            data = (SOURCE / f"reference_data/synolakis_1987_analytic_{'series' if table == 'gauges' else table}/table.csv"
+                    ).read_text().splitlines()
+            names = [name.split(" ")[0] for name in next(line for line in data if "eta" in line and line[0] != "#").split(",")]
+            rows = [dict(zip(names, line.split(","))) for line in data if line[0] in "-0123456789"]
+            left = min(float(row[missing]) for row in rows)
+            for factor, verdict in ((1, "pass"), (1.2, "fail")):
+                text = f"t,x_over_d,{column}\n" + "".join(
+                    f"{row['t']},{row['x_over_d']},{factor * float(row['eta_over_d'])}\n" for row in rows
+                    if float(row[missing]) != left)
+                scored = self.score("synolakis_beach", "--data", self.write(text), "--table", table)
+                self.accepted(scored, 1)
+                self.assertIn(f"given, without {missing} = {left:g}", scored.stdout)
+                verdicts = self.verdicts("synolakis_beach.mine")
+                judged = {verdicts[one] for one in verdicts if not one.endswith(("-given", "-coverage"))}
+                self.assertEqual(judged, {verdict})
 
     def test_some_of_several_run_ups_are_judged_and_the_others_named(self):
         means = {1: 0.5375 / 6, 2: 0.3625 / 6, 3: 0.3350 / 6}

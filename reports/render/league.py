@@ -27,6 +27,7 @@ class Run:
     cell: float | None
     error: float | None
     order: float | None
+    quantity: str = ""          # of the error, where not all have the same
 
     @property
     def missing(self):
@@ -50,11 +51,14 @@ def errors_of(record):
 
 
 def table(case):
-    """Shows the first quantity that all others have."""
+    """Shows the first quantity that all others have; where there is none, of each its first."""
     others = [errors_of(record) for record in case.records if not record.own]
     quantity = next((name for name in others[0] if all(name in errors for errors in others)), "")
-    runs = [Run(record, record.measurements.get("cell_size"), errors_of(record).get(quantity),
-                record.measurements.get(f"ladder_order_{quantity}")) for record in case.records]
+    runs = []
+    for record in case.records:
+        own = quantity or min(errors_of(record), default="")
+        runs.append(Run(record, record.measurements.get("cell_size"), errors_of(record).get(own),
+                        record.measurements.get(f"ladder_order_{own}"), "" if quantity else own))
     return Table(case, quantity, runs, costs.survey(case.records))
 
 

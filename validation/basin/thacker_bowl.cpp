@@ -10,9 +10,9 @@ and 430.62 km is the test of wetting and drying of Thetis; result files that bot
 `examples/solvers/published`.
 */
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -26,56 +26,58 @@ namespace {
 
 const std::string source = "Thacker (1981)";
 
-class Water {
- public:
-  explicit Water(const Values& v)
-      : circles_(v.text("motion") == "circling"),
-        reach_(v.real("radius") + v.real("displacement")),
-        water_(exact::ThackerPlanarBowl(v.real("gravity"), v.real("radius"), v.real("depth"), v.real("displacement"))) {
-    if (circles_) return;
-    water_ = exact::ThackerRadialBowl(v.real("gravity"), v.real("radius"), v.real("depth"), v.real("start_radius"));
-    reach_ = v.real("radius") * std::sqrt(v.real("radius") / v.real("start_radius"));
-  }
+/// One of the two motions.
+struct Water {
+  std::function<double(double x, double y, double t)> depth;
+  std::function<double(double x, double y)> bed;
+  std::function<exact::SelfTest()> self_test;
+  double period = 0;
+  double reach = 0;     ///< how far from the middle the water ever comes
+  std::string command;  ///< that prints it
 
-  [[nodiscard]] double depth(double x, double y, double t) const {
-    return std::visit([&](const auto& water) { return water.at(x, y, t).depth; }, water_);
-  }
-  [[nodiscard]] double bed(double x, double y) const {
-    return std::visit([&](const auto& water) { return water.bed(x, y); }, water_);
-  }
-  [[nodiscard]] double period() const {
-    return std::visit([](const auto& water) { return water.period(); }, water_);
-  }
-  [[nodiscard]] exact::SelfTest self_test() const {
-    return std::visit([](const auto& water) { return water.self_test(); }, water_);
-  }
-  /// Where y = 0 is wet at time t, of 201 points as far as the water ever comes.
+  /// Where y = 0 is wet at time t, of 201 points.
   [[nodiscard]] std::vector<double> wet(double t) const {
-    std::vector<double> x = evenly(-reach_, reach_, 201);
+    std::vector<double> x = evenly(-reach, reach, 201);
     std::erase_if(x, [&](double at) { return depth(at, 0, t) == 0; });
     return x;
   }
   [[nodiscard]] double surface(double x, double t) const { return depth(x, 0, t) + bed(x, 0); }
-
- private:
-  bool circles_;
-  double reach_;
-  std::variant<exact::ThackerPlanarBowl, exact::ThackerRadialBowl> water_;
 };
 
+template <class Bowl>
+Water water(const Values& values, const std::string& name, const std::string& start, double reach) {
+  const double gravity = values.real("gravity");
+  const double radius = values.real("radius");
+  const double depth = values.real("depth");
+  const Bowl bowl(gravity, radius, depth, values.real(start));
+  return {[bowl](double x, double y, double t) { return bowl.at(x, y, t).depth; },
+          [bowl](double x, double y) { return bowl.bed(x, y); },
+          [bowl] { return bowl.self_test(); },
+          bowl.period(),
+          reach,
+          fmt::format("seiche exact {} --set radius={},depth={},gravity={},{}={}", name, radius, depth, gravity, start,
+                      values.real(start))};
+}
+
 Water water_of(const Values& values) {
-  return Water(values);
+  const double radius = values.real("radius");
+  if (values.text("motion") == "circling") {
+    return water<exact::ThackerPlanarBowl>(values, "thacker_planar", "displacement",
+                                           radius + values.real("displacement"));
+  }
+  return water<exact::ThackerRadialBowl>(values, "thacker_radial", "start_radius",
+                                         radius * std::sqrt(radius / values.real("start_radius")));
 }
 
 void show(const Water& water, const Values& values, evidence::Exhibit& exhibit) {
-  exhibit.measure("period", water.period());
+  exhibit.measure("period", water.period);
   auto& panel = add_panel(exhibit, "section", "The section along y = 0",
                           "Surface at the start, after a quarter and after half of a period, and bed.",
                           {.x = "x [m]", .y = "elevation [m]"});
   const std::vector<double> x = evenly(-1.5 * values.real("radius"), 1.5 * values.real("radius"), 201);
   panel.fill("bed", x, each(x, [&](double at) { return water.bed(at, 0); }), Role::bed);
   for (const double part : {0.0, 0.25, 0.5}) {
-    const double t = part * water.period();
+    const double t = part * water.period;
     const std::vector<double> wet = water.wet(t);
     panel.line(fmt::format("t = {:g} T", part), wet, each(wet, [&](double at) { return water.surface(at, t); }),
                Role::exact);
@@ -83,20 +85,15 @@ void show(const Water& water, const Values& values, evidence::Exhibit& exhibit) 
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  const Water water(values);
+  const Water water = water_of(values);
   const double radius = values.real("radius");
   const double time = values.real("time");
-  const double end = values.real("periods") * water.period();
+  const double end = values.real("periods") * water.period;
   const std::map<double, std::pair<double, double>> places{
       {1, {radius / 2, radius / 2}}, {2, {-radius / 2, 0}}, {3, {0, -radius / 4}}};
-  const std::string command = fmt::format(
-      "seiche exact thacker_{} --set radius={},depth={},gravity={},{}",
-      values.text("motion") == "circling" ? "planar" : "radial", radius, values.real("depth"), values.real("gravity"),
-      values.text("motion") == "circling" ? fmt::format("displacement={}", values.real("displacement"))
-                                          : fmt::format("start_radius={}", values.real("start_radius")));
   std::vector<std::string> series;
   for (const auto& [gauge, place] : places) {
-    series.push_back(fmt::format("{} --grid x={},y={},t=0:{}:101", command, place.first, place.second, end));
+    series.push_back(fmt::format("{} --grid x={},y={},t=0:{}:101", water.command, place.first, place.second, end));
   }
   return {
       {.name = "gauges",
@@ -123,7 +120,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                        .requirements = {within_tolerance(Measure::relative_l2, values,
                                                          "The surface agrees with the exact motion.", source)}}},
        .points = [=](double) { return water.wet(time); },
-       .exact = {fmt::format("{} --grid x={}:{}:201,y=0,t={}", command, -2 * radius, 2 * radius, time)}}};
+       .exact = {fmt::format("{} --grid x={}:{}:201,y=0,t={}", water.command, -2 * radius, 2 * radius, time)}}};
 }
 
 }  // namespace

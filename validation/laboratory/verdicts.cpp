@@ -176,8 +176,18 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
     if (group == nullptr) continue;
     for (const Measured& curve : measured(part, values)) {
       if (part.group && curve.group != clock->group) continue;
-      const double lag = clock->lag({group->abscissa, group->values.at(part.quantity.name)}, curve);
+      const Curve given{group->abscissa, group->values.at(part.quantity.name)};
+      const Window window = clock->window;
+      const bool whole = given.x.front() <= std::max(window.from, curve.x.front()) &&
+                         given.x.back() >= std::min(window.to, curve.x.back());
+      double lag = whole || clock->by ? clock->lag(given, curve) : nan;
+      if (std::isnan(lag)) {  // by what the record holds of the window at every lag
+        const Window held{std::max(window.from, given.x.front() + clock->range),
+                          std::min(window.to, given.x.back() - clock->range)};
+        lag = lag_of(given, curve, held, clock->range);
+      }
       shifts[part.name] = lag;
+      if (std::isnan(lag)) continue;
       for (SubmittedGroup& one : groups) {
         for (double& x : one.abscissa) x -= lag;
       }
@@ -373,8 +383,11 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     present.push_back(*asked);
     sources.numerical.push_back(u.value_or(0));
   }
-  if (std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
-    record.check(claim_of(experiment), {.value = nan, .resolution = "no amplitude was submitted"},
+  const bool no_clock = std::ranges::any_of(shifts, [](const auto& one) { return std::isnan(one.second); });
+  if (no_clock ||
+      std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
+    const char* why = no_clock ? "the record is too short to set its clock" : "no amplitude was submitted";
+    record.check(claim_of(experiment), {.value = nan, .resolution = why},
                  criterion_of(experiment, 0, 0, coverage(questions(experiment, values))));
     return;
   }

@@ -88,6 +88,12 @@ Profiles submitted_curves(const std::vector<SubmittedGroup>& groups, const std::
   return curves;
 }
 
+/// Those of the curves that were submitted; the others are named by a claim of their own.
+Profiles among(Profiles curves, const Profiles& own) {
+  std::erase_if(curves, [&](const auto& one) { return !own.contains(one.first); });
+  return curves;
+}
+
 /// rms difference over the rms of the record, at the gauge that is farthest off.
 Worst gauge_distance(const Profiles& own, const Profiles& exact) {
   Worst worst;
@@ -110,8 +116,8 @@ void judge(const Values& values, const Submitted& submitted, const SolverFacts& 
     record.check(one.claim, {.value = value, .where = where}, one.bound);
   };
   if (const auto found = submitted.find("profiles"); found != submitted.end()) {
-    const Differences off =
-        differences(submitted_curves(found->second, "eta_over_d", "x_over_d"), profiles_of(values, profile_table));
+    const Profiles own = submitted_curves(found->second, "eta_over_d", "x_over_d");
+    const Differences off = differences(own, among(profiles_of(values, profile_table), own));
     BeachClaim all = all_profiles();
     all.bound = shared();
     check(all, relative_distance(off), {});
@@ -125,7 +131,8 @@ void judge(const Values& values, const Submitted& submitted, const SolverFacts& 
                      "largest rms difference over the rms of the record", "1", each_profile().claim.source},
                     shared()};
   if (const auto found = submitted.find("gauges"); found != submitted.end()) {
-    const Worst worst = gauge_distance(submitted_curves(found->second, "gauge_over_d", "t"), exact_gauges(values));
+    const Profiles own = submitted_curves(found->second, "gauge_over_d", "t");
+    const Worst worst = gauge_distance(own, among(exact_gauges(values), own));
     check(gauges, worst.value(), fmt::format("x = {:g}", worst.where()));
   } else {
     record.leave_out({gauges.claim, "the table was not submitted"});

@@ -30,6 +30,13 @@ class League(unittest.TestCase):
         self.assertEqual([(run.record.solver, run.order) for run in one.runs],
                          [("seiche", None), ("boxes", 1.5), ("circles", None)])
 
+    def test_without_a_common_quantity_each_shows_its_own(self):
+        other = scored("circles", 0.2, 0.5, measurements={"ladder_order_h": 1.5})
+        other["standing"]["errors"] = {"u": 0.4, "h": 0.3}
+        one, = self.table(scored("boxes", 0.1, 0.25), other)
+        self.assertEqual((one.quantity, [(run.error, run.quantity, run.order) for run in one.runs]),
+                         ("", [(0.25, "eta", None), (0.3, "h", 1.5)]))
+
     def test_what_was_not_found_says_so(self):
         one, = self.table(record("wave"), scored("boxes", 0.1, 0.25), scored("circles", None, None))
         self.assertEqual((one.quantity, [run.error for run in one.runs]), ("eta", [None, 0.25, None]))

@@ -148,6 +148,9 @@ class Case:
 
     def _written(self, data, folder):
         named = hasattr(data, "keys") and not hasattr(data, "to_dataframe") and set(data) <= set(self.tables)
+        for name in data if isinstance(data, dict) and not named else ():
+            if isinstance(data[name], dict) and name not in self.tables:
+                raise ValueError(f"table {name}: must be one of {', '.join(self.tables)}")
         for name, table in (data.items() if named else [("table", data)]):
             units = {}
             if hasattr(table, "to_dataframe"):

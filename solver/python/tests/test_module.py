@@ -153,6 +153,10 @@ def test_a_result_is_scored(tmp_path):
         seiche.case("monai_valey")
     with pytest.raises(ValueError, match="must be as many"):
         case.score({"wall": {"t": data["t"], "eta": data["eta"][1:]}})
+    with pytest.raises(ValueError, match="table walls: must be one of wall"):
+        case.score({"walls": data})
+    one = seiche.case("monai_valley").score({"runup": {"place": [1], "R": [0.0896]}}, uncertainty={"R": 0.001})
+    assert [claim["verdict"] for claim in one.claims] == ["fail", "pass"]  # one of three, as measured
 
 
 @pytest.mark.skipif(not os.path.exists(os.environ.get("SEICHE", "")), reason="the command is not built")
