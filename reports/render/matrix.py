@@ -46,6 +46,7 @@ class Problem:
     contest: object             # side_by_side.Problem, or None
     cases: list
     yours: list                 # [league.Run] of other solvers
+    longer: dict                # {model id: tier} where only a longer tier than these records' has a number
 
     @property
     def sorted_cells(self):
@@ -108,7 +109,9 @@ def _problem(about, cases, own, runs, drawn, by_name):
     return Problem(about["id"], about["title"], about["quantity"], about["evidence"], about["group"],
                    about.get("words", ""), _regime(about.get("regime", {}), own),
                    {model: cell for model, cell in cells.items() if cell}, contest, members,
-                   [run for case in members for run in runs.get(case.name, [])])
+                   [run for case in members for run in runs.get(case.name, [])],
+                   {model: what["tier"] for model, what in about.get("cells", {}).items()
+                    if isinstance(what, dict) and "tier" in what and not cells.get(model)})
 
 
 def _number(value, record):

@@ -59,16 +59,19 @@ class Matrix(unittest.TestCase):
         self.assertEqual(ended.flaws, ["did not finish"])
 
     def test_every_claim_that_is_named_is_in_the_record(self):
-        kept = set()
+        kept, quick = set(), set()
         for tier in ("quick", "full"):
             with (matrix.PROBLEMS.parent / "record" / f"{tier}.csv").open(encoding="utf-8", newline="") as file:
                 kept |= {(row["case"], row["claim"]) for row in csv.DictReader(file)}
+            quick = quick or set(kept)
         for problem in tomllib.loads(matrix.PROBLEMS.read_text(encoding="utf-8"))["problem"]:
             for what in problem.get("cells", {}).values():
                 case, _, pattern = (what if isinstance(what, str) else what["claims"]).partition(": ")
                 if (case, "resolves") in kept:      # of an experiment readings are named, which are one claim
                     pattern = "agreement"
                 self.assertTrue(any(one == case and fnmatch.fnmatchcase(claim, pattern) for one, claim in kept), what)
+                self.assertEqual(isinstance(what, dict) and what.get("tier") == "full",
+                                 not any(one == case and fnmatch.fnmatchcase(claim, pattern) for one, claim in quick), what)
 
     def test_the_error_of_readings_is_that_of_all_and_the_verdict_that_of_their_experiment(self):
         rows = [["height", "gauges-highest-1", 1.0, 0.1, 1.1, 0.0, 0.0, 1.0],
