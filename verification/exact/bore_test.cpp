@@ -61,7 +61,7 @@ TEST_CASE("a bore reflected from a wall leaves water at rest", "[exact]") {
   }
   check.that("mass", "Mass grows by the inflow, before and after the reflection.", "mass defect [m^2]",
              {defect.value()}, Roundoff{60, 15, "sums of 20 points up to 15 m^2"});
-  const auto same = BoreReflection::from_depths(g, reflection.incident().ahead().depth, 1, 5, 10);
+  const BoreReflection same(Bore(g, reflection.incident().ahead().depth, 1, 0, 5), 10);
   CHECK(std::abs(same.reflected_depth() - reflection.reflected_depth()) < 1e-14);
 }
 

@@ -48,16 +48,6 @@ double layer_response_by_layers(double sine, double cosine, std::size_t layers, 
   return 0.5 * x / (one + inertia * x);
 }
 
-/// Relative error of the law's frequency against another's for the wavenumber at `direction` from the x axis.
-template <class Law, class Other>
-double error_against(const Law& law, const Other& other, double wavenumber, double direction) {
-  require_positive("wavenumber", wavenumber);
-  require_finite("direction", direction);
-  return law.frequency(wavenumber * std::cos(direction), wavenumber * std::sin(direction)) /
-             other.frequency(wavenumber) -
-         1;
-}
-
 const std::string round_18 = "18 ulp for as many roundings";
 const std::string round_90 =
     "90 ulp: 40 roundings, the shortest of the waves makes a rounding of the phase ten of the tangent";
@@ -182,10 +172,6 @@ double PlanDispersion::frequency(double kx, double ky) const {
   return slope * std::sqrt(gravity_ / depth_ * symbol.potential / (symbol.mean * symbol.mean + alpha_ * slope * slope));
 }
 
-double PlanDispersion::frequency_error(double wavenumber, double direction) const {
-  return error_against(*this, limit(), wavenumber, direction);
-}
-
 SelfTest PlanDispersion::self_test() const {
   const double shortest_x = pi / spacing_x_;
   const double shortest_y = pi / spacing_y_;
@@ -228,10 +214,6 @@ double HexahedralDispersion::frequency(double kx, double ky) const {
 double HexahedralDispersion::surface_response(double kx, double ky) const {
   const PlanSymbol symbol = plan_symbol(kx, ky, spacing_x_, spacing_y_);
   return 2 * inertia_ * layer_response(0.5 * layer_height() * symbol.gradient, symbol.mean, layers_, inertia_);
-}
-
-double HexahedralDispersion::frequency_error(double wavenumber, double direction) const {
-  return error_against(*this, AiryDispersion(gravity_, depth_), wavenumber, direction);
 }
 
 SelfTest HexahedralDispersion::self_test() const {

@@ -112,9 +112,6 @@ class PlanDispersion {
 
   /// The law without a lattice, h_i -> 0: isotropic.
   [[nodiscard]] RationalDispersion limit() const { return RationalDispersion::green_naghdi(gravity_, depth_, alpha_); }
-  /// Relative error of the frequency against the limit, for the wavenumber at `direction` from the x axis [rad]: the
-  /// anisotropy of the lattice.
-  [[nodiscard]] double frequency_error(double wavenumber, double direction) const;
   /// sqrt(g/(alpha H)) [1/s], above every frequency: the one-step scheme is stable for tau < 2/bound, whatever the
   /// spacing.
   [[nodiscard]] double frequency_bound() const { return std::sqrt(gravity_ / (alpha_ * depth_)); }
@@ -158,9 +155,6 @@ class HexahedralDispersion {
   /// Speed that a vertical impulse on the surface leaves it with, over the speed that the impulse would give to the
   /// surface nodes if they were free: 2 b R = b omega^2 h3/(g G).
   [[nodiscard]] double surface_response(double kx, double ky) const;
-
-  /// Relative error of the frequency against Airy's law, for the wavenumber at `direction` from the x axis [rad].
-  [[nodiscard]] double frequency_error(double wavenumber, double direction) const;
   /// sqrt(g/(b h3)) [1/s], above every frequency: the one-step scheme is stable for tau < 2/bound.
   [[nodiscard]] double frequency_bound() const { return std::sqrt(gravity_ / (inertia_ * layer_height())); }
 

@@ -202,11 +202,6 @@ double Wavemaker::elevation(double x, double t) const {
   return progressive(x, t) + 0.5 * stroke_ * near * std::sin(frequency_ * t);
 }
 
-double Wavemaker::paddle_position(double t) const {
-  require_finite("t", t);
-  return 0.5 * stroke_ * std::sin(frequency_ * t);
-}
-
 SelfTest Wavemaker::self_test() const {
   const long modes = modes_before_tail(nu_);
   const auto one = [](double) { return 1.0; };

@@ -72,8 +72,6 @@ class Wavemaker {
   [[nodiscard]] double progressive(double x, double t) const {
     return 0.5 * stroke_ * height_per_stroke_ * std::cos(wavenumber_ * x / depth_ - frequency_ * t);
   }
-  /// Position of the paddle at the still-water level [m].
-  [[nodiscard]] double paddle_position(double t) const;
 
   [[nodiscard]] Paddle paddle() const { return paddle_; }
   [[nodiscard]] double gravity() const { return gravity_; }

@@ -225,10 +225,6 @@ class BoreReflection {
   /// Water ahead of the bore must be at rest. Throws std::invalid_argument.
   BoreReflection(const Bore& incident, double wall);
 
-  /// From the depths ahead (h0) and behind (h1).
-  static BoreReflection from_depths(double gravity, double ahead, double behind, double start, double wall) {
-    return {Bore(gravity, ahead, behind, 0, start), wall};
-  }
   /// From depth h1 and velocity u1 behind the incident bore; h0 follows.
   static BoreReflection from_velocity(double gravity, double behind, double behind_velocity, double start,
                                       double wall) {

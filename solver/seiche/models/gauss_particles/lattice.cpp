@@ -170,35 +170,6 @@ bool SplineAxis::uniform(long from, long to) const {
 }
 
 void SplineAxis::extend(long i, long i0, std::span<double> weights) const {
-  if (i >= i0 && i < i0 + static_cast<long>(weights.size())) {
-    std::fill(weights.begin(), weights.end(), 0.0);
-    weights[static_cast<std::size_t>(i - i0)] = 1;
-  } else if (static_cast<int>(weights.size()) == degree_ + 1) {
-    blossom(i, i0, weights);
-  } else {
-    fit(i, i0, weights);
-  }
-}
-
-void SplineAxis::blossom(long i, long i0, std::span<double> weights) const {
-  const auto order = static_cast<std::size_t>(degree_) + 1;
-  // Row a: the coefficients of functions i0 ... i0 + degree in the point a of de Boor's triangle.
-  std::array<Polynomial, most> points{};
-  for (std::size_t a = 0; a < order; ++a) points[a][a] = 1;
-  for (int r = 1; r <= degree_; ++r) {
-    const double at = knot(i + r);
-    for (auto a = static_cast<std::size_t>(degree_); a >= static_cast<std::size_t>(r); --a) {
-      const long f = i0 + static_cast<long>(a);
-      const double low = knot(f);
-      const double width = knot(f + degree_ + 1 - r) - low;
-      const double part = (at - low) / width;
-      for (std::size_t b = 0; b < order; ++b) points[a][b] = (1 - part) * points[a - 1][b] + part * points[a][b];
-    }
-  }
-  std::copy_n(points[order - 1].begin(), order, weights.begin());
-}
-
-void SplineAxis::fit(long i, long i0, std::span<double> weights) const {
   const auto count = static_cast<long>(weights.size());
   if (uniform(std::min(i, i0) + 1 - degree_, std::max(i, i0 + count - 1))) {
     // Coefficients of polynomials are polynomials of the index: Lagrange's weights.

@@ -90,8 +90,6 @@ class SplineAxis {
 
  private:
   [[nodiscard]] bool uniform(long from, long to) const;
-  void blossom(long i, long i0, std::span<double> weights) const;
-  void fit(long i, long i0, std::span<double> weights) const;
 
   int degree_;
   double begin_;

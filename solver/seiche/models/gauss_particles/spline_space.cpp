@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/require.hpp"
@@ -24,53 +25,17 @@ constexpr double most_cells_per_particle = 100;  // or some of them have flown a
 constexpr double largest_residual = 1e-10;
 constexpr int most_corrections = 4;
 
-constexpr std::size_t orders = 4;  // derivatives 0 ... 3
-
-/// Integrals of products of derivatives r of function i and s of function k over a cell, per metre.
-class Integrals {
- public:
-  Integrals(const CellPolynomials& polynomials, std::size_t order, double cell) : order_(order) {
-    values_.resize(orders * orders * order * order);
-    for (std::size_t r = 0; r < orders; ++r) {
-      for (std::size_t s = 0; s < orders; ++s) {
-        const double scale = cell * std::pow(cell, -static_cast<double>(r + s));
-        for (std::size_t i = 0; i < order; ++i) {
-          for (std::size_t k = 0; k < order; ++k) values_[index(r, s, i, k)] = scale * of(polynomials, r, s, i, k);
-        }
-      }
-    }
+/// The derivative, so many times, of a function of a cell, [m] times; z is its argument.
+double derivative(const CellPolynomials& p, std::size_t order, double cell, std::size_t function, std::size_t times,
+                  double z) {
+  double value = 0;
+  for (std::size_t power = order; power-- > times;) {
+    double factor = p.function[function * order + power];
+    for (std::size_t d = 0; d < times; ++d) factor *= static_cast<double>(power - d) / cell;
+    value = value * z + factor;
   }
-  [[nodiscard]] double operator()(std::size_t r, std::size_t s, std::size_t i, std::size_t k) const {
-    return values_[index(r, s, i, k)];
-  }
-
- private:
-  [[nodiscard]] std::size_t index(std::size_t r, std::size_t s, std::size_t i, std::size_t k) const {
-    return ((r * orders + s) * order_ + i) * order_ + k;
-  }
-  /// Coefficient of a power after so many derivations.
-  [[nodiscard]] double coefficient(const CellPolynomials& p, std::size_t i, std::size_t power,
-                                   std::size_t times) const {
-    double value = p.function[i * order_ + power];
-    for (std::size_t d = 0; d < times; ++d) value *= static_cast<double>(power - d);
-    return value;
-  }
-  [[nodiscard]] double of(const CellPolynomials& p, std::size_t r, std::size_t s, std::size_t i, std::size_t k) const {
-    double sum = 0;
-    for (std::size_t a = r; a < order_; ++a) {
-      for (std::size_t b = s; b < order_; ++b) {
-        const std::size_t power = a - r + b - s;
-        if (power % 2 != 0) continue;  // over [-1/2, 1/2]
-        const auto n = static_cast<double>(power + 1);
-        sum += coefficient(p, i, a, r) * coefficient(p, k, b, s) * std::pow(0.5, static_cast<double>(power)) / n;
-      }
-    }
-    return sum;
-  }
-
-  std::size_t order_;
-  std::vector<double> values_;
-};
+  return value;
+}
 
 }  // namespace
 
@@ -403,8 +368,19 @@ std::span<const double> VorticityPenalty::matrix(std::size_t kind_x, std::size_t
   std::vector<double>& matrix = matrices_[kind_x * cell_polynomials(degree_).size() + kind_y];
   if (!matrix.empty()) return matrix;
   const auto order = static_cast<std::size_t>(degree_) + 1;
-  const Integrals x(cell_polynomials(degree_)[kind_x], order, cell_x_);
-  const Integrals y(cell_polynomials(degree_)[kind_y], order, cell_y_);
+  // Integral over a cell of derivative r of function i times derivative s of function k.
+  const auto along = [&](std::size_t kind, double cell) {
+    return [&p = cell_polynomials(degree_)[kind], order, cell](std::size_t r, std::size_t s, std::size_t i,
+                                                               std::size_t k) {
+      using Rule = boost::math::quadrature::gauss<double, highest_degree + 1>;  // exact for the product
+      return cell *
+             Rule::integrate(
+                 [&](double z) { return derivative(p, order, cell, i, r, z) * derivative(p, order, cell, k, s, z); },
+                 -0.5, 0.5);
+    };
+  };
+  const auto x = along(kind_x, cell_x_);
+  const auto y = along(kind_y, cell_y_);
   matrix.resize(order * order * order * order);
   // grad lap Phi = (B_i''' B_j + B_i' B_j'', B_i'' B_j' + B_i B_j''')
   struct Product {

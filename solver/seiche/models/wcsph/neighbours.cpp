@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include <omp.h>
 
@@ -39,41 +40,8 @@ class TileGrid {
     strips_ = 1 + static_cast<std::int32_t>(rows);
   }
 
-  /// Appends `members` in their new order, and takes them away. Stable: particles in the same place keep theirs.
-  void sort(std::span<const double> x, std::span<const double> z, std::vector<std::int32_t>& members,
-            std::vector<std::int32_t>& order) const {
-    std::vector<std::int32_t> ends(static_cast<std::size_t>(tiles_ * strips_ * bins_per_tile), 0);
-    std::vector<std::int32_t> bins;
-    for (const std::int32_t i : members) {
-      bins.push_back(bin(x[static_cast<std::size_t>(i)], z[static_cast<std::size_t>(i)]));
-      ++ends[static_cast<std::size_t>(bins.back())];
-    }
-    // Placing from the back turns the ends of bins into their beginnings.
-    std::inclusive_scan(ends.begin(), ends.end(), ends.begin());
-    const auto first = static_cast<std::ptrdiff_t>(order.size());
-    order.resize(order.size() + members.size());
-    for (std::size_t k = members.size(); k-- > 0;) {
-      order[static_cast<std::size_t>(first + --ends[static_cast<std::size_t>(bins[k])])] = members[k];
-    }
-    for (std::size_t bin = 0; bin < ends.size(); ++bin) {
-      const std::int32_t end = bin + 1 < ends.size() ? ends[bin + 1] : static_cast<std::int32_t>(members.size());
-      const bool backwards = static_cast<std::int32_t>(bin) / bins_per_tile % strips_ % 2 != 0;
-      std::sort(order.begin() + first + ends[bin], order.begin() + first + end, [&](std::int32_t a, std::int32_t b) {
-        const double place = x[static_cast<std::size_t>(a)];
-        const double other = x[static_cast<std::size_t>(b)];
-        return place == other ? a < b : (place < other) != backwards;
-      });
-    }
-    members.clear();
-  }
-
- private:
-  static constexpr std::int32_t bins_per_tile = 64;
-  /// In spacings: eight particles fill about a square.
-  static constexpr double strip_height = 3;
-  /// Beyond it the rest counts to the edge; keeps indices within 32 bits.
-  static constexpr double most_bins_across = 20000;
-
+  [[nodiscard]] std::int32_t bins() const { return tiles_ * strips_ * bins_per_tile; }
+  /// Counted along the order.
   [[nodiscard]] std::int32_t bin(double x, double z) const {
     const auto clamped = [](double place, std::int32_t count) {
       return static_cast<std::int32_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
@@ -84,6 +52,14 @@ class TileGrid {
     const std::int32_t within = column - tile * bins_per_tile;
     return (tile * strips_ + strip) * bins_per_tile + (strip % 2 == 0 ? within : bins_per_tile - 1 - within);
   }
+  [[nodiscard]] bool backwards(std::int32_t bin) const { return bin / bins_per_tile % strips_ % 2 != 0; }
+
+ private:
+  static constexpr std::int32_t bins_per_tile = 64;
+  /// In spacings: eight particles fill about a square.
+  static constexpr double strip_height = 3;
+  /// Beyond it the rest counts to the edge; keeps indices within 32 bits.
+  static constexpr double most_bins_across = 20000;
 
   double left_, bottom_, per_bin_, per_strip_;
   std::int32_t tiles_, strips_;
@@ -163,15 +139,17 @@ void Neighbours::sort(Particles& particles) {
   const TileGrid grid({std::max(*left, expected_.left), std::min(*right, expected_.right),
                        std::max(*bottom, expected_.bottom), std::min(*top, expected_.top)},
                       spacing_);
-  // Sorting is done once in many steps: nothing of it is kept in between.
-  order_.clear();
-  std::vector<std::int32_t> members;
-  for (const bool fluid : {true, false}) {
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      if ((particles.kind[i] == Kind::fluid) == fluid) members.push_back(static_cast<std::int32_t>(i));
-    }
-    grid.sort(particles.x, particles.z, members, order_);
+  std::vector<std::int32_t> bins(particles.size());  // those of walls after those of fluid
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    bins[i] = grid.bin(particles.x[i], particles.z[i]) + (particles.kind[i] == Kind::fluid ? 0 : grid.bins());
   }
+  const auto key = [&](std::int32_t particle) {
+    const auto i = static_cast<std::size_t>(particle);
+    return std::tuple(bins[i], grid.backwards(bins[i]) ? -particles.x[i] : particles.x[i], particle);
+  };
+  order_.resize(particles.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
   std::vector<double> scratch;
   for (std::vector<double>* const values :
        {&particles.x, &particles.z, &particles.u, &particles.w, &particles.density, &particles.mass}) {
@@ -179,8 +157,8 @@ void Neighbours::sort(Particles& particles) {
   }
   std::vector<Kind> kinds;
   reorder(particles.kind, kinds);
-  reorder(particles.body, members);
-  reorder(particles.identity, members);
+  reorder(particles.body, bins);
+  reorder(particles.identity, bins);
 }
 
 void Neighbours::arrange(const Particles& particles, double widest, double reserve) {
