@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -12,19 +11,12 @@
 namespace seiche::gauss_particles {
 
 void OccupiedCells::sample(const BottomProfile& profile, std::span<const double> x) {
-  const std::size_t n = x.size();
-  order_.resize(n);
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
-  ordered_x_.resize(n);
-  ordered_ground_.resize(n);
-  ordered_slope_.resize(n);
-  ground_slope_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) ordered_x_[k] = std::clamp(x[order_[k]], profile.begin(), profile.end());
-  profile.sample(ordered_x_, ordered_ground_, ordered_slope_);
-  for (std::size_t k = 0; k < n; ++k) {
-    height_[order_[k]] -= ordered_ground_[k];
-    ground_slope_[order_[k]] = ordered_slope_[k];
+  ground_slope_.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double place = std::clamp(x[k], profile.begin(), profile.end());
+    double ground = 0;
+    profile.sample({&place, 1}, {&ground, 1}, {&ground_slope_[k], 1});
+    height_[k] -= ground;
   }
 }
 

@@ -53,8 +53,7 @@ class OccupiedCells {
 
   std::vector<double> height_, ground_slope_;     // of particles; no slopes over level ground
   std::vector<double> column_place_, row_place_;  // in cells from the lattice's corner
-  std::vector<double> ordered_x_, ordered_ground_, ordered_slope_;
-  std::vector<std::size_t> cell_of_, order_;
+  std::vector<std::size_t> cell_of_;
   std::vector<std::size_t> count_;  // of a cell of the lattice; then its next place
 };
 

@@ -77,8 +77,6 @@ class SplineSpace final : public FieldSpace {
   /// Of the last step.
   [[nodiscard]] const Lattice& lattice() const { return lattice_.front(); }
   [[nodiscard]] const ActiveFunctions& functions() const { return functions_; }
-  /// Coefficients of the splines of the last projection, function by function.
-  [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
   /// Of the normal equations' factor.
