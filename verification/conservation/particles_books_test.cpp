@@ -92,8 +92,13 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
   const Bed bed = {[](double x) { return 0.3 * std::exp(-(x - 5) * (x - 5)) + 0.05 * std::sin(3 * x); },
                    [=](double x) { return 0.15 * root_pi * std::erf(x - 5) - 0.05 / 3 * std::cos(3 * x); }};
   const Array edges = equal_width_edges(0, 10, 200);
-  const Particles start = particles_from_primitives(
-      edges, [&](double x) { return 0.8 * x - bed.primitive(x); }, [](double) { return 0.0; });
+  Particles start;
+  start.edge = edges;
+  start.velocity.assign(200, 0.0);
+  for (std::size_t i = 0; i < 200; ++i) {
+    const double raised = bed.primitive(edges[i + 1]) - bed.primitive(edges[i]);
+    start.mass.push_back(0.8 * (edges[i + 1] - edges[i]) - raised);
+  }
   Forcing forcing;
   forcing.bed = bed;
   ParticleFlow flow(start, {}, forcing);

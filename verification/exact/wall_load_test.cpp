@@ -59,10 +59,12 @@ void claim_series(Check& check) {
                 {order(half, whole)},
                 Bound{0.3, "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2", 3});
   };
-  third("pressure at the foot", small.largest_bottom().value - WallLoad::bottom_series(0.05),
-        twice.largest_bottom().value - WallLoad::bottom_series(0.1));
-  third("force", small.largest_force().value - WallLoad::force_series(0.05),
-        twice.largest_force().value - WallLoad::force_series(0.1));
+  // Over the depth 1 and its square.
+  const auto bottom = [](double a) { return 1 + 2 * a - a * a; };
+  const auto force = [](double a) { return 0.5 + 2 * a + 1.5 * a * a; };
+  third("pressure at the foot", small.largest_bottom().value - bottom(0.05),
+        twice.largest_bottom().value - bottom(0.1));
+  third("force", small.largest_force().value - force(0.05), twice.largest_force().value - force(0.1));
   check.that(
       "series-still",
       "The series of third order for the pressure at the still-water level is its limit for small waves.",

@@ -129,18 +129,20 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
       {{"order", "The error falls at second order in the step.", {2, 0.35, "the phase error of the leapfrog map"}}},
       [&](double mass) {
         const std::size_t count = cells_of(2, mass);
-        const double left = exact.left_shoreline(0);
-        const double right = exact.right_shoreline(0);
-        const auto volume = [&](double x) {
-          // h = h0 (1 - y^2) with y measured from the middle of the water, radius 1.
-          const double y = x - 0.5 * (left + right);
-          return 0.5 * (y - y * y * y / 3);
-        };
-        const Array edges = equal_mass_edges(volume, left, right, count);
+        // h = h0 (1 - y^2) with y measured from the middle of the water, radius 1: int h dy = h0 (y - y^3/3), and the
+        // share -1 < s < 1 of it is at y = 2 sin(asin(s)/3).
+        const double middle = 0.5 * (exact.left_shoreline(0) + exact.right_shoreline(0));
+        Particles start;
+        for (std::size_t k = 0; k <= count; ++k) {
+          const double share = 2 * static_cast<double>(k) / static_cast<double>(count) - 1;
+          start.edge.push_back(middle + 2 * std::sin(std::asin(share) / 3));
+        }
+        start.mass.assign(count, exact.area() / static_cast<double>(count));
+        start.velocity.assign(count, 0.0);
+        const Array edges = start.edge;
         Forcing forcing;
         forcing.bed = exact.bed();
-        ParticleFlow flow(particles_from_primitives(edges, volume, [](double) { return 0.0; }), {Vacuum{}, Vacuum{}},
-                          forcing);
+        ParticleFlow flow(start, {Vacuum{}, Vacuum{}}, forcing);
         Worst error;
         march(
             flow, 3 * exact.period(), [&](double) { return flow.largest_step().tau; },

@@ -93,9 +93,8 @@ class SerreSolitary final : public AsymptoticSolitary {
   explicit SerreSolitary(double amplitude, double depth = 1, double gravity = 1, double alpha = 1.0 / 3)
       : AsymptoticSolitary(Theory::rayleigh, amplitude, depth, gravity, alpha) {}
 
-  /// Area of the water between the crest and x, depth x + integral of the elevation [m^2], and its inverse: equal steps
-  /// of it are particles of equal mass.
-  [[nodiscard]] double water_up_to(double x) const { return depth() * x + excess_up_to(x); }
+  /// The place x at which the area of the water from the crest on, depth x + excess_up_to(x) [m^2], is this: equal
+  /// steps of it are particles of equal mass.
   [[nodiscard]] double place_of(double water) const;
   /// Integral of the elevation from the crest to x [m^2], and the elevation's derivative, crest at x = 0.
   [[nodiscard]] double excess_up_to(double x) const;

@@ -174,16 +174,6 @@ double WallLoad::still_series(double amplitude, double depth) {
   return WallRunup::su_mirie(amplitude, depth) - depth * 6 * a * a * a;
 }
 
-double WallLoad::bottom_series(double amplitude, double depth) {
-  const double a = checked_ratio(amplitude, depth);
-  return depth * (1 + 2 * a - a * a);
-}
-
-double WallLoad::force_series(double amplitude, double depth) {
-  const double a = checked_ratio(amplitude, depth);
-  return depth * depth * (0.5 + 2 * a + 1.5 * a * a);
-}
-
 double WallLoad::uncertainty() const {
   const auto other = coarser<WallLoad>();
   return seiche::worst(std::array{other.still_.value / still_.value - 1, other.bottom_.value / bottom_.value - 1,

@@ -130,10 +130,8 @@ class WallLoad : public WallRunup {
   [[nodiscard]] Peak largest_bottom() const { return bottom_; }
   [[nodiscard]] Peak largest_force() const { return force_; }
 
-  /// Series above for the largest values, with amplitude and depth [m].
-  static double still_series(double amplitude, double depth = 1);   ///< third order [m]
-  static double bottom_series(double amplitude, double depth = 1);  ///< second order [m]
-  static double force_series(double amplitude, double depth = 1);   ///< second order [m^2]
+  /// Series above for the largest pressure at the undisturbed level, of third order [m].
+  static double still_series(double amplitude, double depth = 1);
 
   /// Largest difference of the three largest values from a second computation with two thirds of the markers and ten
   /// times the tolerance, relative to each. Takes as long as that computation.

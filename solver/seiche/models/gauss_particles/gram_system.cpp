@@ -126,42 +126,28 @@ void GramSystem::couple(Place a, Place b) {
 
 void GramSystem::analyse() {
   const int slots = static_cast<int>(place_.size());
-  std::vector<std::vector<int>> below(static_cast<std::size_t>(slots));
+  std::vector<Eigen::Triplet<double>> couplings;
+  const auto add = [&](int a, int b) {
+    if (a >= 0 && b >= 0) couplings.emplace_back(std::max(a, b), std::min(a, b));
+  };
   for (int a = 0; a < slots; ++a) {
-    auto& column = below[static_cast<std::size_t>(a)];
     const Place at = place_[static_cast<std::size_t>(a)];
     for (long i = -degree_; i <= degree_; ++i) {
-      for (long j = -degree_; j <= degree_; ++j) {
-        const int b = slot(moved(at, i, j));
-        if (b >= a) column.push_back(b);
-      }
+      for (long j = -degree_; j <= degree_; ++j) add(a, slot(moved(at, i, j)));
     }
-    if (!extra_reach_.empty() && at_edge(at)) {
-      for (const Place reach : extra_reach_) {
-        for (const int b : {slot(moved(at, reach.i, reach.j)), slot(moved(at, -reach.i, -reach.j))}) {
-          if (b >= 0) below[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
-        }
-      }
+    if (extra_reach_.empty() || !at_edge(at)) continue;
+    for (const Place reach : extra_reach_) {
+      add(a, slot(moved(at, reach.i, reach.j)));
+      add(a, slot(moved(at, -reach.i, -reach.j)));
     }
   }
-  for (const Coupling& coupling : extra_) {
-    const int a = slot(coupling.a);
-    const int b = slot(coupling.b);
-    if (a >= 0 && b >= 0) below[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
-  }
-  column_begin_.assign(1, 0);
-  row_.clear();
-  for (auto& column : below) {
-    std::sort(column.begin(), column.end());
-    column.erase(std::unique(column.begin(), column.end()), column.end());
-    row_.insert(row_.end(), column.begin(), column.end());
-    column_begin_.push_back(static_cast<int>(row_.size()));
-  }
+  for (const Coupling& coupling : extra_) add(slot(coupling.a), slot(coupling.b));
+  Eigen::SparseMatrix<double> pattern(slots, slots);
+  pattern.setFromTriplets(couplings.begin(), couplings.end());
+  column_begin_.assign(pattern.outerIndexPtr(), pattern.outerIndexPtr() + slots + 1);
+  row_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + pattern.nonZeros());
   values_.assign(row_.size(), 0.0);
-  solver_.reset();
-  Eigen::SparseMatrix<double> pattern = Eigen::Map<const Eigen::SparseMatrix<double>>(
-      slots, slots, static_cast<Eigen::Index>(row_.size()), column_begin_.data(), row_.data(), values_.data());
-  solver_ = std::make_unique<linear::SparseCholesky>(std::move(pattern));
+  solver_ = std::make_unique<linear::SparseCholesky>(pattern);
   ++analyses_;
   const long reach = 2 * degree_ + 1;
   stencil_.assign(place_.size() * static_cast<std::size_t>(reach * reach), -1);
@@ -229,14 +215,6 @@ void GramSystem::factor() {
   solver_->factor(values_);
 }
 
-void GramSystem::gather(std::span<const double> r) {
-  std::fill(work_.begin(), work_.end(), 0.0);
-  for (std::size_t k = 0; k < r.size(); ++k) {
-    const auto slot = static_cast<std::size_t>(slot_of_[k]);
-    work_[slot] = r[k] * scale_[slot];
-  }
-}
-
 double GramSystem::scaled_largest(std::span<const double> r) const {
   double largest = 0;
   for (std::size_t k = 0; k < r.size(); ++k) {
@@ -247,7 +225,11 @@ double GramSystem::scaled_largest(std::span<const double> r) const {
 }
 
 double GramSystem::correct(std::span<const double> r, std::span<double> z) {
-  gather(r);
+  std::fill(work_.begin(), work_.end(), 0.0);
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    const auto slot = static_cast<std::size_t>(slot_of_[k]);
+    work_[slot] = r[k] * scale_[slot];
+  }
   solver_->solve(work_, work_);
   for (std::size_t k = 0; k < z.size(); ++k) {
     const auto slot = static_cast<std::size_t>(slot_of_[k]);

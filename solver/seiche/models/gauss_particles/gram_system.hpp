@@ -53,7 +53,6 @@ class GramSystem {
   void choose_slots(const Lattice& lattice, const ActiveFunctions& functions);
   void analyse();
   [[nodiscard]] int entry(int a, int b) const;
-  void gather(std::span<const double> r);
 
   long degree_ = 0;
   long columns_ = 0;    // of a periodic lattice, else 0

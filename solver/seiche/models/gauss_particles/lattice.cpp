@@ -170,23 +170,15 @@ bool SplineAxis::uniform(long from, long to) const {
 }
 
 void SplineAxis::extend(long i, long i0, std::span<double> weights) const {
-  if (i >= i0 && i < i0 + static_cast<long>(weights.size())) {
-    std::fill(weights.begin(), weights.end(), 0.0);
-    weights[static_cast<std::size_t>(i - i0)] = 1;
-    return;
-  }
   const auto count = static_cast<long>(weights.size());
   if (uniform(std::min(i, i0) + 1 - degree_, std::max(i, i0 + count - 1))) {
-    // Coefficients of polynomials are polynomials of the index: Lagrange's weights, whole numbers.
+    // Coefficients of polynomials are polynomials of the index: Lagrange's weights.
     for (long a = 0; a < count; ++a) {
-      long above = 1;
-      long below = 1;
+      double weight = 1;
       for (long b = 0; b < count; ++b) {
-        if (b == a) continue;
-        above *= i - i0 - b;
-        below *= a - b;
+        if (b != a) weight *= static_cast<double>(i - i0 - b) / static_cast<double>(a - b);
       }
-      weights[static_cast<std::size_t>(a)] = static_cast<double>(above / below);
+      weights[static_cast<std::size_t>(a)] = weight;
     }
     return;
   }

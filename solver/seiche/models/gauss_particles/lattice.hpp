@@ -31,8 +31,8 @@ namespace seiche::gauss_particles {
 // that must be linear are so without the rounding of thirds and sixths, which a long run would gather.
 //
 // Function i that is to continue the spline beyond the functions i0 ... i0 + q gets the weights with which every
-// polynomial of degree q continues itself. Its coefficients are mean products of the inner knots of each function, by
-// Marsden's identity.
+// polynomial of degree q continues itself: the blossom of the polynomial piece at the knots of function i (de Boor's
+// algorithm), by Marsden's identity.
 //
 // References: de Boor, A Practical Guide to Splines (1978), IX-X; Hoellig, Reif & Wipper, Weighted extended B-spline
 // approximation of Dirichlet problems, SIAM J. Numer. Anal. 39 (2001) 442.

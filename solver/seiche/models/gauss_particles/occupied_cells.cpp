@@ -10,6 +10,16 @@
 
 namespace seiche::gauss_particles {
 
+void OccupiedCells::sample(const BottomProfile& profile, std::span<const double> x) {
+  ground_slope_.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double place = std::clamp(x[k], profile.begin(), profile.end());
+    double ground = 0;
+    profile.sample({&place, 1}, {&ground, 1}, {&ground_slope_[k], 1});
+    height_[k] -= ground;
+  }
+}
+
 Bounds OccupiedCells::survey(const Ground& ground, std::span<const double> x, std::span<const double> y) {
   for (const std::span<const double> places : {x, y}) {
     if (const std::size_t bad = mechanics::first_not_finite(places); bad < places.size()) {
@@ -18,12 +28,7 @@ Bounds OccupiedCells::survey(const Ground& ground, std::span<const double> x, st
   }
   height_.assign(y.begin(), y.end());
   if (ground.profile) {
-    ground_slope_.resize(x.size());
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const double place = std::clamp(x[k], ground.profile->begin(), ground.profile->end());
-      height_[k] -= ground.profile->elevation(place);
-      ground_slope_[k] = ground.profile->slope(place);
-    }
+    sample(*ground.profile, x);
   } else {
     for (double& height : height_) height -= ground.level;
   }

@@ -44,6 +44,7 @@ class OccupiedCells {
   [[nodiscard]] std::span<const std::size_t> particle() const { return particle_; }
 
  private:
+  void sample(const BottomProfile& profile, std::span<const double> x);
   void locate(const Lattice& lattice, std::span<const double> x);
 
   std::vector<Cell> cells_;

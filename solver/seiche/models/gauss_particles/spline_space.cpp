@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <Eigen/Core>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/linear/worth_threads.hpp"
@@ -26,16 +25,16 @@ constexpr double most_cells_per_particle = 100;  // or some of them have flown a
 constexpr double largest_residual = 1e-10;
 constexpr int most_corrections = 4;
 
-/// Derivative r of function i of a cell at z, per metre.
-double derivative(const CellPolynomials& polynomials, std::size_t order, double cell, std::size_t i, std::size_t r,
+/// The derivative, so many times, of a function of a cell, [m] times; z is its argument.
+double derivative(const CellPolynomials& p, std::size_t order, double cell, std::size_t function, std::size_t times,
                   double z) {
   double value = 0;
-  for (std::size_t power = order; power-- > r;) {
-    double coefficient = polynomials.function[i * order + power];
-    for (std::size_t d = 0; d < r; ++d) coefficient *= static_cast<double>(power - d);
-    value = value * z + coefficient;
+  for (std::size_t power = order; power-- > times;) {
+    double factor = p.function[function * order + power];
+    for (std::size_t d = 0; d < times; ++d) factor *= static_cast<double>(power - d) / cell;
+    value = value * z + factor;
   }
-  return value * std::pow(cell, -static_cast<double>(r));
+  return value;
 }
 
 }  // namespace
@@ -223,17 +222,25 @@ void SplineSpace::add_continued_cell(std::size_t c, const double* matrix) {
       involved_.push_back(term.unknown);
     }
   }
-  Eigen::MatrixXd extension =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(local_), static_cast<Eigen::Index>(involved_.size()));
-  for (std::size_t a = 0; a < local_; ++a) {
-    for (const ActiveFunctions::Term& term : functions_.terms(functions[a])) {
-      extension(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(column_of_[term.unknown])) += term.weight;
+  const std::size_t n = involved_.size();
+  half_.assign(local_ * n, 0.0);  // A E
+  for (std::size_t b = 0; b < local_; ++b) {
+    for (const ActiveFunctions::Term& term : functions_.terms(functions[b])) {
+      const std::size_t column = column_of_[term.unknown];
+      for (std::size_t a = 0; a < local_; ++a) half_[a * n + column] += matrix[a * local_ + b] * term.weight;
     }
   }
-  const Eigen::Map<const Eigen::MatrixXd> full(matrix, extension.rows(), extension.rows());
-  const Eigen::MatrixXd reduced = extension.transpose() * (full * extension);
+  reduced_.assign(n * n, 0.0);
+  for (std::size_t a = 0; a < local_; ++a) {
+    for (const ActiveFunctions::Term& term : functions_.terms(functions[a])) {
+      double* const row = reduced_.data() + column_of_[term.unknown] * n;
+      const double* const from = half_.data() + a * n;
+#pragma omp simd
+      for (std::size_t k = 0; k < n; ++k) row[k] += term.weight * from[k];
+    }
+  }
   for (const std::size_t unknown : involved_) column_of_[unknown] = ActiveFunctions::none;
-  system_.add(involved_, reduced.data());
+  system_.add(involved_, reduced_.data());
 }
 
 void SplineSpace::evaluate() {
@@ -360,32 +367,42 @@ void VorticityPenalty::prepare(const Lattice& lattice) {
 std::span<const double> VorticityPenalty::matrix(std::size_t kind_x, std::size_t kind_y) {
   std::vector<double>& matrix = matrices_[kind_x * cell_polynomials(degree_).size() + kind_y];
   if (!matrix.empty()) return matrix;
-  const CellPolynomials& x = cell_polynomials(degree_)[kind_x];
-  const CellPolynomials& y = cell_polynomials(degree_)[kind_y];
   const auto order = static_cast<std::size_t>(degree_) + 1;
-  // Gauss's five points along each side are exact for products of two polynomials of degree 4.
-  using Rule = boost::math::quadrature::gauss<double, 5>;
-  constexpr long points = 5;
-  const auto place = [](long k) { return std::copysign(Rule::abscissa()[std::abs(k - 2)], k - 2) / 2; };
-  const auto weight = [](long k) { return Rule::weights()[std::abs(k - 2)] / 2; };
-  // Columns: at each point the two components of grad lap Phi = (B_i''' B_j + B_i' B_j'', B_i'' B_j' + B_i B_j''').
-  const auto functions = static_cast<Eigen::Index>(order * order);
-  Eigen::MatrixXd gradients(functions, 2 * points * points);
-  for (long k = 0; k < points * points; ++k) {
-    const long across = k / points;
-    const long upward = k % points;
-    const double root = std::sqrt(cell_x_ * cell_y_ * weight(across) * weight(upward));
-    for (Eigen::Index f = 0; f < functions; ++f) {
-      const auto i = static_cast<std::size_t>(f) / order;
-      const auto j = static_cast<std::size_t>(f) % order;
-      const auto along = [&](std::size_t r) { return derivative(x, order, cell_x_, i, r, place(across)); };
-      const auto up = [&](std::size_t r) { return derivative(y, order, cell_y_, j, r, place(upward)); };
-      gradients(f, 2 * k) = root * (along(3) * up(0) + along(1) * up(2));
-      gradients(f, 2 * k + 1) = root * (along(2) * up(1) + along(0) * up(3));
+  // Integral over a cell of derivative r of function i times derivative s of function k.
+  const auto along = [&](std::size_t kind, double cell) {
+    return [&p = cell_polynomials(degree_)[kind], order, cell](std::size_t r, std::size_t s, std::size_t i,
+                                                               std::size_t k) {
+      using Rule = boost::math::quadrature::gauss<double, highest_degree + 1>;  // exact for the product
+      return cell *
+             Rule::integrate(
+                 [&](double z) { return derivative(p, order, cell, i, r, z) * derivative(p, order, cell, k, s, z); },
+                 -0.5, 0.5);
+    };
+  };
+  const auto x = along(kind_x, cell_x_);
+  const auto y = along(kind_y, cell_y_);
+  matrix.resize(order * order * order * order);
+  // grad lap Phi = (B_i''' B_j + B_i' B_j'', B_i'' B_j' + B_i B_j''')
+  struct Product {
+    std::size_t x, y;
+  };
+  constexpr std::array<std::array<Product, 2>, 2> gradient{{{{{3, 0}, {1, 2}}}, {{{2, 1}, {0, 3}}}}};
+  std::size_t entry = 0;
+  for (std::size_t i = 0; i < order; ++i) {
+    for (std::size_t j = 0; j < order; ++j) {
+      for (std::size_t k = 0; k < order; ++k) {
+        for (std::size_t l = 0; l < order; ++l) {
+          double sum = 0;
+          for (const auto& component : gradient) {
+            for (const Product a : component) {
+              for (const Product b : component) sum += x(a.x, b.x, i, k) * y(a.y, b.y, j, l);
+            }
+          }
+          matrix[entry++] = sum;
+        }
+      }
     }
   }
-  matrix.resize(order * order * order * order);
-  Eigen::Map<Eigen::MatrixXd>(matrix.data(), functions, functions) = gradients * gradients.transpose();
   return matrix;
 }
 

@@ -77,8 +77,6 @@ class SplineSpace final : public FieldSpace {
   /// Of the last step.
   [[nodiscard]] const Lattice& lattice() const { return lattice_.front(); }
   [[nodiscard]] const ActiveFunctions& functions() const { return functions_; }
-  /// Coefficients of the splines of the last projection, function by function.
-  [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
   /// Of the normal equations' factor.
@@ -123,7 +121,8 @@ class SplineSpace final : public FieldSpace {
   SpaceFacts facts_;
   std::vector<std::uint8_t> free_;  // of particles; empty: none
 
-  std::vector<double> matrices_;  // of a chunk of cells
+  std::vector<double> matrices_;        // of a chunk of cells
+  std::vector<double> half_, reduced_;  // of one continued cell
   std::vector<std::size_t> involved_;
   std::vector<std::size_t> column_of_;                      // of unknowns, in a continued cell
   std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_, ones_;  // by places of the cells

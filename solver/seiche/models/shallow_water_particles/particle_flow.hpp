@@ -28,7 +28,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -284,8 +283,6 @@ class ParticleFlow {
   void solve_stretch(double tau, std::size_t first, std::size_t last, EdgeValues& values);
   RowLimits move_and_measure(double tau);
   RowLimits measure(std::size_t first, std::size_t last);
-  /// Particles that may hold a jump, a few: most blocks hold nothing that could be one.
-  void find_suspects();
 
   // particle_flow_jumps.cpp
   [[nodiscard]] const Structure* structure_at(std::size_t i) const;
@@ -319,8 +316,6 @@ class ParticleFlow {
   EdgeValues values_;                    // where they outlive their stretch: on a bed, with friction
   std::vector<EdgeValues> edge_values_;  // of a stretch, one per thread
   std::vector<RowLimits> stretch_limits_;
-  std::vector<std::size_t> suspects_;
-  std::vector<std::uint8_t> suspicious_;
   Array edge_velocity_;
   Array edge_thrust_;
   Array reaction_;

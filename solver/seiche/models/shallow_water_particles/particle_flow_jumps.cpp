@@ -9,6 +9,7 @@ namespace {
 
 /// A jump must exceed this many times the variation beside it.
 constexpr double isolation = 2;
+constexpr std::size_t searched_together = 64;  // particles: most blocks hold nothing that could be a jump
 
 }  // namespace
 
@@ -38,17 +39,22 @@ void ParticleFlow::detect_jumps() {
   };
 
   const auto difference = [&](std::size_t a, std::size_t b) { return std::abs(depth_[a] - depth_[b]); };
-  find_suspects();
-  for (const std::size_t i : suspects_) {
-    if (!(now_.velocity[i - 1] > now_.velocity[i + 1])) continue;
-    if (!collisions_.empty() && followed(i)) continue;
-    auto jump = jump_between(forcing_.gravity, state(i - 1), state(i), state(i + 1), jump_threshold);
-    if (!jump) continue;
-    const double beside = (i >= 2 ? difference(i - 1, i - 2) : 0) + (i + 2 < count ? difference(i + 2, i + 1) : 0);
-    if (jump->size() < isolation * beside) continue;
-    jump->particle = i;
-    jumps_.push_back(*jump);
-  }
+  const std::size_t blocks = (count - 3 + searched_together) / searched_together;
+  share(blocks, threads(), [&](std::size_t block, std::size_t /*thread*/) {
+    const std::size_t first = 1 + block * searched_together;
+    const std::size_t last = std::min(first + searched_together, count - 1);
+    if (!may_hold_jump(&depth_[first], &now_.velocity[first], forcing_.gravity, jump_threshold, last - first)) return;
+    for (std::size_t i = first; i < last; ++i) {
+      if (!collisions_.empty() && followed(i)) continue;
+      auto jump = jump_between(forcing_.gravity, state(i - 1), state(i), state(i + 1), jump_threshold);
+      if (!jump) continue;
+      const double beside = (i >= 2 ? difference(i - 1, i - 2) : 0) + (i + 2 < count ? difference(i + 2, i + 1) : 0);
+      if (jump->size() < isolation * beside) continue;
+      jump->particle = i;
+#pragma omp critical(shallow_water_particles_jump)
+      jumps_.push_back(*jump);  // in any order: discard_adjacent() has one of its own
+    }
+  });
   detect_at_wall(side(false));
   detect_at_wall(side(true));
   discard_adjacent();

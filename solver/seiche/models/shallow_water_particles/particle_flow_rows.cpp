@@ -12,19 +12,7 @@
 namespace seiche::shallow_water_particles {
 namespace {
 
-constexpr std::size_t stretch = 2048;          // particles
-constexpr std::size_t searched_together = 64;  // particles, for jumps
-
-/// Calls work(k, thread) for 0, ..., count - 1.
-template <class Work>
-void share(std::size_t count, std::size_t threads, const Work& work) {
-  if (threads == 1) {  // a parallel region of one costs as much as a hundred particles
-    for (std::size_t k = 0; k < count; ++k) work(k, std::size_t{0});
-    return;
-  }
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
-  for (std::size_t k = 0; k < count; ++k) work(k, static_cast<std::size_t>(omp_get_thread_num()));
-}
+constexpr std::size_t stretch = 2048;  // particles
 
 }  // namespace
 
@@ -126,25 +114,6 @@ RowLimits ParticleFlow::move_and_measure(double tau) {
     limits.add(measure(last - 1, last));
   }
   return limits;
-}
-
-void ParticleFlow::find_suspects() {
-  const std::size_t inner = now_.size() - 2;  // from particle 1 on
-  const std::size_t blocks = (inner + searched_together - 1) / searched_together;
-  suspicious_.resize(blocks);
-  share(blocks, threads(), [&](std::size_t b, std::size_t /*thread*/) {
-    const std::size_t first = 1 + b * searched_together;
-    suspicious_[b] = may_hold_jump(&depth_[first], &now_.velocity[first], forcing_.gravity, jump_threshold,
-                                   std::min(searched_together, inner - b * searched_together))
-                         ? 1
-                         : 0;
-  });
-  suspects_.clear();
-  for (std::size_t b = 0; b < blocks; ++b) {
-    if (suspicious_[b] == 0) continue;
-    for (std::size_t k = b * searched_together; k < std::min(inner, (b + 1) * searched_together); ++k)
-      suspects_.push_back(1 + k);
-  }
 }
 
 }  // namespace seiche::shallow_water_particles

@@ -56,35 +56,6 @@ Array equal_width_edges(double left, double right, std::size_t count) {
   return edges;
 }
 
-Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count) {
-  Array edges = equal_width_edges(left, right, count);
-  const double total = mass_up_to(right) - mass_up_to(left);
-  const double start = mass_up_to(left);
-  require_positive("mass between left and right", total);
-  for (std::size_t k = 1; k < count; ++k) {
-    const double target = start + total * static_cast<double>(k) / static_cast<double>(count);
-    double low = edges[k - 1];
-    double high = right;
-    for (int halving = 0; halving < 80; ++halving) {
-      const double middle = 0.5 * (low + high);
-      (mass_up_to(middle) < target ? low : high) = middle;
-    }
-    edges[k] = 0.5 * (low + high);
-  }
-  return edges;
-}
-
-Particles particles_from_primitives(Array edges, const Function& mass_up_to, const Function& momentum_up_to) {
-  Particles p;
-  p.edge = std::move(edges);
-  for (std::size_t i = 0; i + 1 < p.edge.size(); ++i) {
-    const double mass = mass_up_to(p.edge[i + 1]) - mass_up_to(p.edge[i]);
-    p.mass.push_back(mass);
-    p.velocity.push_back((momentum_up_to(p.edge[i + 1]) - momentum_up_to(p.edge[i])) / mass);
-  }
-  return p;
-}
-
 Particles particles_from_profile(Array edges, const Function& depth, const Function& velocity) {
   Particles p;
   p.edge = std::move(edges);

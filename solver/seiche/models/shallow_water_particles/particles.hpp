@@ -53,13 +53,6 @@ struct Stretch {
 /// `count` + 1 edges of equal spacing over [left, right].
 Array equal_width_edges(double left, double right, std::size_t count);
 
-/// Edges such that every particle holds the same mass of h(x) over [left, right]; `mass_up_to(x)` is the integral of h
-/// from `left`, increasing. Bisection to round-off.
-Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count);
-
-/// Particles with masses and momenta from primitives of h and h u: differences of the primitives at the edges.
-Particles particles_from_primitives(Array edges, const Function& mass_up_to, const Function& momentum_up_to);
-
 /// Particles with masses and momenta by Gauss quadrature (5 points in 8 parts of each particle) of depth and velocity,
 /// which must be smooth inside each particle.
 Particles particles_from_profile(Array edges, const Function& depth, const Function& velocity);

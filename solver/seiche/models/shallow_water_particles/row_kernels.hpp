@@ -7,6 +7,8 @@
 
 #include <cstddef>
 
+#include <omp.h>
+
 namespace seiche::shallow_water_particles {
 
 /// Limited reconstruction and half-step prediction of `count` particles; reads one particle to either side.
@@ -61,5 +63,16 @@ RowLimits measure_row(const double* edge, const double* velocity, const double* 
 /// True when some particle of `count` may hold a jump of relative height `threshold` or more between its neighbours: a
 /// necessary condition without roots or divisions.
 bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t count);
+
+/// Calls work(k, thread) for 0, ..., count - 1.
+template <class Work>
+void share(std::size_t count, std::size_t threads, const Work& work) {
+  if (threads == 1) {  // a parallel region of one costs as much as a hundred particles
+    for (std::size_t k = 0; k < count; ++k) work(k, std::size_t{0});
+    return;
+  }
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
+  for (std::size_t k = 0; k < count; ++k) work(k, static_cast<std::size_t>(omp_get_thread_num()));
+}
 
 }  // namespace seiche::shallow_water_particles

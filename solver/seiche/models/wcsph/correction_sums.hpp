@@ -65,7 +65,7 @@ struct CorrectionSums {
         const Pack linear = (gradient_x + other.x) * pair.x.at[k] + (gradient_z + other.z) * pair.z.at[k];
         const Pack term = other.volume * pair.inverse_width.at[k] * shape.slope.at[k] * (steep - linear);
         // At r = 0 the slope is rounding over r.
-        sum += Lanes::where_less(-pair.s.at[k], -1e-12, term);
+        sum += where_less(-pair.s.at[k], -1e-12, term);
       }
     });
     const Pack added = (0.5 * work.diffusion * Shape::slope_factor) * sum;
@@ -92,7 +92,7 @@ struct CorrectionSums {
         m0 += heavy;
         mx += heavy * x;
         mz += heavy * z;
-        within += Lanes::where_less(pair.s.at[k], 1.0, Pack{} + 1.0);
+        within += where_less(pair.s.at[k], 1.0, Pack{} + 1.0);
       }
     });
     for (int l = 0; l < a.count; ++l) {
@@ -148,7 +148,7 @@ struct CorrectionSums {
         density_x += density * x;
         density_z += density * z;
         const Pack marked = Pack{} + work.at_surface[candidate[k]];
-        surface = Lanes::largest(surface, Lanes::where_less(pair.s.at[k], 1.0, marked));
+        surface = larger(surface, where_less(pair.s.at[k], 1.0, marked));
       }
     });
     constexpr double scale = Shape::slope_factor;

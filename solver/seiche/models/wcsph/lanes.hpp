@@ -4,8 +4,7 @@
 /// A pair's terms are a long chain of dependent operations. Those of a few candidates side by side, operation by
 /// operation, keep the processor's units busy.
 ///
-/// `Lanes` has Pack, a vector of Lanes::width doubles; on it positive and negative (largest or smallest of it and 0),
-/// largest, less (one bit per lane), where_less and inverse_root.
+/// `Lanes` has Pack, a vector of Lanes::width doubles; on it less (one bit per lane) and inverse_root.
 ///
 /// Included by each version of the loops after its target is chosen, so nothing of the standard library is used here.
 #pragma once
@@ -14,6 +13,17 @@
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::wcsph {
+
+/// The larger of two numbers in each lane.
+template <class Pack>
+SEICHE_INLINE Pack larger(Pack a, Pack b) {
+  return a > b ? a : b;
+}
+/// `value` where a < b, 0 elsewhere.
+template <class Pack>
+SEICHE_INLINE Pack where_less(Pack a, double b, Pack value) {
+  return a < b ? value : Pack{};
+}
 
 /// `count` packs of lanes, one per candidate.
 template <class Lanes, int count = abreast>
@@ -50,10 +60,10 @@ struct SideBySide {
     return of([&](int k) { return a * b.at[k]; });
   }
   SEICHE_INLINE friend SideBySide positive(const SideBySide& a) {
-    return of([&](int k) { return Lanes::positive(a.at[k]); });
+    return of([&](int k) { return a.at[k] > 0.0 ? a.at[k] : Pack{}; });
   }
   SEICHE_INLINE friend SideBySide negative(const SideBySide& a) {
-    return of([&](int k) { return Lanes::negative(a.at[k]); });
+    return of([&](int k) { return a.at[k] < 0.0 ? a.at[k] : Pack{}; });
   }
   SEICHE_INLINE friend SideBySide inverse_root(const SideBySide& a) {
     return Lanes::template inverse_root<count>(a);

@@ -71,7 +71,7 @@ struct PairWork {
   const Cluster* clusters = nullptr;
   // Rates of change.
   double *dx = nullptr, *dz = nullptr, *du = nullptr, *dw = nullptr, *ddensity = nullptr;
-  double* limit = nullptr;  ///< largest (c + sigma)/h of each cluster, which limits the step
+  double* limit = nullptr;  ///< largest (c + sigma)/h of each cluster, which limits the step; or not asked for
   Stress* stress = nullptr;
   double gravity = 0;
   double xsph = 0;
@@ -117,9 +117,8 @@ enum class Friction { none, artificial, laminar, turbulent };
 struct PairLoops {
   std::size_t lanes;
   CandidateSearch search;
-  /// All rates of fluid clusters, by friction; [1] also with the limit of the step.
-  PairLoop fluid[4][2];
-  PairLoop wall[2];           ///< density of wall clusters
+  PairLoop fluid[4];          ///< all rates of fluid clusters, by friction
+  PairLoop wall;              ///< density of wall clusters
   PairLoop strain;            ///< stress of fluid clusters
   PairLoop density_gradient;  ///< these two and the next: of fluid clusters
   PairLoop diffusion;

@@ -16,15 +16,8 @@ namespace {
 struct FourLanes {
   static constexpr int width = 4;
   using Pack = __m256d;
-  SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm256_max_pd(a, b); }
-  SEICHE_INLINE static Pack positive(Pack a) { return _mm256_max_pd(a, _mm256_setzero_pd()); }
-  SEICHE_INLINE static Pack negative(Pack a) { return _mm256_min_pd(a, _mm256_setzero_pd()); }
   SEICHE_INLINE static unsigned less(Pack a, Pack b) {
     return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
-  }
-  /// `value` where a < b, 0 elsewhere.
-  SEICHE_INLINE static Pack where_less(Pack a, double b, Pack value) {
-    return _mm256_and_pd(_mm256_cmp_pd(a, _mm256_set1_pd(b), _CMP_LT_OQ), value);
   }
   template <int count>
   SEICHE_INLINE static SideBySide<FourLanes, count> inverse_root(const SideBySide<FourLanes, count>& a) {

@@ -19,14 +19,7 @@ namespace {
 struct EightLanes {
   static constexpr int width = 8;
   using Pack = __m512d;
-  SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm512_max_pd(a, b); }
-  SEICHE_INLINE static Pack positive(Pack a) { return _mm512_max_pd(a, _mm512_setzero_pd()); }
-  SEICHE_INLINE static Pack negative(Pack a) { return _mm512_min_pd(a, _mm512_setzero_pd()); }
   SEICHE_INLINE static unsigned less(Pack a, Pack b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
-  /// `value` where a < b, 0 elsewhere.
-  SEICHE_INLINE static Pack where_less(Pack a, double b, Pack value) {
-    return _mm512_maskz_mov_pd(_mm512_cmp_pd_mask(a, _mm512_set1_pd(b), _CMP_LT_OQ), value);
-  }
   /// From 14 bits: a^(-1/2) = y (1-e)^(-1/2) = y (1 + e/2 + 3/8 e^2 + 5/16 e^3 + O(2^-56)), e = 1 - a y^2.
   template <int count>
   SEICHE_INLINE static SideBySide<EightLanes, count> inverse_root(const SideBySide<EightLanes, count>& a) {

@@ -9,12 +9,7 @@ namespace {
 struct TwoLanes {
   static constexpr int width = 2;
   using Pack [[gnu::vector_size(16)]] = double;
-  SEICHE_INLINE static Pack largest(Pack a, Pack b) { return a > b ? a : b; }
-  SEICHE_INLINE static Pack positive(Pack a) { return a > 0.0 ? a : Pack{}; }
-  SEICHE_INLINE static Pack negative(Pack a) { return a < 0.0 ? a : Pack{}; }
   SEICHE_INLINE static unsigned less(Pack a, Pack b) { return (a[0] < b[0] ? 1U : 0U) | (a[1] < b[1] ? 2U : 0U); }
-  /// `value` where a < b, 0 elsewhere.
-  SEICHE_INLINE static Pack where_less(Pack a, double b, Pack value) { return a < b ? value : Pack{}; }
   template <int count>
   SEICHE_INLINE static SideBySide<TwoLanes, count> inverse_root(const SideBySide<TwoLanes, count>& a) {
     return SideBySide<TwoLanes, count>::of([&](int k) {

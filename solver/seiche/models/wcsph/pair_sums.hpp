@@ -65,9 +65,9 @@ struct RateSums {
   SEICHE_INLINE static void add_limit(Pack& sigma, const Block<Lanes>& a, const Records& b,
                                       const Separation<Lanes>& pair, const Values& approach) {
     for (int k = 0; k < abreast; ++k) {
-      const Pack speed = Lanes::largest(approach.at[k], -approach.at[k]);
+      const Pack speed = larger(approach.at[k], -approach.at[k]);
       const Pack rate = speed * (pair.viscous.at[k] * (a.density + b[k]->density));
-      sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
+      sigma = larger(sigma, where_less(pair.s.at[k], 1, rate));
     }
   }
 
@@ -82,7 +82,7 @@ struct RateSums {
     return largest;
   }
 
-  template <Friction friction, bool limited>
+  template <Friction friction>
   static void fluid_rates(const PairWork& work, std::size_t c) {
     const Block<Lanes> a(work.records, work.clusters[c]);
     Pack xx{}, xz{}, zz{};
@@ -135,7 +135,7 @@ struct RateSums {
               dw += slope.at[k] * (sum_xz * pair.x.at[k] + (zz + stress.zz) * pair.z.at[k]);
             }
           }
-          if constexpr (limited) add_limit(sigma, a, b, pair, approach);
+          if (work.limit != nullptr) add_limit(sigma, a, b, pair, approach);
         });
     // Deferred constants; densities were sums, not means.
     const double xsph = 2 * work.xsph * Shape::weight_factor;
@@ -144,10 +144,9 @@ struct RateSums {
     a.store(Shape::slope_factor * du, work.du);
     a.store(Shape::slope_factor * dw - work.gravity, work.dw);
     a.store(Shape::slope_factor * ddensity, work.ddensity);
-    if constexpr (limited) work.limit[c] = largest_limit(work, a, sigma);
+    if (work.limit != nullptr) work.limit[c] = largest_limit(work, a, sigma);
   }
 
-  template <bool limited>
   static void wall_rates(const PairWork& work, std::size_t c) {
     Pack ddensity{}, sigma{};
     const Block<Lanes> a(work.records, work.clusters[c]);
@@ -159,10 +158,10 @@ struct RateSums {
         return b[k]->mass * (inverse_width * inverse_width) * shape.slope.at[k];
       });
       add(ddensity, slope, approach);
-      if constexpr (limited) add_limit(sigma, a, b, pair, approach);
+      if (work.limit != nullptr) add_limit(sigma, a, b, pair, approach);
     });
     a.store(Shape::slope_factor * ddensity, work.ddensity);
-    if constexpr (limited) work.limit[c] = largest_limit(work, a, sigma);
+    if (work.limit != nullptr) work.limit[c] = largest_limit(work, a, sigma);
   }
 
   /// tau/rho = 2 nu_t (S - (1/3) tr S) - (2/3) C_I Delta^2 |S|^2, nu_t = (C_S Delta)^2 |S|, |S| = sqrt(2 S:S).
@@ -237,15 +236,11 @@ constexpr PairLoops loops_of() {
   using Corrections = CorrectionSums<Lanes, Kernel>;
   return {.lanes = static_cast<std::size_t>(Lanes::width),
           .search = search<Lanes>,
-          .fluid = {{clusters<Rates::template fluid_rates<Friction::none, false>>,
-                     clusters<Rates::template fluid_rates<Friction::none, true>>},
-                    {clusters<Rates::template fluid_rates<Friction::artificial, false>>,
-                     clusters<Rates::template fluid_rates<Friction::artificial, true>>},
-                    {clusters<Rates::template fluid_rates<Friction::laminar, false>>,
-                     clusters<Rates::template fluid_rates<Friction::laminar, true>>},
-                    {clusters<Rates::template fluid_rates<Friction::turbulent, false>>,
-                     clusters<Rates::template fluid_rates<Friction::turbulent, true>>}},
-          .wall = {clusters<Rates::template wall_rates<false>>, clusters<Rates::template wall_rates<true>>},
+          .fluid = {clusters<Rates::template fluid_rates<Friction::none>>,
+                    clusters<Rates::template fluid_rates<Friction::artificial>>,
+                    clusters<Rates::template fluid_rates<Friction::laminar>>,
+                    clusters<Rates::template fluid_rates<Friction::turbulent>>},
+          .wall = clusters<Rates::wall_rates>,
           .strain = clusters<Rates::strain_stress>,
           .density_gradient = clusters<Corrections::density_gradient>,
           .diffusion = clusters<Corrections::density_diffusion>,

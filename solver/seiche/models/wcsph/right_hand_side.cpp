@@ -35,7 +35,7 @@ void RightHandSide::evaluate(Stage& stage, const Neighbours& neighbours, bool li
   work.du = rates_.du.data();
   work.dw = rates_.dw.data();
   work.ddensity = rates_.ddensity.data();
-  work.limit = limit_.data();
+  if (limited) work.limit = limit_.data();
   work.stress = stage.stress().data();
 
   // Step 1: stresses of unresolved eddies (4).
@@ -46,11 +46,10 @@ void RightHandSide::evaluate(Stage& stage, const Neighbours& neighbours, bool li
   }
   // Step 2: rates of the fluid and density of the walls.
   const std::size_t fluid = neighbours.fluid_clusters();
-  const PairLoop fluid_rates = loops_->fluid[static_cast<std::size_t>(friction_)][limited ? 1 : 0];
-  const PairLoop wall_rates = loops_->wall[limited ? 1 : 0];
+  const PairLoop fluid_rates = loops_->fluid[static_cast<std::size_t>(friction_)];
   neighbours.share(0, neighbours.clusters().size(), [&](std::size_t first, std::size_t last) {
     fluid_rates(work, first, std::min(last, fluid));
-    wall_rates(work, std::max(first, fluid), last);
+    loops_->wall(work, std::max(first, fluid), last);
   });
   if (!limited) return;
   const auto most = std::max_element(limit_.begin(), limit_.end());
