@@ -124,6 +124,16 @@ double amplitude(Curve curve, int order, double period) {
   return std::hypot(solved[2 * order - 1], solved[2 * order]);
 }
 
+/// Of a mean or an integral: what adding the u of the points changes, and what a window that is off by u_x does.
+double uncertainty_over_window(const Reading& reading, const Measured& measured) {
+  const auto moved = [&](double by) {
+    Reading other = reading;
+    other.window = {reading.window.from + by, reading.window.to + by};
+    return other.of(measured.curve(), measured);
+  };
+  return std::hypot(reading.shifted(measured), 0.5 * (moved(measured.u_x) - moved(-measured.u_x)));
+}
+
 }  // namespace
 
 const char* name(Kind kind) {
@@ -200,21 +210,25 @@ Reading arrival(double group, double level, Window window) {
 }
 
 Reading mean(double group, Window window, Kind kind) {
-  return {.id = fmt::format("mean-{:g}-{:g}", window.from, window.to),
-          .kind = kind,
-          .words = fmt::format("mean from {:g} to {:g}", window.from, window.to),
-          .group = group,
-          .window = window,
-          .read = [](Curve curve) { return integral(curve) / (curve.x.back() - curve.x.front()); }};
+  Reading mean{.id = fmt::format("mean-{:g}-{:g}", window.from, window.to),
+               .kind = kind,
+               .words = fmt::format("mean from {:g} to {:g}", window.from, window.to),
+               .group = group,
+               .window = window,
+               .read = [](Curve curve) { return integral(curve) / (curve.x.back() - curve.x.front()); }};
+  mean.spread = [of = mean](const Measured& measured) { return uncertainty_over_window(of, measured); };
+  return mean;
 }
 
 Reading impulse(double group, Window window) {
-  return {.id = "impulse",
-          .kind = Kind::pressure,
-          .words = fmt::format("impulse from {:g} to {:g}", window.from, window.to),
-          .group = group,
-          .window = window,
-          .read = integral};
+  Reading impulse{.id = "impulse",
+                  .kind = Kind::pressure,
+                  .words = fmt::format("impulse from {:g} to {:g}", window.from, window.to),
+                  .group = group,
+                  .window = window,
+                  .read = integral};
+  impulse.spread = [of = impulse](const Measured& measured) { return uncertainty_over_window(of, measured); };
+  return impulse;
 }
 
 Reading at(double group, double abscissa, Kind kind) {

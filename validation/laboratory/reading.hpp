@@ -6,7 +6,8 @@
 /// - height: highest less lowest; sqrt(2) times that
 /// - when highest: abscissa of the highest point; u_x, half of what lies within 2 u_i of the top over sqrt(3), and d
 /// - arrival: first abscissa at or above a level, between points on a straight line; u_x, what u_i changes, and d
-/// - mean, impulse: trapezoidal mean, and integral, over the window; what adding u_i changes
+/// - mean, impulse: trapezoidal mean, and integral, over the window; what adding u_i, and moving the window by u_x,
+/// changes
 /// - at: value at an abscissa; u_i there, and the slope times u_x
 /// - harmonic: amplitude of harmonic n, least squares with the mean and harmonics to 4; stated, and u_i/sqrt(10)
 /// - misfit: rms of computed less measured at the measured points; that of u_i and of slope times u_x
