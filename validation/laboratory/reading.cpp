@@ -124,14 +124,12 @@ double amplitude(Curve curve, int order, double period) {
   return std::hypot(solved[2 * order - 1], solved[2 * order]);
 }
 
-/// Of a mean or an integral: what adding the u of the points changes, and what a window that is off by u_x does.
-double uncertainty_over_window(const Reading& reading, const Measured& measured) {
-  const auto moved = [&](double by) {
-    Reading other = reading;
-    other.window = {reading.window.from + by, reading.window.to + by};
-    return other.of(measured.curve(), measured);
-  };
-  return std::hypot(reading.shifted(measured), 0.5 * (moved(measured.u_x) - moved(-measured.u_x)));
+/// What an integral over a window changes where the abscissa is off by u_x; over its length, a mean.
+double moved_by_clock(const Measured& measured, Window window, bool over_length) {
+  const double from = std::max(window.from, measured.x.front());
+  const double to = std::min(window.to, measured.x.back());
+  const double change = (linear_at(measured.curve(), to) - linear_at(measured.curve(), from)) * measured.u_x;
+  return over_length ? change / (to - from) : change;
 }
 
 }  // namespace
@@ -216,7 +214,9 @@ Reading mean(double group, Window window, Kind kind) {
                .group = group,
                .window = window,
                .read = [](Curve curve) { return integral(curve) / (curve.x.back() - curve.x.front()); }};
-  mean.spread = [of = mean](const Measured& measured) { return uncertainty_over_window(of, measured); };
+  mean.spread = [of = mean](const Measured& measured) {
+    return std::hypot(of.shifted(measured), moved_by_clock(measured, of.window, true));
+  };
   return mean;
 }
 
@@ -227,7 +227,9 @@ Reading impulse(double group, Window window) {
                   .group = group,
                   .window = window,
                   .read = integral};
-  impulse.spread = [of = impulse](const Measured& measured) { return uncertainty_over_window(of, measured); };
+  impulse.spread = [of = impulse](const Measured& measured) {
+    return std::hypot(of.shifted(measured), moved_by_clock(measured, of.window, false));
+  };
   return impulse;
 }
 
