@@ -224,12 +224,12 @@ double distance_from(const exact::OverturningWave& cosine, const SphPlunged& run
   double sum = 0;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const Polylines exact = above_still_water(exact_surface(cosine, (frames[k] - 1) * period, 801).front());
-    double nearest = std::numeric_limits<double>::infinity();
+    Smallest nearest;
     for (int n = 0; n < 200; ++n) {
       const Polyline here = moved(run.surfaces[k], n * wavelength / 200);
-      nearest = std::min(nearest, polyline_distance(above_still_water(here), exact, wavelength).rms);
+      nearest.add(polyline_distance(above_still_water(here), exact, wavelength).rms);
     }
-    sum += nearest / wavelength;
+    sum += nearest.value() / wavelength;
   }
   return sum / static_cast<double>(frames.size());
 }
