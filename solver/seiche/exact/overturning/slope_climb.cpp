@@ -5,12 +5,12 @@
 #include <complex>
 #include <numbers>
 
+#include <Eigen/LU>
 #include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 
 #include "seiche/divergence.hpp"
-#include "seiche/linear/dense.hpp"
 
 namespace seiche::exact::slope_climb {
 
@@ -190,7 +190,7 @@ void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
   }
   matrix_.diagonal().array() += std::numbers::pi;
   Eigen::MatrixXd inner = matrix_.block(1, 1, n - 1, n - 1).transpose();
-  psi_.segment(1, n - 1) = linear::LuFactors(inner).solve(right_.segment(1, n - 1));
+  psi_.segment(1, n - 1) = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(inner).solve(right_.segment(1, n - 1));
   psi_[0] = psi_[n] = 0;
   velocity_.resize(n + 1);
   const Eigen::VectorXd psi_s = d * psi_;
