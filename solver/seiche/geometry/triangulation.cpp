@@ -43,10 +43,6 @@ std::vector<Side> sides_of(std::span<const Triangle> triangles) {
   return sides;
 }
 
-void copy(std::span<const double> from, std::vector<double>& to) {
-  std::copy(from.begin(), from.end(), to.begin());
-}
-
 void go(std::span<const double> from, std::span<const double> to, double part, std::vector<double>& there) {
   for (std::size_t i = 0; i < from.size(); ++i) there[i] = from[i] + part * (to[i] - from[i]);
 }
@@ -362,8 +358,8 @@ void MovingTriangulation::move_to(Places nodes) {
     for (;;) {
       // The end itself is hit to the last bit.
       if (part == left) {
-        copy(nodes.x, next_x_);
-        copy(nodes.y, next_y_);
+        std::ranges::copy(nodes.x, next_x_.begin());
+        std::ranges::copy(nodes.y, next_y_.begin());
       } else {
         go(x_, nodes.x, part / left, next_x_);
         go(y_, nodes.y, part / left, next_y_);
