@@ -14,8 +14,6 @@
 #include <span>
 #include <vector>
 
-#include <boost/align/aligned_allocator.hpp>
-
 struct fftw_plan_s;
 struct fftwf_plan_s;
 
@@ -30,7 +28,18 @@ inline std::mutex& planner() {
 
 /// Memory for transforms, from the beginning of a line of the cache on.
 template <class Real>
-using FourierBuffer = std::vector<std::complex<Real>, boost::alignment::aligned_allocator<std::complex<Real>, 64>>;
+class FourierBuffer {
+ public:
+  explicit FourierBuffer(std::size_t size) : lines_((size + in_line - 1) / in_line) {}
+  [[nodiscard]] std::complex<Real>* data() { return lines_.front().numbers; }
+
+ private:
+  static constexpr std::size_t in_line = 64 / sizeof(std::complex<Real>);
+  struct alignas(64) Line {
+    std::complex<Real> numbers[in_line];
+  };
+  std::vector<Line> lines_;
+};
 
 class Fourier {
  public:
