@@ -38,8 +38,8 @@ std::vector<double> water_surface(const Channel& channel, std::span<const double
     diagonal[k] += 0.5 * width + below * stiff;
     coupling[j] = -below * stiff;
   }
-  ChannelMatrix matrix;
-  matrix.factor(channel.periodic(), diagonal, coupling);
+  linear::TwoEndedTridiagonal matrix;
+  matrix.factor({diagonal, coupling}, channel.periodic());
   matrix.solve(push, push);
   for (std::size_t i = 0; i < n; ++i) push[i] += y[i];
   return push;
