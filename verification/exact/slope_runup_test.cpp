@@ -124,7 +124,10 @@ TEST_CASE("a solitary wave runs up a slope as high as the reference says", "[exa
   Check check = runup_check();
   const auto table = validation::reference_table("slope_runup_exact", check.record().reference_data);
   const SlopeRunup slope = judged(check, table, 2);
-  CHECK(slope.history().back().level == slope.runup());
+  CHECK(std::abs(slope.level(slope.runup_time()) - slope.runup()) < 1e-14);
+  const auto& moment = slope.history()[slope.history().size() / 2];
+  CHECK(std::abs(slope.level(moment.time) - moment.level) < 1e-14);
+  CHECK_THROWS_AS(slope.level(slope.runup_time() + 1), std::out_of_range);
 }
 
 TEST_CASE("solitary waves run up walls and slopes as high as the references say", "[exact][full]") {

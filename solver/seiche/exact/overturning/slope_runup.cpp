@@ -102,6 +102,21 @@ SlopeRunup::SlopeRunup(double amplitude, double cotangent, double depth, std::si
   }
 }
 
+double SlopeRunup::level(double time) const {
+  const double first = history_.front().time;
+  const double last = history_.back().time;
+  require_that<std::out_of_range>(time >= first && time <= last, "time = {:g}: the motion is known from {:g} to {:g}",
+                                  time, first, last);
+  const auto next = std::ranges::upper_bound(history_, time, {}, &Shore::time);
+  const Shore& b = next == history_.end() ? history_.back() : *next;
+  const Shore& a = next == history_.end() ? history_[history_.size() - 2] : *std::prev(next);
+  const double h = b.time - a.time;
+  const double u = (time - a.time) / h;
+  const double v = 1 - u;
+  return v * v * ((1 + 2 * u) * a.level + u * h * a.rise * depth_) +
+         u * u * ((1 + 2 * v) * b.level - v * h * b.rise * depth_);
+}
+
 double SlopeRunup::uncertainty() const {
   const std::size_t fewer = markers_ / 10 * 8;
   const std::size_t other = fewer < static_cast<std::size_t>(fewest) ? markers_ / 8 * 10 : fewer;

@@ -45,6 +45,8 @@ class SlopeRunup {
     double rise = 0;   ///< of the level, over sqrt(g depth)
   };
   [[nodiscard]] const std::vector<Shore>& history() const { return history_; }
+  /// Level [m] at a time, by a cubic between the steps; throws std::out_of_range outside the motion.
+  [[nodiscard]] double level(double time) const;
 
   /// Difference of R from a second computation with a fifth less of the markers, or a quarter more where those would be
   /// too few, and ten times the tolerance, relative to R. Takes about as long as this one.
