@@ -24,6 +24,7 @@ step, with zero: not one bit may differ.
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::lake_at_rest_1d {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
-#include "seiche/linear/dense.hpp"
 #include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::validation {
@@ -87,13 +87,13 @@ std::vector<SurfaceMode> surface_modes(Model& model) {
   const Eigen::MatrixXd lower = root.matrixL();
   const Eigen::MatrixXd product = c * lower;
   const Eigen::MatrixXd symmetric = lower.transpose() * product;
-  const auto [squares, vectors] = linear::symmetric_eigen(symmetric);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
   std::vector<SurfaceMode> modes;
   for (Index m = 1; m < surface.size(); ++m) {
-    const Eigen::VectorXd elevation = root.matrixU().solve(vectors.col(m));
+    const Eigen::VectorXd elevation = root.matrixU().solve(eigen.eigenvectors().col(m));
     const Eigen::VectorXd force = -k * elevation;
     surface.answer(force, multipliers);
-    modes.push_back({.frequency = std::sqrt(squares[m]),
+    modes.push_back({.frequency = std::sqrt(eigen.eigenvalues()[m]),
                      .elevation = {elevation.begin(), elevation.end()},
                      .multipliers = multipliers});
   }

@@ -16,6 +16,7 @@ initial width for all; over a dry bed the particles cover only the water.
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/studies/shallow_water/contest.hpp"
 
 namespace seiche::validation::cases::dam_break_convergence {

@@ -25,6 +25,7 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::dam_break_discharge {

@@ -76,7 +76,12 @@ struct Pressure {
 Pressure pressure_of(const Values& values, const ReleasedColumn& exact, long ny, double stabilisation) {
   Pressure pressure{.mesh = column(values, ny)};
   dirichlet_mesh::Model model(pressure.mesh, {.stabilisation = stabilisation});
-  pressure.values = dirichlet_mesh::pressure_of_release(model, model.state());
+  // Dynamic pressure p + rho g y of water that is at rest and let go at this instant.
+  model.linearise({}, model.state().q);
+  std::vector<double> acceleration(model.rates(), 0.0);
+  pressure.values.assign(model.constraints(), 0.0);
+  model.kick(1, acceleration);
+  mechanics::Projection(model).project(acceleration, {}, pressure.values);
   const Mesh& mesh = pressure.mesh;
   const double height = values.real("height");
   Mean errors;

@@ -24,6 +24,7 @@ of the water, and ends metres short of it. MacCormack's scheme has no answer ove
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::dry_dam_break {

@@ -20,6 +20,7 @@ of its Courant number Lax-Friedrichs, whose viscosity is $\Delta x^2/\tau$, smea
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::long_dam_break_schemes {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/riemann.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 
 namespace seiche::validation {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/evidence/figure.hpp"
-#include "seiche/exact/affine_drop.hpp"
+#include "validation/instruments/exact/affine_drop.hpp"
 
 namespace seiche::validation {
 

@@ -23,7 +23,6 @@ cut cells, the sums over particles, and the steps.
 #include <fmt/format.h>
 #include <Eigen/LU>
 
-#include "seiche/exact/affine_drop.hpp"
 #include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
@@ -31,6 +30,7 @@ cut cells, the sums over particles, and the steps.
 #include "validation/case/reference_case.hpp"
 #include "validation/drop/affine_outline.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/exact/affine_drop.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"
 #include "validation/studies/gauss_particles/gauss_frame.hpp"
 

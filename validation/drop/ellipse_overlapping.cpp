@@ -36,11 +36,11 @@ until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per ce
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include "seiche/exact/affine_drop.hpp"
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
 #include "validation/drop/affine_outline.hpp"
+#include "validation/instruments/exact/affine_drop.hpp"
 
 namespace seiche::validation::cases::ellipse_overlapping {
 namespace {

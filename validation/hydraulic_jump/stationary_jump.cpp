@@ -20,6 +20,7 @@ rearrangement as the paper wrote it in one particle, but a metre downstream.
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 

@@ -8,13 +8,24 @@
 #include <fmt/format.h>
 
 #include "seiche/linear/fourier.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/require.hpp"
+#include "seiche/shallow_water/dispersive_surface.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
 namespace {
 constexpr std::size_t finer = 4;  // samples of F for one of the record
+}
+
+double surface_of_wave(double gamma, double kh) {
+  const double s = gamma * kh * kh;
+  return (1 + DispersiveSurface::above * s) / (1 + DispersiveSurface::below * s);
+}
+
+double bound_second_harmonic(double alpha, double gamma, double power, double kh) {
+  const double square = kh * kh;
+  const double celerity = (1 + gamma * square) / (1 + alpha * square);  // squared
+  return (celerity + (alpha * celerity + gamma * power) * square) / (4 * (1 - celerity));
 }
 
 double small_wavenumber(const Channel& channel, double depth, double omega) {

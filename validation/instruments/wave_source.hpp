@@ -52,6 +52,14 @@ class WaveSource {
   std::vector<double> strength_;
 };
 
+/// Of the water's surface over the elevation of the markers, of small waves over water of one depth, kh their
+/// wavenumber times it.
+double surface_of_wave(double gamma, double kh);
+
+/// Second harmonic of the markers' y in a wave of permanent form over water of depth 1, over its amplitude's square.
+/// @param power  s of the channel
+double bound_second_harmonic(double alpha, double gamma, double power, double kh);
+
 /// Wavenumber of small waves with gamma and alpha of the channel. Throws std::invalid_argument where there is none.
 double small_wavenumber(const Channel& channel, double depth, double omega);
 

@@ -9,6 +9,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

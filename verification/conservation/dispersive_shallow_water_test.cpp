@@ -18,6 +18,7 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

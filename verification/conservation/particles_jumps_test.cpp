@@ -9,6 +9,7 @@
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/error_measures.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::particles_jumps_test {

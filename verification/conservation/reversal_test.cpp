@@ -5,6 +5,7 @@
 #include <string>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_2dh_problems.hpp"

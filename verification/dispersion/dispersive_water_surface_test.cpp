@@ -12,6 +12,7 @@
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/wave_source.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
@@ -22,6 +23,10 @@ using namespace dispersive_shallow_water_1d;
 constexpr double pi = std::numbers::pi;
 constexpr double improved = 1.0 / 15;
 const std::string derived = "derived in water_surface.hpp";
+
+Channel improved_channel(double period = 0) {
+  return {.bottom = {}, .period = period, .gamma = improved};
+}
 
 /// Amplitude of a harmonic of samples that cover whole periods.
 double harmonic(const std::vector<double>& samples, int periods) {
@@ -52,8 +57,8 @@ TEST_CASE("the water's surface of a wave between equal markers has its closed fo
     }
     x.assign(more_x.begin(), more_x.end() - 1);
     y.assign(more_y.begin(), more_y.end() - 1);
-    const auto of_ring = water_surface(x, y, std::vector<double>(n, h), improved, n * h);
-    const auto of_walls = water_surface(more_x, more_y, std::vector<double>(n, h), improved);
+    const auto of_ring = water_surface(improved_channel(n * h), x, y, std::vector<double>(n, h));
+    const auto of_walls = water_surface(improved_channel(), more_x, more_y, std::vector<double>(n, h));
     for (std::size_t i = 0; i < n; ++i) {
       ring.add(std::abs(of_ring[i] - factor * y[i]));
       walls.add(std::abs(of_walls[i] - factor * y[i]));
@@ -95,7 +100,7 @@ TEST_CASE("the water's surface is of second order over an uneven bottom", "[disp
              const double next = place(i + 1);
              volume.push_back(next - at + 0.3 * (std::sin(next) - std::sin(at)));
            }
-           const auto surface = water_surface(x, y, volume, improved, 2 * pi);
+           const auto surface = water_surface(improved_channel(2 * pi), x, y, volume);
            Mean square;
            for (std::size_t i = 0; i < x.size(); ++i) square.add(surface[i] - zeta[i]);
            return square.rms();

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "seiche/exact/affine_drop.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/exact/affine_drop.hpp"
 #include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
@@ -71,7 +71,7 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
   Worst surface, outline;
   for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
     const DropInstant instant = turning.at(t);
-    const auto [long_axis, short_axis, tilt] = instant.outline();
+    const auto [long_axis, short_axis, tilt] = exact::outline_of(instant);
     for (double angle = 0; angle < 6.3; angle += 0.3) {
       const Eigen::Vector2d on_circle(std::cos(angle), std::sin(angle));
       const Eigen::Vector2d point = instant.deformation * on_circle;
@@ -108,9 +108,7 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
 TEST_CASE("points outside the drop and impossible drops are refused", "[exact]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const DropInstant ellipse = StretchingDrop(2, 0.5, 1).at(0);
-  CHECK(ellipse.contains(2, 0));
-  CHECK_FALSE(ellipse.contains(2.01, 0));
-  CHECK_NOTHROW(ellipse.velocity(1.99, 0));
+  CHECK_NOTHROW(ellipse.velocity(2, 0));
   CHECK_THROWS_AS(ellipse.velocity(2.01, 0), OutsideFluid);
   CHECK_THROWS_WITH(ellipse.pressure(0, 0.75), Catch::Contains("y = 0.75"));
   CHECK_THROWS_WITH(ellipse.pressure(nan, 0), Catch::Contains("x = nan"));

@@ -2,6 +2,7 @@
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 #include "verification/exact/shallow_water_residual.hpp"

@@ -51,7 +51,7 @@ double error_of_velocity(std::size_t intervals, double cotangent) {
   const MirroredPoles poles(slope, {-2, 3});
   WedgeFlow flow(intervals, slope);
   constexpr double far = -60;
-  const Eigen::VectorXd& nodes = flow.line().nodes();
+  const Eigen::VectorXd& nodes = flow.line().nodes;
   const auto n = nodes.size();
   Eigen::VectorXcd z(n);
   Eigen::VectorXd phi(n);

@@ -29,7 +29,9 @@ void draw_ratios(Check& check) {
                     .panel({.x = "k d", .y = "H/S", .title = "Linear theory", .y_min = 0, .y_max = 2.1});
   const std::vector<double> k = evenly(0.02, 6.97, 140);
   for (const auto paddle : {Paddle::piston, Paddle::flap}) {
-    const auto ratio = [&](double kd) { return Wavemaker(paddle, {1, 1}, exact::Wavenumber{kd}).height_per_stroke(); };
+    const auto ratio = [&](double kd) {
+      return Wavemaker(paddle, {1, 1}, exact::Wavelength{2 * std::numbers::pi / kd}).height_per_stroke();
+    };
     panel.line(std::string(name_of(paddle)), k, each(k, ratio), paddle == Paddle::piston ? Role::exact : Role::peer);
   }
   const std::vector<double> shallow = {0, 2};

@@ -10,6 +10,7 @@
 
 #include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::bottom_profile_test {

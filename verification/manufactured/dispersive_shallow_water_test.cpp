@@ -9,6 +9,7 @@
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"

@@ -11,11 +11,16 @@ namespace {
 
 using namespace seiche;
 
+using TwoEnded = linear::TwoEndedTridiagonal;
+struct Periodic : TwoEnded {
+  void factor(linear::TridiagonalMatrix a) { TwoEnded::factor(a, true); }
+};
+
 /// Two diagonals and the right-hand side are read, the solution written; pivots and multipliers are written and read
 /// (4 arrays). Elimination 3 + 2, substitution 3 operations; a periodic system is solved for two right-hand sides.
 template <class Matrix>
-constexpr performance::Work solution = std::is_same_v<Matrix, linear::PeriodicTridiagonal> ? performance::pass(12, 15)
-                                                                                           : performance::pass(8, 8);
+constexpr performance::Work solution = std::is_same_v<Matrix, Periodic> ? performance::pass(12, 15)
+                                                                        : performance::pass(8, 8);
 
 template <class Matrix>
 void factor_and_solve(benchmark::State& state) {
@@ -33,9 +38,6 @@ void factor_and_solve(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
   performance::show(state, static_cast<double>(n) * solution<Matrix>);
 }
-
-using TwoEnded = linear::TwoEndedTridiagonal;
-using Periodic = linear::PeriodicTridiagonal;
 
 BENCHMARK(factor_and_solve<TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
 BENCHMARK(factor_and_solve<Periodic>)->Arg(1000)->Arg(10000)->Arg(1000000);

@@ -7,6 +7,7 @@
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

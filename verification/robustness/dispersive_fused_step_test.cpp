@@ -14,6 +14,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::dispersive_fused_step_test {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/instruments/cosine_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace seiche::verification::dispersive_shallow_water_input_test {

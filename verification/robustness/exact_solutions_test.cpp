@@ -5,6 +5,7 @@
 #include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/exact/shallow_water/thacker.hpp"
+#include "validation/instruments/exact/dam_break.hpp"
 #include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/check.hpp"
 

@@ -1,21 +1,5 @@
-/// Free liquid ellipse in affine motion (Dirichlet 1860), plane, no gravity, zero pressure on the surface.
-///
-/// Particles x = A(t) X, X in the unit disc. The velocity is linear and the pressure quadratic in x,
-///
-///     u = A' A^-1 x,   p = (lambda/2) rho (1 - |X|^2),   A'' = lambda A^-T,
-///     lambda = tr[(A' A^-1)^2] / tr[A^-1 A^-T],
-///
-/// which keeps det A, the kinetic energy rho det A (pi/8) tr(A'^T A'), the angular momentum (A A'^T antisymmetric part)
-/// and the circulation (A^T A' antisymmetric part). Every particle's path is known exactly: the sharpest test of a
-/// Lagrangian free-surface method, with large deformation.
-///
-/// When not to use it: lambda < 0 (rotation faster than strain) is a solution, but with the pressure below that of the
-/// surroundings everywhere, and its surface is unstable.
-///
-/// References: Dirichlet, Untersuchungen ueber ein Problem der Hydrodynamik, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860)
-/// 3; Longuet-Higgins, A class of exact, time-dependent, free-surface flows, J. Fluid Mech. 55 (1972) 529.
-///
-/// Free liquid ellipse that is stretched without rotation: the irrotational, symmetric case of affine_drop.hpp.
+/// Free liquid ellipse that is stretched without rotation: affine motion (Dirichlet 1860), plane, no gravity, zero
+/// pressure on the surface. Every particle's path is known exactly.
 ///
 /// Semi-axes a(t) along x and b(t) along y, a b = c^2 constant, u = alpha x, v = -alpha y, alpha = a'/a,
 ///
@@ -28,7 +12,7 @@
 ///
 /// This is the stretching patch on which particle methods are usually judged.
 ///
-/// When not to use it: drops that rotate (affine_drop.hpp).
+/// When not to use it: drops that rotate.
 ///
 /// References: Dirichlet (1860); Longuet-Higgins, A class of exact, time-dependent, free-surface flows, J. Fluid Mech.
 /// 55 (1972) 529; Monaghan, Simulating free surface flows with SPH, J. Comput. Phys. 110 (1994) 399.
@@ -51,46 +35,9 @@ struct DropInstant {
   /// Velocity [m/s] and pressure [Pa] at (x, y). Throw OutsideFluid.
   [[nodiscard]] Eigen::Vector2d velocity(double x, double y) const { return rate * label(x, y); }
   [[nodiscard]] double pressure(double x, double y) const { return central_pressure * (1 - label(x, y).squaredNorm()); }
-  [[nodiscard]] bool contains(double x, double y) const;
-  /// Larger and smaller semi-axis [m], and the angle from x to the larger one, in (-pi/2, pi/2].
-  struct Ellipse {
-    double major, minor, tilt;
-  };
-  [[nodiscard]] Ellipse outline() const;
 
  private:
   [[nodiscard]] Eigen::Vector2d label(double x, double y) const;
-};
-
-class AffineDrop {
- public:
-  /// @param deformation        A(0), unit disc to drop [m], det > 0
-  /// @param velocity_gradient  A'(0) A(0)^-1 [1/s], trace 0 to round-off
-  /// @param density            [kg/m^3]
-  /// Throws std::invalid_argument.
-  AffineDrop(const Eigen::Matrix2d& deformation, const Eigen::Matrix2d& velocity_gradient, double density = 1);
-
-  /// State at time t [s], of either sign; integrates from t = 0 by Runge-Kutta-Fehlberg 7(8), tolerance 1e-14 per step.
-  [[nodiscard]] DropInstant at(double t) const;
-  /// Position at time t of the particle that was at (x0, y0) at t = 0. Throws OutsideFluid.
-  [[nodiscard]] Eigen::Vector2d carried(double x0, double y0, double t) const;
-
-  /// Constants of the motion, per unit span: area [m^2], kinetic energy [J/m], angular momentum [N s], circulation of
-  /// the surface [m^2/s].
-  struct Invariants {
-    double area, kinetic_energy, angular_momentum, circulation;
-  };
-  [[nodiscard]] Invariants invariants(const DropInstant& instant) const;
-
-  [[nodiscard]] double uncertainty() const { return 1e-12; }
-  [[nodiscard]] SelfTest self_test() const;
-
- private:
-  Eigen::Matrix2d deformation_;
-  Eigen::Matrix2d rate_;
-  double density_;
-  double size_;      ///< sqrt(det A)
-  double strength_;  ///< Frobenius norm of the velocity gradient, 1 if at rest
 };
 
 class StretchingDrop {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include <Eigen/LU>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 
-#include "seiche/linear/dense.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
@@ -132,7 +132,7 @@ double solve_newton(const StreamlineEquations& system, VectorXd& unknowns) {
   MatrixXd jacobian;
   for (int step = 0; step < most_steps; ++step) {
     system.jacobian(unknowns, jacobian);
-    const linear::LuFactors factors(jacobian);
+    const Eigen::PartialPivLU<Eigen::Ref<MatrixXd>> factors(jacobian);
     VectorXd correction = factors.solve(system.residual(unknowns));
     double size = correction.lpNorm<Eigen::Infinity>();
     if (!std::isfinite(size)) break;

@@ -56,10 +56,6 @@ double AiryDispersion::wavenumber_of(const WaveScale& wave) const {
     require_positive("wavelength", length->value);
     return 2 * std::numbers::pi / length->value;
   }
-  if (const auto* k = std::get_if<Wavenumber>(&wave)) {
-    require_positive("wavenumber", k->value);
-    return k->value;
-  }
   return wavenumber(frequency_of(wave));
 }
 

@@ -65,13 +65,10 @@ struct Wavelength {
 struct Period {
   double value;  ///< [s]
 };
-struct Wavenumber {
-  double value;  ///< [1/m]
-};
 struct AngularFrequency {
   double value;  ///< [1/s]
 };
-using WaveScale = std::variant<Wavelength, Period, Wavenumber, AngularFrequency>;
+using WaveScale = std::variant<Wavelength, Period, AngularFrequency>;
 
 /// Wave of potential theory, depth up to infinity.
 class AiryDispersion {

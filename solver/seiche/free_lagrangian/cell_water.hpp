@@ -4,7 +4,12 @@
 /// @f[ m_i \ddot{\mathbf{r}}_i = \sum_j \lambda_j \frac{\partial A_j}{\partial \mathbf{r}_i}
 ///                             - \frac{\partial \Pi}{\partial \mathbf{r}_i}, \qquad A_i = m_i/\rho @f]
 ///
-/// Pressures and their stabilisation are CellPressure's, Pi is potential_energy's. This is what
+/// Pressures keep the areas (mechanics/ring_constraints.hpp), G = dA_i/dr_k, with a stabilisation in which
+///
+/// @f[ L \mu = \mu_i - \text{mean of its neighbours}; @f]
+///
+/// on lattices symmetric about their nodes there are pressures without forces. The neighbours are those of the moment:
+/// the triangulation goes along with whatever places are asked about, by flips. Pi is potential_energy's. This is what
 /// mechanics::OneStep steps: q = (x of all nodes, y of all nodes), u = (velocities along x, along y). A model whose
 /// masses change sets them between its steps.
 ///
@@ -20,30 +25,17 @@
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/dirichlet_cells.hpp"
 #include "seiche/geometry/triangulation.hpp"
-#include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/ring_constraints.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/ranges.hpp"
 
 namespace seiche::free_lagrangian {
 
-// Pressures that keep the areas of Dirichlet cells: rates of the areas, reactions, and A = G W G^T with its
-// stabilisation.
-//
-// G = dA_i/dr_k and W the mobilities of the nodes. With a stabilisation epsilon
-//
-// @f[ \left(A + \epsilon \frac{\mathrm{tr} A}{N} L^T L\right) \mu = \dots, \qquad
-//     L \mu = \mu_i - \text{mean of its neighbours} @f]
-//
-// is solved instead of A: on lattices symmetric about their nodes there are pressures without forces, and A is
-// singular. The neighbours are those of the moment: the triangulation goes along with whatever places are asked about,
-// by flips.
-
-// How a node answers a force: by 1/mass, along its wall alone, or not at all in a corner.
-
+/// How a node answers a force: by 1/mass, along its wall alone, or not at all in a corner.
 struct Mobility {
   double xx = 0;
   double xy = 0;
@@ -57,55 +49,6 @@ struct Mobility {
 
 /// Projections on what the walls of a mesh leave free, one per node: mobilities for unit masses.
 std::vector<Mobility> freedoms(const Mesh& mesh);
-
-class CellPressure {
- public:
-  /// Throws std::invalid_argument (mesh.hpp, triangulation.hpp): a cell without area, a negative stabilisation.
-  CellPressure(const Mesh& mesh, double stabilisation);
-
-  /// Where the triangulation was last asked to be.
-  [[nodiscard]] const MovingTriangulation& triangulation() const { return triangulation_; }
-  /// Throws mechanics::Infeasible where the mesh tangles.
-  void follow(Places at) { triangulation_.move_to(at); }
-  [[nodiscard]] MeshQuality quality(Places at);
-  /// Areas there, and nothing else.
-  void areas(Places at, std::span<double> areas);
-
-  /// Cells and gradients at these places. Throws mechanics::Infeasible where the mesh tangles.
-  void measure(Places at);
-  /// Of the last measure.
-  [[nodiscard]] const DirichletCells& cells() const { return cells_; }
-
-  /// A for these mobilities at the cells last measured. Throws mechanics::Infeasible where it is singular without
-  /// stabilisation.
-  void factor(std::span<const Mobility> mobility);
-  /// w = G u, with u all velocities along x, then all along y.
-  void rates(std::span<const double> u, std::span<double> w) const;
-  /// u += W G^T mu.
-  void react(std::span<const double> mu, std::span<double> u) const;
-  void solve(std::span<const double> right_hand_side, std::span<double> mu) { solver_.solve(right_hand_side, mu); }
-  /// mu.(epsilon tr A/N) L^T L mu, never negative: what the stabilisation keeps G u from.
-  [[nodiscard]] double roughness(std::span<const double> mu) const;
-
-  [[nodiscard]] const linear::RingSolver& solver() const { return solver_; }
-  /// A with its stabilisation, of the last factor.
-  [[nodiscard]] const linear::RingMatrix& matrix() const { return matrix_; }
-
- private:
-  [[nodiscard]] std::size_t nodes() const { return triangulation_.nodes().x.size(); }
-
-  double stabilisation_;
-  MovingTriangulation triangulation_;
-  long connected_flips_ = -1;  // of the triangulation, when the cells were connected
-  DirichletCells cells_;
-  std::vector<Point> response_;  // W dA_i/dr_k, entry by entry of the rings
-  double stiffness_ = 0;         // epsilon tr A/N
-  linear::RingMatrix matrix_;
-  linear::RingSolver solver_;
-};
-
-/// Areas of the cells of a mesh. Throws std::invalid_argument naming a cell without area.
-std::vector<double> first_areas(const Mesh& mesh, const Triangulation& triangulation);
 
 // Gravity of the polygon of water within an outline of nodes: its exact potential energy, counted from y = 0, and the
 // forces on the nodes (Frank 1994, formula 7).
@@ -159,20 +102,29 @@ class CellWater : public mechanics::PointMasses<CellWater> {
   /// The triangulation goes along: where it tangles, mechanics::Infeasible before `to` is touched.
   void advance(Input from, Input u, double h, Output to) const;
   void kick(double h, Output u) const;
-  void constraint_rates(Input u, Output w) const { pressure_.rates(u, w); }
-  void react(Input mu, Output u) const { pressure_.react(mu, u); }
-  void solve(Input right_hand_side, Output mu) { pressure_.solve(right_hand_side, mu); }
+  void constraint_rates(Input u, Output w) const { areas_.rates(u, w); }
+  void react(Input mu, Output u) const { areas_.react(mu, u); }
+  void solve(Input right_hand_side, Output mu) { areas_.solve(right_hand_side, mu); }
   /// A_i - m_i/rho.
   void constraint_values(Input q, Output f) const;
-  [[nodiscard]] double place(std::size_t rate) const { return first_x_[rate % nodes()]; }
+  [[nodiscard]] double place(std::size_t rate) const { return first_.x[rate % nodes()]; }
 
   [[nodiscard]] double potential_energy(Input q) const {
-    return free_lagrangian::potential_energy(places(q), outline_, weight());
+    return free_lagrangian::potential_energy(places(q), outline(), weight());
   }  ///< [J/m]
 
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
   /// [J/m]: 2 mu.(epsilon tr A/N) L^T L mu. Never negative.
-  [[nodiscard]] double stabilisation_loss(Input impulses) const { return 2 * pressure_.roughness(impulses); }
+  [[nodiscard]] double stabilisation_loss(Input impulses) const { return areas_.stabilisation_loss(impulses); }
+
+  // The parts of linearise, for models with other mobilities.
+  /// Throws mechanics::Infeasible where the mesh tangles.
+  void follow(Places at) const { triangulation_.move_to(at); }
+  /// Cells and gradients at these places. Throws likewise.
+  void measure(Places at);
+  /// A for these mobilities at the cells last measured. Throws mechanics::Infeasible where it is singular without
+  /// stabilisation.
+  void factor(std::span<const Mobility> mobility);
 
   [[nodiscard]] std::size_t nodes() const { return mass_.size(); }
   [[nodiscard]] const Settings& settings() const { return settings_; }
@@ -181,32 +133,29 @@ class CellWater : public mechanics::PointMasses<CellWater> {
   void set_masses(std::span<const double> masses);
   /// What the walls leave free, one per node.
   [[nodiscard]] std::span<const Mobility> freedom() const { return freedom_; }
-  [[nodiscard]] std::span<const int> outline() const { return outline_; }
+  [[nodiscard]] std::span<const int> outline() const { return first_.outline; }
   [[nodiscard]] double weight() const { return settings_.density * settings_.gravity; }  ///< rho g
-  [[nodiscard]] CellPressure& pressure() { return pressure_; }
   [[nodiscard]] Places places(Input q) const { return {q.first(nodes()), q.last(nodes())}; }
-  /// Cells at the last linearisation.
-  [[nodiscard]] const DirichletCells& cells() const { return pressure_.cells(); }
-  [[nodiscard]] const linear::RingSolver& solver() const { return pressure_.solver(); }
-  /// A with its stabilisation, of the last linearisation.
-  [[nodiscard]] const linear::RingMatrix& matrix() const { return pressure_.matrix(); }
+  /// Of the last measure.
+  [[nodiscard]] const DirichletCells& cells() const { return cells_; }
+  [[nodiscard]] const linear::RingSolver& solver() const { return areas_.solver(); }
+  /// A with its stabilisation, of the last factor.
+  [[nodiscard]] const linear::RingMatrix& matrix() const { return areas_.matrix(); }
   /// Where the triangulation was last asked to be.
-  [[nodiscard]] const MovingTriangulation& triangulation() const { return pressure_.triangulation(); }
-  [[nodiscard]] MeshQuality quality(Input q) const { return pressure_.quality(places(q)); }
+  [[nodiscard]] const MovingTriangulation& triangulation() const { return triangulation_; }
 
  private:
   Settings settings_;
-  std::vector<double> first_x_, first_y_;
-  std::vector<int> outline_;
-  mutable CellPressure pressure_;
+  Mesh first_;
+  mutable MovingTriangulation triangulation_;
   mutable std::vector<double> next_;
   std::vector<double> mass_;
   std::vector<Mobility> freedom_, mobility_;
-  std::vector<Point> force_;  // of gravity
+  std::vector<Point> force_;   // of gravity
+  long connected_flips_ = -1;  // of the triangulation, when the cells were connected
+  DirichletCells cells_;
+  std::vector<double> row_;  // of L, entry by entry of the rings
+  mechanics::RingConstraints areas_;
 };
-
-/// Dynamic pressure p + rho g y of water that is at rest and let go at this instant, cell by cell [Pa]. Throws
-/// std::invalid_argument for a state of other lengths, mechanics::Infeasible.
-std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest);
 
 }  // namespace seiche::free_lagrangian

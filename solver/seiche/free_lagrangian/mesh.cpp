@@ -103,8 +103,8 @@ void Mesh::require_valid() const {
                    "node {} is held by wall {}; there are {} walls, from 0", k, w, walls.size());
       require_that(on[k], "node {} is inside; allowed on walls: nodes of the outline", k);
       const Wall& wall = walls[static_cast<std::size_t>(w)];
-      const double off = ((x[k] - wall.through.x) * wall.direction.y - (y[k] - wall.through.y) * wall.direction.x) /
-                         std::hypot(wall.direction.x, wall.direction.y);
+      const double off =
+          cross(Point{x[k], y[k]} - wall.through, wall.direction) / std::hypot(wall.direction.x, wall.direction.y);
       require_that(std::abs(off) <= nearest * extent(*this),
                    "node {} at ({:g}, {:g}) is {:g} off its wall {}; allowed: on it", k, x[k], y[k], std::abs(off), w);
     }

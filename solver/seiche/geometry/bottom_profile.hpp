@@ -69,21 +69,6 @@ class PiecewiseLinearBottom final : public BottomProfile {
   std::vector<double> x_, b_, slope_;
 };
 
-/// b = -depth + amplitude cos(wavenumber x + phase).
-class CosineBottom final : public BottomProfile {
- public:
-  /// @param depth  [m]. @param wavenumber  [1/m]. Throws std::invalid_argument unless depth and wavenumber are
-  /// positive.
-  CosineBottom(double depth, double amplitude, double wavenumber, double phase = 0);
-  void sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const override;
-  [[nodiscard]] double mean(double from, double to) const override;
-  [[nodiscard]] double mean_square(double from, double to) const override;
-  [[nodiscard]] std::optional<double> uniform_slope(double, double) const override { return std::nullopt; }
-
- private:
-  double depth_, amplitude_, wavenumber_, phase_;
-};
-
 /// Any smooth bottom from two functions. Means by Gauss's rule with ten points: exact to round-off over intervals on
 /// which b is a polynomial of degree nine in effect, that is over a cell or a step's motion, not over many wavelengths.
 class SmoothBottom final : public BottomProfile {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seiche/samples.hpp"
-
 namespace seiche {
 
 namespace {
@@ -92,7 +90,7 @@ void DirichletCells::connect(const Triangulation& mesh, int nodes) {
 void DirichletCells::measure(const Triangulation& mesh, Places nodes) {
   area_.assign(nodes.x.size(), 0.0);
   gradient_.assign(member_.size(), Point{});
-  const auto add = [&](int entry, Point part) { gradient_[index(entry)] = gradient_[index(entry)] + part; };
+  const auto add = [&](int entry, Point part) { gradient_[index(entry)] += part; };
   for (int t = 0; t < mesh.size(); ++t) {
     const Triangle& one = mesh[t];
     const auto& entry = entry_[index(t)];
@@ -149,28 +147,12 @@ std::vector<Point> dirichlet_centroids(const Triangulation& mesh, Places nodes) 
       for (const int node : {i, j}) {
         area[index(node)] += piece;
         const Point corners = nodes[node] + middle + first + centre;
-        moment[index(node)] = moment[index(node)] + Point{piece * corners.x / 3, piece * corners.y / 3};
+        moment[index(node)] += Point{piece * corners.x / 3, piece * corners.y / 3};
       }
     }
   }
   for (std::size_t k = 0; k < area.size(); ++k) moment[k] = {moment[k].x / area[k], moment[k].y / area[k]};
   return moment;
-}
-
-MeshQuality quality_of(const Triangulation& mesh, Places nodes) {
-  Smallest triangle;
-  Largest cotangent;
-  for (const Triangle& one : mesh.triangles()) {
-    const Shape s = shape(one, nodes);
-    triangle.add(s.twice_area / 2, nodes[one.vertex[0]].x);
-    for (const double cot : s.cotangent) cotangent.add(cot);
-  }
-  std::vector<double> areas(nodes.x.size());
-  dirichlet_areas(mesh, nodes, areas);
-  return {.smallest_triangle = triangle.value(),
-          .smallest_cell = smallest(areas),
-          .smallest_angle = std::atan2(1, cotangent.value()),
-          .place = triangle.where()};
 }
 
 }  // namespace seiche

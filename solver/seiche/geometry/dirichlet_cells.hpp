@@ -54,13 +54,4 @@ void dirichlet_areas(const Triangulation& mesh, Places nodes, std::span<double> 
 /// Centroids of the cells, from their signed pieces.
 std::vector<Point> dirichlet_centroids(const Triangulation& mesh, Places nodes);
 
-/// How far a mesh is from breaking down.
-struct MeshQuality {
-  double smallest_triangle = 0;  ///< area
-  double smallest_cell = 0;      ///< area
-  double smallest_angle = 0;     ///< of the triangles [rad]
-  double place = 0;              ///< x of the smallest triangle
-};
-MeshQuality quality_of(const Triangulation& mesh, Places nodes);
-
 }  // namespace seiche

@@ -43,10 +43,6 @@ std::vector<Side> sides_of(std::span<const Triangle> triangles) {
   return sides;
 }
 
-void copy(std::span<const double> from, std::vector<double>& to) {
-  std::copy(from.begin(), from.end(), to.begin());
-}
-
 void go(std::span<const double> from, std::span<const double> to, double part, std::vector<double>& there) {
   for (std::size_t i = 0; i < from.size(); ++i) there[i] = from[i] + part * (to[i] - from[i]);
 }
@@ -159,16 +155,6 @@ int Triangulation::first_inverted(Places nodes) const {
   return outside;
 }
 
-long Triangulation::edges_not_delaunay(Places nodes) const {
-  long found = 0;
-  for (int t = 0; t < size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      if ((*this)[t].across[static_cast<std::size_t>(k)] > t && wants_flip(t, k, nodes)) ++found;
-    }
-  }
-  return found;
-}
-
 namespace {
 
 constexpr double closest = 1e-12;  // of the extent
@@ -222,7 +208,7 @@ void require_simple(Places nodes, std::span<const int> outline) {
     const Point b = nodes[outline[(i + 1) % n]];
     // The edge after it shares b: it must not turn back.
     const Point after = nodes[outline[(i + 2) % n]];
-    if (orientation(a, b, after) == 0 && (b.x - a.x) * (after.x - b.x) + (b.y - a.y) * (after.y - b.y) <= 0) {
+    if (orientation(a, b, after) == 0 && dot(b - a, after - b) <= 0) {
       refuse(i, (i + 1) % n);
     }
     for (std::size_t j = i + 2; j < n; ++j) {
@@ -317,11 +303,11 @@ void require_apart(const Triangulation& mesh, Places nodes) {
     for (int k = 0; k < 3; ++k) {
       const int a = one.vertex[next(k)];
       const int b = one.vertex[previous(k)];
-      const double distance = std::hypot(nodes[a].x - nodes[b].x, nodes[a].y - nodes[b].y);
-      if (!(distance >= least)) {
+      const double apart = distance(nodes[a], nodes[b]);
+      if (!(apart >= least)) {
         throw std::invalid_argument(
             at(nodes, a) +
-            fmt::format(" coincides with node {}: they are {:g} apart; allowed: at least {:g}", b, distance, least));
+            fmt::format(" coincides with node {}: they are {:g} apart; allowed: at least {:g}", b, apart, least));
       }
     }
   }
@@ -333,9 +319,7 @@ double enclosed_area(Places nodes, std::span<const int> outline) {
   const Point origin = nodes[outline[0]];
   CompensatedSum twice;
   for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
-    const Point a = nodes[outline[i]];
-    const Point b = nodes[outline[i + 1]];
-    twice.add((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x));
+    twice.add(cross(nodes[outline[i]] - origin, nodes[outline[i + 1]] - origin));
   }
   return twice.value() / 2;
 }
@@ -374,8 +358,8 @@ void MovingTriangulation::move_to(Places nodes) {
     for (;;) {
       // The end itself is hit to the last bit.
       if (part == left) {
-        copy(nodes.x, next_x_);
-        copy(nodes.y, next_y_);
+        std::ranges::copy(nodes.x, next_x_.begin());
+        std::ranges::copy(nodes.y, next_y_.begin());
       } else {
         go(x_, nodes.x, part / left, next_x_);
         go(y_, nodes.y, part / left, next_y_);

@@ -56,8 +56,6 @@ class Triangulation {
   void insert(int node, int t, Places nodes);
   /// A triangle that is not counter-clockwise, or `outside` if there is none.
   [[nodiscard]] int first_inverted(Places nodes) const;
-  /// Edges whose opposite node is strictly inside the circle.
-  [[nodiscard]] long edges_not_delaunay(Places nodes) const;
 
  private:
   struct Edge {

@@ -76,7 +76,7 @@ class RingMatrix {
   /// it
   template <class Block>
   void sum(Block&& block) {
-    clear();
+    lower_.coeffs().setZero();
     double* const values = lower_.valuePtr();
     std::size_t pair = 0;
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
@@ -95,12 +95,8 @@ class RingMatrix {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(lower_.cols()); }
   /// Grows with every set_rings: whoever analysed a pattern knows whether it is the same.
   [[nodiscard]] long pattern() const { return pattern_; }
-  /// y = A x; returns x . y.
-  double multiply(std::span<const double> x, std::span<double> y) const;
 
  private:
-  void clear();
-
   std::vector<int> begin_;
   std::vector<int> place_;  // of each pair of each ring among the values
   Eigen::SparseMatrix<double> lower_;
@@ -132,7 +128,8 @@ class RingSolver {
   const RingMatrix* matrix_ = nullptr;
   std::optional<SparseCholesky> cholesky_;
   double fill_ = 0;  // of the first factor in its order
-  std::vector<double> shifted_, residual_;
+  std::vector<double> shifted_;
+  Eigen::VectorXd residual_;
   long pattern_ = 0, analyses_ = 0, factorisations_ = 0;
 };
 

@@ -26,9 +26,8 @@ void require_shape(TridiagonalMatrix a, std::size_t least_rows, std::size_t coup
 
 }  // namespace
 
-void TwoEndedTridiagonal::factor(TridiagonalMatrix a) {
+void TwoEndedTridiagonal::eliminate(TridiagonalMatrix a) {
   const std::size_t n = a.diagonal.size();
-  require_shape(a, 1, n - 1);
   inverse_pivot_.resize(n);
   multiplier_.resize(n - 1);
   const std::size_t middle = n / 2;
@@ -64,8 +63,8 @@ void TwoEndedTridiagonal::factor(TridiagonalMatrix a) {
   }
 }
 
-void TwoEndedTridiagonal::solve(std::span<const double> right_hand_side, std::span<double> x) const {
-  const std::size_t n = size();
+void TwoEndedTridiagonal::substitute(std::span<const double> right_hand_side, std::span<double> x) const {
+  const std::size_t n = inverse_pivot_.size();
   const std::size_t middle = n / 2;
   const double* const b = right_hand_side.data();
   double* const out = x.data();
@@ -91,27 +90,27 @@ void TwoEndedTridiagonal::solve(std::span<const double> right_hand_side, std::sp
   }
 }
 
-void PeriodicTridiagonal::factor(TridiagonalMatrix a) {
+void TwoEndedTridiagonal::factor(TridiagonalMatrix a, bool ring) {
   const std::size_t n = a.diagonal.size();
-  require_shape(a, 3, n);
-  inner_.factor({a.diagonal.first(n - 1), a.off_diagonal.first(n - 2)});
-  border_.assign(n - 1, 0.0);
-  const double first = a.off_diagonal[n - 1];
-  const double last = a.off_diagonal[n - 2];
-  border_.front() += first;
-  border_.back() += last;
-  inner_.solve(border_, border_);
-  const double schur = a.diagonal[n - 1] - first * border_.front() - last * border_.back();
+  require_shape(a, ring ? 3 : 1, ring ? n : n - 1);
+  border_.assign(ring ? n - 1 : 0, 0.0);
+  if (!ring) return eliminate(a);
+  eliminate({a.diagonal.first(n - 1), a.off_diagonal});
+  first_ = a.off_diagonal[n - 1];
+  last_ = a.off_diagonal[n - 2];
+  border_.front() += first_;
+  border_.back() += last_;
+  substitute(border_, border_);
+  const double schur = a.diagonal[n - 1] - first_ * border_.front() - last_ * border_.back();
   if (!(schur > 0)) throw NotPositiveDefinite(n - 1, schur);
   inverse_schur_ = 1 / schur;
-  first_ = first;
-  last_ = last;
 }
 
-void PeriodicTridiagonal::solve(std::span<const double> right_hand_side, std::span<double> x) const {
+void TwoEndedTridiagonal::solve(std::span<const double> right_hand_side, std::span<double> x) const {
+  if (border_.empty()) return substitute(right_hand_side, x);
   const std::size_t n = size();
   const double b = right_hand_side[n - 1];
-  inner_.solve(right_hand_side.first(n - 1), x.first(n - 1));
+  substitute(right_hand_side.first(n - 1), x.first(n - 1));
   const double z = (b - first_ * x[0] - last_ * x[n - 2]) * inverse_schur_;
   for (std::size_t i = 0; i + 1 < n; ++i) x[i] -= border_[i] * z;
   x[n - 1] = z;

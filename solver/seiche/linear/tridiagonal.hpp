@@ -2,13 +2,9 @@
 ///
 ///     A_ii = diagonal[i],   A_{i,i+1} = A_{i+1,i} = off_diagonal[i],   i = 0..n-1
 ///
-/// Tridiagonal eliminates from the first row to the last: one chain of a multiplication and a division per row.
-///
 /// TwoEndedTridiagonal eliminates from both ends to the middle row (twisted factorisation): two independent chains,
-/// which one processor core overlaps. Same accuracy, different rounding.
-///
-/// PeriodicTridiagonal has its last row also coupled to the first, by off_diagonal[n-1]. The last unknown is eliminated
-/// by its Schur complement, a Cholesky step and hence backward stable, which Sherman-Morrison is not.
+/// which one processor core overlaps. In a ring the last unknown is eliminated by its Schur complement, a Cholesky step
+/// and hence backward stable, which Sherman-Morrison is not.
 ///
 /// No allocation after the first factorisation of a size. Arrays x and right_hand_side may be the same. A pivot that is
 /// not positive throws NotPositiveDefinite with its row.
@@ -44,26 +40,20 @@ struct TridiagonalMatrix {
 
 class TwoEndedTridiagonal {
  public:
-  void factor(TridiagonalMatrix a);
+  /// @param ring  whether off_diagonal[n-1] couples the last row to the first; three rows at least then
+  void factor(TridiagonalMatrix a, bool ring = false);
   void solve(std::span<const double> right_hand_side, std::span<double> x) const;
-  [[nodiscard]] std::size_t size() const { return inverse_pivot_.size(); }
+  [[nodiscard]] std::size_t size() const { return inverse_pivot_.size() + (border_.empty() ? 0 : 1); }
 
  private:
+  void eliminate(TridiagonalMatrix a);
+  void substitute(std::span<const double> right_hand_side, std::span<double> x) const;
+
   std::vector<double> inverse_pivot_;
   std::vector<double> multiplier_;  // off_diagonal[i] times the inverse pivot of its outer row
-};
-
-class PeriodicTridiagonal {
- public:
-  /// At least three rows; off_diagonal[n-1] couples the last row to the first.
-  void factor(TridiagonalMatrix a);
-  void solve(std::span<const double> right_hand_side, std::span<double> x) const;
-  [[nodiscard]] std::size_t size() const { return border_.size() + 1; }
-
- private:
-  TwoEndedTridiagonal inner_;
-  std::vector<double> border_;  // inner^-1 (column of the last unknown)
-  double first_ = 0;            // couplings of the last unknown to the first and to the last but one
+  // Of a ring, whose last unknown stands apart:
+  std::vector<double> border_;  // its column, solved for by the others; empty without a ring
+  double first_ = 0;            // its couplings to the first and to the last but one
   double last_ = 0;
   double inverse_schur_ = 0;
 };

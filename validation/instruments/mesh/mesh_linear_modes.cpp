@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-#include "seiche/linear/dense.hpp"
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
 #include "seiche/samples.hpp"
 
 namespace seiche::validation {
@@ -76,9 +78,13 @@ LinearModes linear_modes(lagrangian_mesh_2d::Model& model, double displacement) 
   }
   model.linearise({}, rest);
 
-  const Eigen::MatrixXd kernel = linear::complement(constraints.transpose());
+  // What the constraints' gradients do not reach.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(constraints.transpose());
+  const Eigen::MatrixXd basis = factors.householderQ();
+  const Eigen::MatrixXd kernel = basis.rightCols(constraints.cols() - factors.rank());
   const Eigen::MatrixXd s = kernel.transpose() * stiffness * kernel;
-  const auto [squares, vectors] = linear::symmetric_eigen(0.5 * (s + s.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (s + s.transpose()));
+  const Eigen::VectorXd& squares = eigen.eigenvalues();
   LinearModes modes;
   const Eigen::MatrixXd skew = s - s.transpose();
   modes.asymmetry = worst(entries_of(skew)) / worst(entries_of(s));
@@ -90,7 +96,7 @@ LinearModes linear_modes(lagrangian_mesh_2d::Model& model, double displacement) 
   }
   const Index waves = squares.size() - static_cast<Index>(modes.motionless);
   for (const double square : squares.tail(waves)) modes.frequencies.push_back(std::sqrt(square));
-  modes.rates = q * (kernel * vectors.rightCols(waves));
+  modes.rates = q * (kernel * eigen.eigenvectors().rightCols(waves));
   return modes;
 }
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Core>
+#include <Eigen/QR>
 
-#include "seiche/linear/dense.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
@@ -49,7 +48,8 @@ SteepWaveStart::SteepWaveStart(double amplitude, double wavelength, double depth
   // Columns grow like exp(n a): scaled to equal length before they are made orthogonal.
   const Eigen::VectorXd scale = matrix.colwise().norm().transpose();
   const Eigen::MatrixXd scaled = matrix * scale.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd solution = linear::least_squares(scaled, right).cwiseQuotient(scale);
+  Eigen::VectorXd solution = scaled.colPivHouseholderQr().solve(right);
+  solution.array() /= scale.array();
   rate_.assign(solution.begin(), solution.end());
 }
 

@@ -9,6 +9,7 @@
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/wave_source.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {

@@ -10,6 +10,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "validation/instruments/plan/plan_gauges.hpp"
+#include "validation/instruments/wave_source.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::laboratory {

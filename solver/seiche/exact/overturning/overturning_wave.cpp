@@ -31,13 +31,15 @@ void require_computable(const Parameters& p) {
   require_not_negative("last_time", p.last_time);
 }
 
-/// Distance from a second computation with three quarters of the markers and ten times the tolerance [m].
+/// The second computation, up to a time.
 template <class Wave>
-double change_by_coarsening(const Wave& wave, typename Wave::Parameters p, double t) {
+auto coarser(typename Wave::Parameters p) {
   p.markers = std::max<std::size_t>(64, p.markers * 3 / 8 * 2);
   p.tolerance *= 10;
-  p.last_time = std::max(t, std::sqrt(p.wavelength / (2 * std::numbers::pi * p.gravity)) * 1e-3);
-  return wave.distance_from(Wave(p), t);
+  return [p](double t) mutable {
+    p.last_time = std::max(t, std::sqrt(p.wavelength / (2 * std::numbers::pi * p.gravity)) * 1e-3);
+    return Wave(p);
+  };
 }
 
 const OverturningWave::Parameters& checked(const OverturningWave::Parameters& p) {
@@ -104,17 +106,15 @@ FocusedGroup::Linear modes_at(int first, int last, double amplitude, double dept
 }  // namespace
 
 OverturningWave::OverturningWave(const Parameters& parameters)
-    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity, parameters.amplitude,
+                    coarser<OverturningWave>(parameters)),
+      parameters_(parameters) {
   const double depth = parameters_.depth / length();
   const double last_time = parameters_.last_time > 0 ? parameters_.last_time
                                                      : 2 * std::numbers::pi / std::sqrt(std::tanh(depth)) * time_unit();
   compute(ow::Evolution(ow::sinusoidal_wave(parameters_.markers, parameters_.amplitude / length(), depth), depth,
                         parameters_.tolerance),
           last_time, [](double tangent) { return 0.25 * tangent; });
-}
-
-double OverturningWave::uncertainty(double t) const {
-  return change_by_coarsening(*this, parameters_, t) / parameters_.amplitude;
 }
 
 SelfTest OverturningWave::self_test() const {
@@ -129,7 +129,10 @@ SelfTest OverturningWave::self_test() const {
 }
 
 PressureForcedWave::PressureForcedWave(const Parameters& parameters)
-    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity,
+                    parameters.amplitude + std::abs(parameters.pressure) / parameters.gravity,
+                    coarser<PressureForcedWave>(parameters)),
+      parameters_(parameters) {
   const double depth = parameters_.depth / length();
   ow::State start = ow::still_water(parameters_.markers);
   if (parameters_.amplitude > 0) {
@@ -161,10 +164,6 @@ PressureForcedWave::Action PressureForcedWave::action(double t) const {
   return {area * velocity() * velocity() * sums.work, area * velocity() * sums.thrust};
 }
 
-double PressureForcedWave::uncertainty(double t) const {
-  return change_by_coarsening(*this, parameters_, t) / scale();
-}
-
 SelfTest PressureForcedWave::self_test() const {
   std::optional<Identity> start;
   if (kinetic_energy_) {
@@ -178,7 +177,9 @@ SelfTest PressureForcedWave::self_test() const {
 }
 
 FocusedGroup::FocusedGroup(const Parameters& parameters)
-    : MovingSurface(checked(parameters).wavelength, parameters.gravity), parameters_(parameters) {
+    : MovingSurface(checked(parameters).wavelength, parameters.gravity, parameters.amplitude,
+                    coarser<FocusedGroup>(parameters)),
+      parameters_(parameters) {
   const auto& p = parameters_;
   const double depth = p.depth / length();
   const auto start = [&](double x, double y) {
@@ -202,10 +203,6 @@ FocusedGroup::Linear FocusedGroup::linear(double x, double y, double t) const {
           {scaled.velocity.u * velocity(), scaled.velocity.v * velocity()},
           scaled.pressure * velocity() * velocity(),
           scaled.discharge * length() * velocity()};
-}
-
-double FocusedGroup::uncertainty(double t) const {
-  return change_by_coarsening(*this, parameters_, t) / parameters_.amplitude;
 }
 
 SelfTest FocusedGroup::self_test() const {

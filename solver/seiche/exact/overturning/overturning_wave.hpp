@@ -80,11 +80,6 @@ class OverturningWave : public overturning::MovingSurface {
   /// Throws std::invalid_argument.
   explicit OverturningWave(const Parameters& parameters);
 
-  /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
-  /// relative to the amplitude; at the time well_resolved_until(), a quarter of the time to the first vertical tangent
-  /// after it, if none is given. Takes as long as that computation.
-  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
-  [[nodiscard]] double uncertainty(double t) const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:
@@ -117,18 +112,9 @@ class PressureForcedWave : public overturning::MovingSurface {
   };
   [[nodiscard]] Action action(double t) const;
 
-  /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
-  /// relative to the amplitude and the head of the pressure; at the time well_resolved_until(), 0.4/sqrt(g k) after the
-  /// first vertical tangent, if none is given. Takes as long as that computation.
-  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
-  [[nodiscard]] double uncertainty(double t) const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  [[nodiscard]] double scale() const {
-    return parameters_.amplitude + std::abs(parameters_.pressure) / parameters_.gravity;
-  }
-
   Parameters parameters_;
   std::optional<double> kinetic_energy_;  ///< of the Stokes wave, per wavelength [m^4/s^2]
 };
@@ -162,10 +148,6 @@ class FocusedGroup : public overturning::MovingSurface {
   [[nodiscard]] double amplitude() const { return parameters_.amplitude; }
   [[nodiscard]] double focus() const { return parameters_.focus; }
 
-  /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
-  /// relative to the amplitude. Takes as long as that computation.
-  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
-  [[nodiscard]] double uncertainty(double t) const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:

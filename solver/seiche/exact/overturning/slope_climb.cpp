@@ -5,12 +5,12 @@
 #include <complex>
 #include <numbers>
 
+#include <Eigen/LU>
 #include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 
 #include "seiche/divergence.hpp"
-#include "seiche/linear/dense.hpp"
 
 namespace seiche::exact::slope_climb {
 
@@ -32,6 +32,13 @@ Eigen::MatrixXd polynomials(Index fine, Index n) {
 
 double halved_at_ends(Index k, Index n) {
   return k == 0 || k == n ? 0.5 : 1;
+}
+
+/// Values to coefficients.
+Eigen::MatrixXd coefficients(Index n) {
+  return Eigen::MatrixXd::NullaryExpr(n + 1, n + 1, [n](Index c, Index r) {
+    return 2 * halved_at_ends(c, n) * halved_at_ends(r, n) * polynomial(c, r, n) / static_cast<double>(n);
+  });
 }
 
 /// Distance from the image over that from the next node, from where the integrals err by exp(-2 pi 5) at most.
@@ -64,10 +71,10 @@ Eigen::VectorXd clenshaw_curtis(std::size_t intervals) {
 }
 
 ChebyshevLine::ChebyshevLine(std::size_t intervals)
-    : n_(intervals), nodes_(static_cast<Index>(intervals) + 1), weights_(clenshaw_curtis(intervals)) {
-  const auto n = static_cast<Index>(n_);
-  for (Index r = 0; r <= n; ++r) nodes_[r] = polynomial(1, r, n);
-  derivative_.setZero(n + 1, n + 1);
+    : nodes(static_cast<Index>(intervals) + 1), weights(clenshaw_curtis(intervals)) {
+  const auto n = static_cast<Index>(intervals);
+  for (Index r = 0; r <= n; ++r) nodes[r] = polynomial(1, r, n);
+  differentiation.setZero(n + 1, n + 1);
   const double step = std::numbers::pi / (2 * static_cast<double>(n));
   for (Index r = 0; r <= n; ++r) {
     for (Index c = 0; c <= n; ++c) {
@@ -76,25 +83,18 @@ ChebyshevLine::ChebyshevLine(std::size_t intervals)
       const double apart =
           2 * std::sin(step * static_cast<double>(r + c)) * std::sin(step * static_cast<double>(r - c));
       const double sign = (r + c) % 2 == 0 ? 1 : -1;
-      derivative_(r, c) = sign * halved_at_ends(c, n) / (halved_at_ends(r, n) * apart);
+      differentiation(r, c) = sign * halved_at_ends(c, n) / (halved_at_ends(r, n) * apart);
     }
-    derivative_(r, r) = -derivative_.row(r).sum();
+    differentiation(r, r) = -differentiation.row(r).sum();
   }
   const auto kept = Eigen::VectorXd::NullaryExpr(
       n + 1, [n](Index k) { return std::exp(-36 * std::pow(static_cast<double>(k) / static_cast<double>(n), 24)); });
-  filter_ = polynomials(n, n) * kept.eval().asDiagonal() * coefficients();
-}
-
-Eigen::MatrixXd ChebyshevLine::coefficients() const {
-  const auto n = static_cast<Index>(n_);
-  return Eigen::MatrixXd::NullaryExpr(n + 1, n + 1, [n](Index c, Index r) {
-    return 2 * halved_at_ends(c, n) * halved_at_ends(r, n) * polynomial(c, r, n) / static_cast<double>(n);
-  });
+  filter = polynomials(n, n) * kept.eval().asDiagonal() * coefficients(n);
 }
 
 Eigen::MatrixXd ChebyshevLine::refinement(std::size_t times) const {
-  const auto n = static_cast<Index>(n_);
-  return polynomials(n * static_cast<Index>(times), n) * coefficients();
+  const Index n = nodes.size() - 1;
+  return polynomials(n * static_cast<Index>(times), n) * coefficients(n);
 }
 
 WedgeFlow::WedgeFlow(std::size_t intervals, double slope)
@@ -161,7 +161,7 @@ double WedgeFlow::row(const Curve& curve, Index node, double curvature, double p
 
 void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
   const Index n = z.size() - 1;
-  const Eigen::MatrixXd& d = line_.differentiation();
+  const Eigen::MatrixXd& d = line_.differentiation;
   const Eigen::VectorXcd z_s = d * z;
   const Eigen::VectorXcd z_ss = d * z_s;
   const Eigen::VectorXd phi_s = d * phi;
@@ -190,7 +190,7 @@ void WedgeFlow::solve(const Eigen::VectorXcd& z, const Eigen::VectorXd& phi) {
   }
   matrix_.diagonal().array() += std::numbers::pi;
   Eigen::MatrixXd inner = matrix_.block(1, 1, n - 1, n - 1).transpose();
-  psi_.segment(1, n - 1) = linear::LuFactors(inner).solve(right_.segment(1, n - 1));
+  psi_.segment(1, n - 1) = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(inner).solve(right_.segment(1, n - 1));
   psi_[0] = psi_[n] = 0;
   velocity_.resize(n + 1);
   const Eigen::VectorXd psi_s = d * psi_;
@@ -236,7 +236,7 @@ void Climb::require_finite() const {
 }
 
 void Climb::filter() {
-  for (const std::size_t which : {0, 1, 2}) part(state_, which) = flow_.line().filter() * part(state_, which).eval();
+  for (const std::size_t which : {0, 1, 2}) part(state_, which) = flow_.line().filter * part(state_, which).eval();
   const Complex up = std::polar(1.0, slope_);
   const Complex shore = up * (Complex(state_[n_ - 1], state_[2 * n_ - 1]) * std::conj(up)).real();
   state_[n_ - 1] = shore.real();
@@ -285,9 +285,9 @@ double Climb::energy() {
 
 double Climb::moment(int power) const {
   const Eigen::VectorXcd z = nodes(state_);
-  const Eigen::VectorXd x_s = flow_.line().differentiation() * z.real();
+  const Eigen::VectorXd x_s = flow_.line().differentiation * z.real();
   const Eigen::ArrayXd heights = (z.imag().array() - 1).pow(power) / power;
-  const double below_surface = flow_.line().weights().dot((heights * x_s.array()).matrix());
+  const double below_surface = flow_.line().weights.dot((heights * x_s.array()).matrix());
   // The slope's side.
   return below_surface - std::cos(slope_) / std::sin(slope_) * std::pow(shore(), power + 1) / (power * (power + 1));
 }

@@ -45,27 +45,17 @@
 
 namespace seiche::exact::slope_climb {
 
-class ChebyshevLine {
- public:
+struct ChebyshevLine {
   /// @param intervals  n, even
   explicit ChebyshevLine(std::size_t intervals);
-
-  [[nodiscard]] const Eigen::VectorXd& nodes() const { return nodes_; }      ///< s_k, from -1 to 1
-  [[nodiscard]] const Eigen::VectorXd& weights() const { return weights_; }  ///< of int ds (Clenshaw, Curtis)
-  [[nodiscard]] const Eigen::MatrixXd& differentiation() const { return derivative_; }  ///< values to d/ds
-  /// Values to those without what the highest coefficients carry: the k-th times exp(-36 (k/n)^24).
-  [[nodiscard]] const Eigen::MatrixXd& filter() const { return filter_; }
   /// Values to those at the nodes of a line of times as many intervals: rows times n + 1, columns n + 1.
   [[nodiscard]] Eigen::MatrixXd refinement(std::size_t times) const;
 
- private:
-  [[nodiscard]] Eigen::MatrixXd coefficients() const;
-
-  std::size_t n_;
-  Eigen::VectorXd nodes_;
-  Eigen::VectorXd weights_;
-  Eigen::MatrixXd derivative_;
-  Eigen::MatrixXd filter_;
+  Eigen::VectorXd nodes;            ///< s_k, from -1 to 1
+  Eigen::VectorXd weights;          ///< of int ds (Clenshaw, Curtis)
+  Eigen::MatrixXd differentiation;  ///< values to d/ds
+  /// Values to those without what the highest coefficients carry: the k-th times exp(-36 (k/n)^24).
+  Eigen::MatrixXd filter;
 };
 
 /// Weights of Clenshaw and Curtis for n even intervals of [-1, 1].
@@ -82,7 +72,7 @@ class WedgeFlow {
   [[nodiscard]] const Eigen::VectorXcd& velocity() const { return velocity_; }  ///< u - iv
   /// T = 1/2 int |grad phi|^2, for density 1.
   [[nodiscard]] double kinetic_energy(const Eigen::VectorXd& phi) const {
-    return -0.5 * line_.weights().cwiseProduct(phi).dot(line_.differentiation() * psi_);
+    return -0.5 * line_.weights.cwiseProduct(phi).dot(line_.differentiation * psi_);
   }
   [[nodiscard]] const ChebyshevLine& line() const { return line_; }
 

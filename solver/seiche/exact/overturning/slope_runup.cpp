@@ -37,7 +37,7 @@ Climb start(const SolitaryWave& wave, double cotangent, std::size_t markers, dou
   const double distance = distance_of(wave);
   const double far = -2 * distance - held;
   const ChebyshevLine line(markers);
-  const Eigen::VectorXd& nodes = line.nodes();
+  const Eigen::VectorXd& nodes = line.nodes;
   Eigen::VectorXcd z(nodes.size());
   Eigen::VectorXd phi(nodes.size());
   const double rest = wave.surface_potential(far + distance);

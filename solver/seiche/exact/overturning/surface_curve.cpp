@@ -209,10 +209,12 @@ double SurfaceCurve::distance(const SurfaceCurve& other) const {
   return largest.value();
 }
 
-MovingSurface::MovingSurface(double wavelength, double gravity)
+MovingSurface::MovingSurface(double wavelength, double gravity, double scale, Computation coarser)
     : length_(wavelength / (2 * std::numbers::pi)),
       time_(std::sqrt(length_ / gravity)),
-      velocity_(std::sqrt(length_ * gravity)) {}
+      velocity_(std::sqrt(length_ * gravity)),
+      scale_(scale),
+      coarser_(std::move(coarser)) {}
 
 void MovingSurface::compute(Evolution motion, double last_time, const std::function<double(double tangent)>& jet_time,
                             double kink) {

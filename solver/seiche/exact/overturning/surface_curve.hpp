@@ -141,8 +141,16 @@ class MovingSurface {
   /// Hausdorff distance of the surface from that of another motion of the same wavelength [m].
   [[nodiscard]] double distance_from(const MovingSurface& other, double t) const;
 
+  /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
+  /// relative to the amplitude and the head of a pressure; at the time well_resolved_until(), if none is given. Takes
+  /// as long as that computation.
+  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
+  [[nodiscard]] double uncertainty(double t) const { return distance_from(coarser_(t), t) / scale_; }
+
  protected:
-  MovingSurface(double wavelength, double gravity);
+  using Computation = std::function<MovingSurface(double last_time)>;
+  /// @param scale  of elevations [m];  @param coarser  the second computation
+  MovingSurface(double wavelength, double gravity, double scale, Computation coarser);
 
   /// Computes a motion from its start in scaled units. @param last_time  until then [s]
   /// @param jet_time  for how long after the first vertical tangent the surface is well resolved, from the time of that
@@ -159,13 +167,15 @@ class MovingSurface {
   ///
   /// @param amplitude  of the surface [m];  @param tolerance  of a step, in units of 1/k;  @param first  of the start
   [[nodiscard]] SelfTest balances(double amplitude, double tolerance, const std::optional<Identity>& first) const;
+  [[nodiscard]] double scale() const { return scale_; }
   /// A time between 0 and the end, scaled. Throws as profile does.
   [[nodiscard]] double scaled_time(double t) const;
 
  private:
   void find_touch_down();
 
-  double length_, time_, velocity_;
+  double length_, time_, velocity_, scale_;
+  Computation coarser_;
   double last_time_ = 0;
   double well_resolved_until_ = 0;
   std::shared_ptr<const Evolution> evolution_;

@@ -1,5 +1,5 @@
-/// Riemann problem of the shallow-water equations on a flat bed, and what is made of it: dam breaks, bores, their
-/// reflection from a wall and their collision.
+/// Riemann problem of the shallow-water equations on a flat bed, and what is made of it: bores, their reflection from a
+/// wall and their collision.
 ///
 /// Two uniform states meet at a jump at t = 0:
 ///
@@ -82,44 +82,6 @@ class Riemann {
   Wave right_wave_;
 };
 
-/// Dam break onto a dry bed, water on the left: c = (2 c1 - (x - dam)/t)/3 between x - dam = -c1 t and 2 c1 t.
-class Ritter : public Riemann {
- public:
-  /// @param depth  depth behind the dam h1 [m], positive;  @param dam  its position [m]. Throws std::invalid_argument.
-  Ritter(double gravity, double depth, double dam = 0);
-
-  /// Position of the dry front, dam + 2 c1 t [m].
-  [[nodiscard]] double front(double t) const { return jump() + left_wave().fastest * t; }
-  /// Position of the wave that runs back into the water at rest, dam - c1 t [m].
-  [[nodiscard]] double tail(double t) const { return jump() + left_wave().slowest * t; }
-  /// Discharge (8/27) h1 c1 [m^2/s] at the dam, where the depth is 4 h1/9 and the velocity 2 c1/3, constant for t > 0.
-  [[nodiscard]] double discharge_at_dam() const {
-    return 8.0 / 27.0 * left().depth * shallow_water::celerity(gravity(), left().depth);
-  }
-};
-
-/// Dam break onto shallower water at rest: a fan upstream, a bore downstream, a plateau between.
-class Stoker : public Riemann {
- public:
-  /// @param upstream, downstream  depths [m], 0 < downstream < upstream. Throws std::invalid_argument.
-  Stoker(double gravity, double upstream, double downstream, double dam = 0);
-
-  /// Depth and velocity of the plateau.
-  [[nodiscard]] State plateau() const { return star(); }
-  [[nodiscard]] double bore_speed() const { return right_wave().fastest; }
-  [[nodiscard]] double bore_position(double t) const { return jump() + bore_speed() * t; }
-  /// Where the fan meets the plateau [m].
-  [[nodiscard]] double fan_end(double t) const { return jump() + left_wave().fastest * t; }
-
-  /// (8/27) h1 c1 [m^2/s] while downstream/upstream <= critical_ratio(): the flow at the dam is then critical and does
-  /// not feel the water downstream; h* u* above it.
-  [[nodiscard]] double discharge_at_dam() const;
-
-  /// Depth ratio 0.138270141... below which the flow at the dam is critical: u* = c* at the dam forces h* = 4 h1/9,
-  /// and the bore condition then gives s^3 - s^2 - 3 s + 1 = 0 for the ratio (4/9) s.
-  static double critical_ratio();
-};
-
 /// Bore that runs to the right into water of depth `ahead`.
 class Bore {
  public:
@@ -155,31 +117,6 @@ class Bore {
   shallow_water::State ahead_;
   double start_, flux_;
   shallow_water::State behind_;
-};
-
-/// Hydraulic jump at rest in water that flows to the right: supercritical of depth `shallow` upstream, subcritical of
-/// depth `deep` downstream.
-class StationaryJump {
- public:
-  /// @param shallow, deep  depths h0, h1 [m], 0 < shallow < deep;  @param position  of the jump [m].
-  /// Throws std::invalid_argument.
-  StationaryJump(double gravity, double shallow, double deep, double position = 0);
-
-  [[nodiscard]] shallow_water::State at(double x, double t = 0) const;
-  [[nodiscard]] std::vector<double> breakpoints(double /*t*/ = 0) const { return {position_}; }
-
-  /// u0 = a = sqrt(g h1 (h1 + h0)/(2 h0)) upstream, u1 = a h0/h1 downstream.
-  [[nodiscard]] shallow_water::State upstream() const { return flow(bore_.ahead().depth); }
-  [[nodiscard]] shallow_water::State downstream() const { return flow(bore_.behind().depth); }
-  /// Discharge [m^2/s], and energy lost as by the bore that it is seen from the water upstream.
-  [[nodiscard]] double mass_flux() const { return bore_.mass_flux(); }
-  [[nodiscard]] double energy_loss_rate() const { return bore_.energy_loss_rate(); }
-
- private:
-  [[nodiscard]] shallow_water::State flow(double depth) const { return {depth, mass_flux() / depth}; }
-
-  Bore bore_;
-  double position_;
 };
 
 /// Two bores run towards each other through still water, meet, and pass: before the meeting two jumps, after it the

@@ -52,7 +52,6 @@ namespace seiche::dirichlet_mesh {
 // Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 1 and 5.2.
 
 using free_lagrangian::Mesh;
-using free_lagrangian::pressure_of_release;
 using free_lagrangian::Settings;
 using free_lagrangian::VelocityAt;
 using Model = free_lagrangian::CellWater;
@@ -63,8 +62,6 @@ class Flow : public mechanics::OneStepFlow<Model> {
   explicit Flow(const Mesh& mesh, const VelocityAt& velocity = {}, Settings settings = {}, double drift_feedback = 0)
       : OneStepFlow(std::make_unique<Model>(mesh, settings), velocity, drift_feedback) {}
 
-  /// A warning when the smallest angle falls below a few degrees.
-  [[nodiscard]] MeshQuality quality() const { return model_->quality(state_.q); }
   [[nodiscard]] long flips() const { return model_->triangulation().flips(); }
 };
 

@@ -224,14 +224,14 @@ class Model {
   GhostedArray push_x_, push_y_;               // of a cell on its right marker, and reversed on its left one
   mutable GhostedArray p_, r_, impulse_;
   mutable std::array<Desk, 2> desks_;  // of the two ends
-  ChannelMatrix matrix_;
+  linear::TwoEndedTridiagonal matrix_;
   linear::TwoEndedSweep sweep_;
   std::optional<BreakingFronts> fronts_;
   // Of losses; empty without.
   std::vector<double> velocity_x_, velocity_y_, still_;
   std::vector<double> rates_, friction_rate_, mobility_, loss_impulse_;
   std::vector<double> pair_diagonal_, pair_coupling_;
-  ChannelMatrix pairs_;
+  linear::TwoEndedTridiagonal pairs_;
   double shore_left_ = 0;  // initial places of the ends, where the rest energy
                            // of their bottom is counted from
   double shore_right_ = 0;

@@ -125,7 +125,7 @@ void Model::assemble_and_factor() {
   }
   if (channel_.periodic()) rows_.coupling.row()[size_ - 1] = rows_.coupling.row()[-1];
   try {
-    matrix_.factor(channel_.periodic(), {rows_.diagonal.row(), cells_}, {rows_.coupling.row(), cells_});
+    matrix_.factor({{rows_.diagonal.row(), cells_}, {rows_.coupling.row(), cells_}}, channel_.periodic());
   } catch (const linear::NotPositiveDefinite& failure) {
     throw mechanics::Infeasible(failure.what(), rows_.x.row()[failure.row()]);
   }

@@ -174,7 +174,7 @@ void Model::exchange(const std::vector<double>& inertia, Output u, const PairFac
     pair_diagonal_[k] += factor;
     pair_coupling_[j] = -factor;
   }
-  pairs_.factor(channel_.periodic(), pair_diagonal_, pair_coupling_);
+  pairs_.factor({pair_diagonal_, pair_coupling_}, channel_.periodic());
   pairs_.solve({rates_.data(), n_}, u);
 }
 

@@ -12,7 +12,6 @@
 #include <span>
 #include <vector>
 
-#include "seiche/linear/tridiagonal.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
@@ -73,24 +72,6 @@ struct Rows {
   GhostedArray diagonal, coupling, impulse;
 
   void resize(std::size_t markers);
-};
-
-/// Symmetric tridiagonal systems over a channel's cells or markers, with a corner where it is periodic.
-class ChannelMatrix {
- public:
-  /// coupling[i] between rows i and i + 1, in a ring the last one between the last row and the first.
-  void factor(bool ring, std::span<const double> diagonal, std::span<const double> coupling) {
-    ring_ = ring;
-    ring ? periodic_.factor({diagonal, coupling}) : open_.factor({diagonal, coupling});
-  }
-  void solve(std::span<const double> right_hand_side, std::span<double> x) const {
-    ring_ ? periodic_.solve(right_hand_side, x) : open_.solve(right_hand_side, x);
-  }
-
- private:
-  bool ring_ = false;
-  linear::TwoEndedTridiagonal open_;
-  linear::PeriodicTridiagonal periodic_;
 };
 
 /// Constants of the potential energy, times the density.

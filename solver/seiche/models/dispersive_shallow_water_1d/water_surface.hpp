@@ -35,20 +35,13 @@
 namespace seiche::dispersive_shallow_water_1d {
 
 /// Of markers at x, y with the water V of the cells between them (one less, or as many if there is a period).
-std::vector<double> water_surface(std::span<const double> x, std::span<const double> y, std::span<const double> volume,
-                                  double gamma, double period = 0);
+std::vector<double> water_surface(const Channel& channel, std::span<const double> x, std::span<const double> y,
+                                  std::span<const double> volume);
 
 /// At the markers of a flow, with the weight of its energy.
 std::vector<double> water_surface(const Flow& flow);
 
 /// At places, linear between markers; beyond the ends as Flow::elevation_at.
 std::vector<double> water_surface_at(const Flow& flow, std::span<const double> places);
-
-/// Over the elevation of the markers, of small waves over water of one depth, kh their wavenumber times it.
-double surface_of_wave(double gamma, double kh);
-
-/// Second harmonic of the markers' y in a wave of permanent form over water of depth 1, over its amplitude's square.
-/// @param power  s of the channel
-double bound_second_harmonic(double alpha, double gamma, double power, double kh);
 
 }  // namespace seiche::dispersive_shallow_water_1d

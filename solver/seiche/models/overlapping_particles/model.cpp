@@ -79,13 +79,22 @@ void Model::require_places(Input q) const {
 void Model::linearise(Interval /*when*/, Input q) {
   require_places(q);
   measure(q);
-  assemble_and_factor();
+  const auto pivots = volumes_.factor(gradient_, unevenness_, settings_.stabilisation, [&](std::size_t k, Point force) {
+    return Point{force.x / particles_.mass[k], force.y / particles_.mass[k]};
+  });
+  if (!pivots) return;
+  throw mechanics::Infeasible(
+      particles_.x[0],
+      "singular configuration: multipliers without forces, as of two particles alone or of a lattice that "
+      "fills a box (smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set "
+      "stabilisation > 0, or a support above {:g}",
+      *pivots, linear::RingSolver::smallest_pivot, settings_.support);
 }
 
 /// Gradients and, for L, overlaps of all particles with the control volumes near them.
 void Model::measure(Input q) {
   const std::size_t n = size();
-  if (near_.update(q.first(n), q.last(n), walls_)) matrix_.set_rings(near_.begin(), near_.members(), n);
+  if (near_.update(q.first(n), q.last(n), walls_)) volumes_.set_rings(near_.begin(), near_.members());
   const auto begin = near_.begin();
   const auto member = near_.members();
   const bool stabilised = settings_.stabilisation > 0;
@@ -101,9 +110,8 @@ void Model::measure(Input q) {
     // The gradient of Phi(|R r_k - r_s|) by r_k, for R the identity and the reflections: by r_k itself, in f_k, it is
     // the same, with the mass of s.
     const auto overlap = [&](std::size_t e, Point r, std::size_t s) -> Point {
-      const Point rs = at(q, s);
-      const Point apart{r.x - rs.x, r.y - rs.y};
-      const double distance = std::sqrt(apart.x * apart.x + apart.y * apart.y);
+      const Point apart = r - at(q, s);
+      const double distance = std::sqrt(dot(apart, apart));
       if (!(distance < kernel_.support())) return {};
       ++overlaps;
       if (distance < nearest) {
@@ -112,21 +120,17 @@ void Model::measure(Input q) {
       }
       if (stabilised) unevenness_[e] += kernel_.value(distance);
       const double slope = kernel_.slope_over_distance(distance);
-      return {slope * apart.x, slope * apart.y};
+      return slope * apart;
     };
     for (std::size_t e = first + 1; e < last; ++e) gradient_[e] = overlap(e, rk, static_cast<std::size_t>(member[e]));
     for (const Image& image : walls_.images()) {
       if (!walls_.sees(image, rk, kernel_.support())) continue;
       const Point r = image.of(rk);
       for (std::size_t e = first + 1; e < last; ++e) {
-        const Point back = image.turned(overlap(e, r, static_cast<std::size_t>(member[e])));
-        gradient_[e].x += back.x;
-        gradient_[e].y += back.y;
+        gradient_[e] += image.turned(overlap(e, r, static_cast<std::size_t>(member[e])));
       }
       const Point own = overlap(first, r, k);
-      const Point back = image.turned(own);
-      gradient_[first].x += particles_.mass[k] * (back.x - own.x);
-      gradient_[first].y += particles_.mass[k] * (back.y - own.y);
+      gradient_[first] += particles_.mass[k] * (image.turned(own) - own);
     }
     if (nearest < one_place * kernel_.support()) {
       throw mechanics::Infeasible(rk.x,
@@ -142,45 +146,14 @@ void Model::measure(Input q) {
     }
     double all = 0;
     for (std::size_t e = first + 1; e < last; ++e) {
-      const auto s = static_cast<std::size_t>(member[e]);
-      gradient_[first].x += particles_.mass[s] * gradient_[e].x;
-      gradient_[first].y += particles_.mass[s] * gradient_[e].y;
-      gradient_[e].x *= particles_.mass[k];
-      gradient_[e].y *= particles_.mass[k];
+      gradient_[first] += particles_.mass[static_cast<std::size_t>(member[e])] * gradient_[e];
+      gradient_[e] = particles_.mass[k] * gradient_[e];
       if (stabilised) all += unevenness_[e];
     }
     if (!stabilised) continue;
     for (std::size_t e = first + 1; e < last && all > 0; ++e) unevenness_[e] /= -all;
     unevenness_[first] = 1;
   }
-}
-
-void Model::assemble_and_factor() {
-  const auto begin = near_.begin();
-  double trace = 0;
-  for (std::size_t k = 0; k < size(); ++k) {
-    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
-      trace += (gradient_[e].x * gradient_[e].x + gradient_[e].y * gradient_[e].y) / particles_.mass[k];
-    }
-  }
-  const double mean = trace / static_cast<double>(size());
-  stiffness_ = settings_.stabilisation * mean;
-  const bool may_be_singular = settings_.stabilisation == 0;
-  matrix_.sum([&](std::size_t k, int p, int q) {
-    const std::size_t one = static_cast<std::size_t>(begin[k]) + static_cast<std::size_t>(p);
-    const std::size_t other = static_cast<std::size_t>(begin[k]) + static_cast<std::size_t>(q);
-    const double product =
-        (gradient_[one].x * gradient_[other].x + gradient_[one].y * gradient_[other].y) / particles_.mass[k];
-    return may_be_singular ? product : product + stiffness_ * unevenness_[one] * unevenness_[other];
-  });
-  const auto pivots = solver_.factor_or_singular(matrix_, mean, !may_be_singular);
-  if (!pivots) return;
-  throw mechanics::Infeasible(
-      particles_.x[0],
-      "singular configuration: multipliers without forces, as of two particles alone or of a lattice that "
-      "fills a box (smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set "
-      "stabilisation > 0, or a support above {:g}",
-      *pivots, linear::RingSolver::smallest_pivot, settings_.support);
 }
 
 void Model::advance(Input from, Input u, double h, Output to) const {
@@ -197,33 +170,6 @@ void Model::advance(Input from, Input u, double h, Output to) const {
 
 void Model::kick(double h, Output u) const {
   for (std::size_t k = size(); k < 2 * size(); ++k) u[k] -= h * settings_.gravity;
-}
-
-void Model::constraint_rates(Input u, Output w) const {
-  std::fill(w.begin(), w.end(), 0.0);
-  const auto begin = near_.begin();
-  const auto member = near_.members();
-  for (std::size_t k = 0; k < size(); ++k) {
-    const Point v = at(u, k);
-    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
-      w[static_cast<std::size_t>(member[e])] += gradient_[e].x * v.x + gradient_[e].y * v.y;
-    }
-  }
-}
-
-void Model::react(Input mu, Output u) const {
-  const auto begin = near_.begin();
-  const auto member = near_.members();
-  for (std::size_t k = 0; k < size(); ++k) {
-    Point impulse;
-    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
-      const double multiplier = mu[static_cast<std::size_t>(member[e])];
-      impulse.x += multiplier * gradient_[e].x;
-      impulse.y += multiplier * gradient_[e].y;
-    }
-    u[k] += impulse.x / particles_.mass[k];
-    u[size() + k] += impulse.y / particles_.mass[k];
-  }
 }
 
 void Model::sum_masses(Input q, Output f) const {
@@ -254,21 +200,6 @@ double Model::potential_energy(Input q) const {
   CompensatedSum sum;
   for (std::size_t k = 0; k < size(); ++k) sum.add(particles_.mass[k] * q[size() + k]);
   return settings_.gravity * sum.value();
-}
-
-double Model::stabilisation_loss(Input impulses) const {
-  if (unevenness_.empty()) return 0;
-  const auto begin = near_.begin();
-  const auto member = near_.members();
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < size(); ++k) {
-    double uneven = 0;
-    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
-      uneven += unevenness_[e] * impulses[static_cast<std::size_t>(member[e])];
-    }
-    sum.add(uneven * uneven);
-  }
-  return 2 * stiffness_ * sum.value();
 }
 
 }  // namespace seiche::overlapping_particles

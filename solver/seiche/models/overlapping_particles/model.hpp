@@ -47,9 +47,9 @@
 #include <span>
 #include <vector>
 
-#include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/ring_constraints.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/overlapping_particles/neighbourhoods.hpp"
 #include "seiche/models/overlapping_particles/particles.hpp"
@@ -100,9 +100,9 @@ class Model : public mechanics::PointMasses<Model> {
   /// Throws mechanics::Infeasible before `to` is touched where a particle would come behind a wall.
   void advance(Input from, Input u, double h, Output to) const;
   void kick(double h, Output u) const;
-  void constraint_rates(Input u, Output w) const;
-  void react(Input mu, Output u) const;
-  void solve(Input right_hand_side, Output mu) { solver_.solve(right_hand_side, mu); }
+  void constraint_rates(Input u, Output w) const { volumes_.rates(u, w); }
+  void react(Input mu, Output u) const { volumes_.react(mu, u); }
+  void solve(Input right_hand_side, Output mu) { volumes_.solve(right_hand_side, mu); }
   /// f_s - f_s(0).
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return particles_.x[rate % size()]; }
@@ -112,16 +112,16 @@ class Model : public mechanics::PointMasses<Model> {
 
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
   /// [J/m]: 2 mu.(epsilon tr A/N) L^T L mu. Never negative.
-  [[nodiscard]] double stabilisation_loss(Input impulses) const;
+  [[nodiscard]] double stabilisation_loss(Input impulses) const { return volumes_.stabilisation_loss(impulses); }
 
   [[nodiscard]] std::size_t size() const { return particles_.size(); }
   [[nodiscard]] const Settings& settings() const { return settings_; }
   /// Masses, and the places at the beginning.
   [[nodiscard]] const Particles& particles() const { return particles_; }
   [[nodiscard]] double support() const { return kernel_.support(); }  ///< S [m]
-  [[nodiscard]] const linear::RingSolver& solver() const { return solver_; }
+  [[nodiscard]] const linear::RingSolver& solver() const { return volumes_.solver(); }
   /// A with its stabilisation, of the last linearisation.
-  [[nodiscard]] const linear::RingMatrix& matrix() const { return matrix_; }
+  [[nodiscard]] const linear::RingMatrix& matrix() const { return volumes_.matrix(); }
 
  private:
   [[nodiscard]] Point at(Input q, std::size_t k) const { return {q[k], q[size() + k]}; }
@@ -129,7 +129,6 @@ class Model : public mechanics::PointMasses<Model> {
   /// Mass in the control volume of every particle.
   void sum_masses(Input q, Output f) const;
   void measure(Input q);
-  void assemble_and_factor();
 
   Particles particles_;
   Settings settings_;
@@ -140,9 +139,7 @@ class Model : public mechanics::PointMasses<Model> {
   // Entry by entry of the neighbourhoods: of particle k by volume s,
   std::vector<Point> gradient_;     // df_s/dr_k
   std::vector<double> unevenness_;  // row k of L; empty without stabilisation
-  double stiffness_ = 0;            // epsilon tr A/N
-  linear::RingMatrix matrix_;
-  linear::RingSolver solver_;
+  mechanics::RingConstraints volumes_;
 };
 
 }  // namespace seiche::overlapping_particles

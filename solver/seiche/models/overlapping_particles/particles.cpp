@@ -118,19 +118,15 @@ namespace {
 /// Of unit normals, for walls that are given by rounded numbers.
 constexpr double aligned = 1e-12;
 
-double product(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 Image reflection(const Wall& wall, int number) {
   const auto [nx, ny] = wall.normal;
-  const double twice = 2 * product(wall.through, wall.normal);
-  return {1 - 2 * nx * nx, -2 * nx * ny, 1 - 2 * ny * ny, {twice * nx, twice * ny}, number, number};
+  const double twice = 2 * dot(wall.through, wall.normal);
+  return {1 - 2 * nx * nx, -2 * nx * ny, 1 - 2 * ny * ny, twice * wall.normal, number, number};
 }
 
 /// About walls at right angles: the same in either order.
 Image both(const Image& a, const Image& b) {
-  return {-1, 0, -1, {a.offset.x + b.offset.x, a.offset.y + b.offset.y}, a.one, b.one};
+  return {-1, 0, -1, a.offset + b.offset, a.one, b.one};
 }
 
 }  // namespace
@@ -149,9 +145,9 @@ Walls::Walls(std::vector<Wall> walls, double reach) : walls_(std::move(walls)) {
     for (int other = one + 1; other < number; ++other) {
       const Point n = walls_[static_cast<std::size_t>(one)].normal;
       const Point m = walls_[static_cast<std::size_t>(other)].normal;
-      if (std::abs(product(n, m)) < aligned) {
+      if (std::abs(dot(n, m)) < aligned) {
         images_.push_back(both(images_[static_cast<std::size_t>(one)], images_[static_cast<std::size_t>(other)]));
-      } else if (product(n, m) < -1 + aligned) {
+      } else if (dot(n, m) < -1 + aligned) {
         require_apart(one, other, reach);
       } else {
         throw std::invalid_argument(fmt::format(
@@ -170,7 +166,7 @@ void Walls::require_apart(int one, int other, double reach) const {
 
 double Walls::distance(int wall, Point r) const {
   const Wall& w = walls_[static_cast<std::size_t>(wall)];
-  return product({r.x - w.through.x, r.y - w.through.y}, w.normal);
+  return dot(r - w.through, w.normal);
 }
 
 int Walls::behind(Point r) const {

@@ -114,8 +114,8 @@ void Surface::correct(Places at, std::span<const double> cx, std::span<double> c
     const Point d_area{(before.y - after.y) / 2, (after.x - before.x) / 2};
     const Point d_energy{-force[k].x - level_ * d_area.x, -force[k].y - level_ * d_area.y};
     const double rate = std::abs(cx[k]);
-    area += d_area.x * cx[k] + d_area.y * cy[k];
-    energy += d_energy.x * cx[k] + d_energy.y * cy[k];
+    area += dot(d_area, {cx[k], cy[k]});
+    energy += dot(d_energy, {cx[k], cy[k]});
     of_area[0] += d_area.y * rate;
     of_area[1] += d_area.y * rate * height;
     of_energy[0] += d_energy.y * rate;
@@ -243,8 +243,7 @@ void ControlVelocity::at(const MovingTriangulation& mesh, std::span<const double
       along = {-u[k], -u[n + k]};
       if (lift_[k] > 0) along.y += lift_[k] * surface_.along(at, rise, r.x);
     }
-    const Point velocity =
-        freedom_[k]({along.x + control_.rate * (target.x - r.x), along.y + control_.rate * (target.y - r.y)});
+    const Point velocity = freedom_[k](along + control_.rate * (target - r));
     c[k] = velocity.x;
     c[n + k] = velocity.y;
   }

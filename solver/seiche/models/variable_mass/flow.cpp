@@ -35,17 +35,16 @@ void Flow::advance(double tau) {
 void Flow::take(double tau) {
   const std::size_t n = model_->nodes();
   const std::size_t both = 2 * n;
-  free_lagrangian::CellPressure& pressure = model_->pressure();
   const mechanics::Input target = parts_->drift_target(state_.q, tau);
   velocity_.resize(both);
   rates_.resize(both);
   middle_.resize(both);
 
   // Step 1: the middle of the step, and the control there.
-  pressure.follow(model_->places(state_.q));
+  model_->follow(model_->places(state_.q));
   control_.at(model_->triangulation(), state_.u, velocity_);
   for (std::size_t i = 0; i < both; ++i) middle_[i] = state_.q[i] + tau / 2 * (state_.u[i] + velocity_[i]);
-  pressure.measure(model_->places(middle_));
+  model_->measure(model_->places(middle_));
   control_.at(model_->triangulation(), state_.u, velocity_);
 
   // Step 2: masses.
@@ -55,7 +54,7 @@ void Flow::take(double tau) {
   for (std::size_t k = 0; k < n; ++k) mobility_[k] = model_->freedom()[k].over(convection_.mean_masses()[k]);
 
   // Step 3: mean velocities, those of constant areas.
-  pressure.factor(mobility_);
+  model_->factor(mobility_);
   free_lagrangian::gravity_forces(model_->places(middle_), model_->outline(), model_->weight(), force_);
   parts_->guess_impulse(state_, tau, impulse_);
   for (double& value : impulse_) value *= 2;
@@ -72,10 +71,10 @@ void Flow::take(double tau) {
       u[k] = answer.x;
       u[n + k] = answer.y;
     }
-    pressure.rates(u, defect_);
+    model_->constraint_rates(u, defect_);
     for (std::size_t s = 0; s < n; ++s) defect_[s] = (target.empty() ? 0.0 : target[s]) - defect_[s];
-    pressure.solve(defect_, impulse_);
-    pressure.react(impulse_, u);
+    model_->solve(defect_, impulse_);
+    model_->react(impulse_, u);
   };
   mean_.assign(state_.u.begin(), state_.u.end());
   const int iterations = convection_.settle(state_.u, respond, std::abs(kicks.value()), mean_);
@@ -92,7 +91,7 @@ void Flow::take(double tau) {
   model_->set_masses(convection_.next_masses());
   CompensatedSum work;
   for (std::size_t s = 0; s < target.size(); ++s) work.add(impulse_[s] * target[s]);
-  book(pressure.roughness(impulse_), work.value());
+  book(model_->stabilisation_loss(impulse_) / 2, work.value());
   for (double& value : impulse_) value /= 2;
   parts_->keep_multipliers(state_, impulse_, tau);
   iterations_ += iterations;
@@ -116,10 +115,7 @@ void Flow::gather_exchanges(Places at, double tau) {
       const auto ring = member.subspan(index(begin[index(i)]), index(begin[index(i) + 1] - begin[index(i)]));
       const auto back =
           index(begin[index(i)]) + static_cast<std::size_t>(std::find(ring.begin(), ring.end(), j) - ring.begin());
-      const Point cj = c(j);
-      const Point ci = c(i);
-      const double gain =
-          gradient[index(e)].x * cj.x + gradient[index(e)].y * cj.y - gradient[back].x * ci.x - gradient[back].y * ci.y;
+      const double gain = dot(gradient[index(e)], c(j)) - dot(gradient[back], c(i));
       if (gain != 0) exchanges_.push_back({i, j, mass * gain});
     }
   }
@@ -129,7 +125,7 @@ void Flow::gather_exchanges(Places at, double tau) {
     const int i = outline[e];
     const int j = outline[e + 1 == outline.size() ? 0 : e + 1];
     const Point normal{(at[j].y - at[i].y) / 8, (at[i].x - at[j].x) / 8};
-    const double gain = normal.x * (c(j).x - c(i).x) + normal.y * (c(j).y - c(i).y);
+    const double gain = dot(normal, c(j) - c(i));
     if (gain != 0) exchanges_.push_back({i, j, -mass * gain});
   }
   const auto surface = control_.surface().nodes();

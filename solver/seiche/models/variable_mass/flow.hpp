@@ -122,7 +122,6 @@ class Flow : public mechanics::PlaneFlow<CellWater> {
   [[nodiscard]] Places nodes() const { return model_->places(state_.q); }
   [[nodiscard]] std::span<const double> masses() const { return model_->masses(); }
 
-  [[nodiscard]] MeshQuality quality() const { return model_->quality(state_.q); }
   [[nodiscard]] long flips() const { return model_->triangulation().flips(); }
   /// Of the convective term, over all steps.
   [[nodiscard]] long iterations() const { return iterations_; }
