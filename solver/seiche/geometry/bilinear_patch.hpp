@@ -40,6 +40,17 @@ inline double smallest(const Corners& c) {
   return std::min(std::min(c.c0, c.c1), std::min(c.c2, c.c3));
 }
 
+/// Between the corners, with s from 0 to 1 from the first to the second and t from the first to the last.
+inline double mix(const Corners& c, double s, double t) {
+  return (1 - t) * ((1 - s) * c.c0 + s * c.c1) + t * ((1 - s) * c.c3 + s * c.c2);
+}
+inline double along_s(const Corners& c, double t) {
+  return (1 - t) * (c.c1 - c.c0) + t * (c.c2 - c.c3);
+}
+inline double along_t(const Corners& c, double s) {
+  return (1 - s) * (c.c3 - c.c0) + s * (c.c2 - c.c1);
+}
+
 /// A plane vector for each corner.
 struct CornerVectors {
   Corners x, y, z;

@@ -18,14 +18,11 @@
 #include <vector>
 
 #include "seiche/geometry/curve.hpp"
+#include "seiche/geometry/vector.hpp"
 
 namespace seiche::plan_lattice {
 
-struct Place {
-  double x = 0;
-  double y = 0;
-  double z = 0;  ///< elevation above still water
-};
+using Place = Vector3;  ///< z: elevation above still water
 
 /// A vertical wall along the polygon of the side's first nodes. Nodes slide along straight parts and are held where the
 /// wall bends inwards (interior angle below 180 degrees). Bends outwards are not possible.
