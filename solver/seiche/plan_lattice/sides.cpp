@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
 namespace seiche::plan_lattice {
@@ -46,6 +47,20 @@ void hold(BoundNode& bound) {
 }
 
 }  // namespace
+
+void require_places(const Shape& shape, long columns, std::size_t levels,
+                    std::initializer_list<std::pair<std::string_view, std::span<const double>>> places) {
+  require_at_least("columns", static_cast<long>(shape.columns), columns);
+  require_at_least("rows", static_cast<long>(shape.rows), 1);
+  for (const auto& [name, values] : places) {
+    const std::size_t count = levels * shape.nodes();
+    require_that(values.size() == count, "{} has {} values; allowed: {}, one per node of {} x {} cells", name,
+                 values.size(), count, shape.columns, shape.rows);
+    for (std::size_t k = 0; k < count; ++k) {
+      require_that(std::isfinite(values[k]), "{}[{}] of node {} is {}; allowed: finite", name, k, k, values[k]);
+    }
+  }
+}
 
 std::array<std::vector<std::size_t>, 4> nodes_around(Shape shape) {
   std::array<std::vector<std::size_t>, 4> walks;

@@ -13,7 +13,10 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -94,6 +97,11 @@ struct Shape {
     }
   }
 };
+
+/// Throws std::invalid_argument for fewer columns than that, no rows or layers, arrays of places that are not as long
+/// as `levels` of nodes, values that are not finite.
+void require_places(const Shape& shape, long columns, std::size_t levels,
+                    std::initializer_list<std::pair<std::string_view, std::span<const double>>> places);
 
 /// Node k of n + 1 at equal distances; the last one is at `to` in every bit.
 inline double equally_spaced(double from, double to, std::size_t k, std::size_t n) {

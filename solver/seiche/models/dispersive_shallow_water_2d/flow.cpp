@@ -24,9 +24,9 @@ double surely_stable_step(const Model& model) {
     const double h1 = std::hypot(lattice.x[c1] - lattice.x[c0], lattice.y[c1] - lattice.y[c0]);
     const double h2 = std::hypot(lattice.x[c3] - lattice.x[c0], lattice.y[c3] - lattice.y[c0]);
     const double square = 4 / (h1 * h1) + 4 / (h2 * h2);
-    double depth = lattice.bottom ? 0 : lattice.depth;
+    double depth = 0;
     for (const std::size_t k : lattice.shape.corners(cell)) {
-      if (lattice.bottom) depth = std::max(depth, -lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation);
+      depth = std::max(depth, -lattice.bed(lattice.x[k], lattice.y[k]));
     }
     if (!(depth > 0)) continue;
     const double s = depth * depth * square;

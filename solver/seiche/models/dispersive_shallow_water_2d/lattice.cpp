@@ -13,16 +13,8 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 void Lattice::require_valid() const {
-  require_at_least("columns", static_cast<long>(shape.columns), 2);
-  require_at_least("rows", static_cast<long>(shape.rows), 1);
+  plan_lattice::require_places(shape, 2, 1, {{"x", x}, {"y", y}, {"z", z}});
   require_positive("depth", depth);
-  for (const auto& [name, values] : {std::pair{"x", &x}, std::pair{"y", &y}, std::pair{"z", &z}}) {
-    require_that(values->size() == shape.nodes(), "{} has {} values; allowed: {}, one per node of {} x {} cells", name,
-                 values->size(), shape.nodes(), shape.columns, shape.rows);
-    const auto bad = std::find_if(values->begin(), values->end(), [](double value) { return !std::isfinite(value); });
-    if (bad == values->end()) continue;
-    throw std::invalid_argument(fmt::format("{}[{}] = {}; allowed: finite", name, bad - values->begin(), *bad));
-  }
   std::vector<char> on_shore(shape.nodes(), 0);
   for (const auto& edge : plan_lattice::shore_edges(shape, sides)) {
     require_that(bottom != nullptr, "a shoreline over a level bottom; allowed: an uneven bottom");

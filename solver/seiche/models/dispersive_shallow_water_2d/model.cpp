@@ -39,10 +39,7 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
     const auto [c0, c1, c2, c3] = shape.corners(cell);
     const Corners x = at_corners(lattice.x, shape.corners(cell));
     const Corners y = at_corners(lattice.y, shape.corners(cell));
-    const auto depth = [&](std::size_t k) {
-      return lattice.z[k] -
-             (lattice.bottom ? lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation : -lattice.depth);
-    };
+    const auto depth = [&](std::size_t k) { return lattice.z[k] - lattice.bed(lattice.x[k], lattice.y[k]); };
     const auto j = bilinear_patch::jacobians(x, y);
     volume += bilinear_patch::volume(x, y, {depth(c0), depth(c1), depth(c2), depth(c3)});
     area += 0.5 * (j.c0 + j.c2);
@@ -65,6 +62,7 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
 
 Model::Model(Lattice lattice, Settings settings, Forcing forcing)
     : Water{valid_cells(lattice, settings),
+            std::vector<double>(lattice.shape.cells()),
             {lattice.shape.columns, lattice.shape.rows, settings.solver, undeformed_lattice(lattice, settings.inertia),
              settings.tolerance},
             settings.tolerance},
@@ -73,7 +71,6 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       forcing_(std::move(forcing)),
       masses_(shape(), lattice_.sides, lattice_.x, lattice_.y, settings.inertia),
       surface_(shape().columns, shape().rows, n_),
-      dispersion_(shape(), settings.gamma),
       drag_(settings.drag, lattice_, settings.inertia),
       normals_(n_),
       other_normals_(n_) {
@@ -142,9 +139,9 @@ void Model::gather(Input q0, Input q1, Input at, int sweep) {
   if (!instant) measure(q0, 1.0 / 6, false);
   if (!instant) measure(q1, 1.0 / 6, true);
   measure(at, instant ? 1 : 4.0 / 6, !instant);
-  if (bottom_) bottom_->subtract_gradients(plan(q0), plan(q1), gradients_);
+  if (bottom_) bottom_->subtract_gradients(q0, q1, gradients_);
   if (shoreline_) shoreline_->push(q0, q1, settings_.gravity, push_);
-  if (dispersion_.active()) dispersion_.push(volume_, q0, q1, settings_.gravity, push_);
+  if (settings_.gamma > 0) push_dispersion(shape(), settings_.gravity * settings_.gamma, volume_, q0, q1, push_);
   stand(at);
   if (shoreline_ && !instant) {
     shoreline_->tilt_between(q0, q1, normals_);
@@ -221,7 +218,8 @@ double Model::cell_volume(Input q, std::size_t cell) const {
   const Corners z = at_corners(q.subspan(2 * n_), corners);
   const double volume = bilinear_patch::volume(at_corners(q, corners), at_corners(q.subspan(n_), corners),
                                                {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom});
-  return bottom_ ? volume - bottom_->volume(plan(q), cell) : volume;
+  const auto point = [&](std::size_t a) { return Point{q[corners[a]], q[n_ + corners[a]]}; };
+  return bottom_ ? volume - bottom_->volume({point(0), point(1), point(2), point(3)}) : volume;
 }
 
 /// Over the mean Jacobian at the beginning.
@@ -233,11 +231,11 @@ double Model::cell_shape(Input q, std::size_t cell) const {
 double Model::potential_energy(Input q, std::span<const char> counted) const {
   double sum = surface_.moment(q, counted);
   if (shoreline_) sum -= shoreline_->bottom_moment(q, counted);
-  if (dispersion_.active()) {
+  if (settings_.gamma > 0) {
     // It has the square of a cell's volume as a factor.
     std::vector<double> volumes = volume_;
     for (std::size_t cell = 0; cell < counted.size(); ++cell) volumes[cell] *= counted[cell] != 0 ? 1 : 0;
-    sum += dispersion_.value(volumes, q);
+    sum += dispersion_energy(shape(), settings_.gamma, volumes, q);
   }
   return settings_.gravity * sum;
 }

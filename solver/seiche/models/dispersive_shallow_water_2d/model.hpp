@@ -167,7 +167,6 @@ class Model : public lattice::Water<Column, Model> {
   [[nodiscard]] double cell_shape(Input q, std::size_t cell) const;
 
  private:
-  [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + n_}; }
   void sum_masses();
   void find_normals(Input q, Normals& normals) const;
   [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
@@ -185,7 +184,6 @@ class Model : public lattice::Water<Column, Model> {
   std::optional<BottomVolume> bottom_;
   std::optional<Shoreline> shoreline_;
   lattice::SurfacePatches surface_;
-  DispersionEnergy dispersion_;
   Drag drag_;
   Normals normals_;                // of the bottom at the linearised configuration
   mutable Normals other_normals_;  // at the beginning or end of the step

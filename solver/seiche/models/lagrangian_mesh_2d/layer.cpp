@@ -24,13 +24,18 @@ Mesh empty_mesh(std::size_t columns, std::size_t rows) {
   return mesh;
 }
 
+std::vector<double> equal_widths(double begin, double end, std::size_t columns) {
+  std::vector<double> ends(columns + 1);
+  for (std::size_t i = 0; i <= columns; ++i) {
+    ends[i] = begin + (end - begin) * (static_cast<double>(i) / static_cast<double>(columns));
+  }
+  return ends;
+}
+
 /// Ends of columns of equal area: int (depth + elevation) dx from one to the next is the same.
 std::vector<double> equal_columns(const Layer& layer) {
   const auto n = static_cast<double>(layer.columns);
-  std::vector<double> ends(layer.columns + 1);
-  for (std::size_t i = 0; i <= layer.columns; ++i) {
-    ends[i] = layer.begin + (layer.end - layer.begin) * (static_cast<double>(i) / n);
-  }
+  std::vector<double> ends = equal_widths(layer.begin, layer.end, layer.columns);
   if (!layer.elevation) return ends;
   const auto depth = [&](double x) { return layer.depth + layer.elevation(x); };
   // Area up to the ends of narrow strips, then Newton's iteration inside the strip where a column ends.
@@ -80,9 +85,9 @@ void fill_columns(Mesh& mesh, const std::vector<double>& x, const std::function<
 void round_toe(Mesh& mesh, Point toe, double tan_slope, double rounding) {
   const auto curve = std::make_shared<BentLine>(toe, Point{1, 0}, Point{1, tan_slope}, rounding);
   const auto put = [&](std::size_t node) {
-    const Point place = curve->position(curve->arc_length_at({mesh.x[node], mesh.y[node]}));
-    mesh.x[node] = place.x;
-    mesh.y[node] = place.y;
+    const auto [x, y] = curve->position(curve->arc_length_at({mesh.x[node], mesh.y[node]}));
+    mesh.x[node] = x;
+    mesh.y[node] = y;
   };
   for (std::size_t i = 0; i <= mesh.columns; ++i) put(mesh.node(i, 0));
   for (std::size_t j = 1; j <= mesh.rows; ++j) put(mesh.node(mesh.columns, j));
@@ -145,10 +150,7 @@ Mesh layer_mesh_over(std::shared_ptr<const GraphCurve> bottom, double begin, dou
   require_finite("end", end);
   require_positive("end - begin", end - begin);
   Mesh mesh = empty_mesh(columns, rows);
-  std::vector<double> x(columns + 1);
-  for (std::size_t i = 0; i <= columns; ++i) {
-    x[i] = begin + (end - begin) * (static_cast<double>(i) / static_cast<double>(columns));
-  }
+  const std::vector<double> x = equal_widths(begin, end, columns);
   fill_columns(
       mesh, x,
       [&](std::size_t i) {

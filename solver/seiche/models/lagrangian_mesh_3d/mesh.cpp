@@ -107,15 +107,8 @@ std::array<std::size_t, 8> Mesh::corners(std::size_t cell) const {
 }
 
 void Mesh::require_valid() const {
-  require_at_least("columns", static_cast<long>(plan.columns), 1);
-  require_at_least("rows", static_cast<long>(plan.rows), 1);
   require_at_least("layers", static_cast<long>(layers), 1);
-  require_that(x.size() == nodes() && y.size() == nodes() && z.size() == nodes(),
-               "coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes());
-  for (std::size_t k = 0; k < nodes(); ++k) {
-    require_that(std::isfinite(x[k]) && std::isfinite(y[k]) && std::isfinite(z[k]),
-                 "node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]);
-  }
+  plan_lattice::require_places(plan, 1, layers + 1, {{"x", x}, {"y", y}, {"z", z}});
   require_bottom();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     const CellCorners r = corners_of(*this, x, y, z, cell);

@@ -130,7 +130,7 @@ class Model : public lattice::Water<Hexahedron, Model> {
   // What lattice::Water asks for.
   void gather(Input q0, Input q1, Input at, int sweep);
   [[nodiscard]] std::array<const double*, 3> mobility() const {
-    return {nodes_.wx().data(), nodes_.wy().data(), nodes_.wz().data()};
+    return {nodes_.w(0).data(), nodes_.w(1).data(), nodes_.w(2).data()};
   }
   [[nodiscard]] std::span<const double> node_masses() const { return nodes_.mass(); }
   [[nodiscard]] std::array<double, 3> momentum_of(std::size_t k, Input u) const {
@@ -157,7 +157,6 @@ class Model : public lattice::Water<Hexahedron, Model> {
   Settings settings_;
   double east_width_;
   Nodes nodes_;
-  Bottom bottom_;
   lattice::SurfacePatches surface_;
   Forcing forcing_;
   std::vector<double> delta_;
