@@ -35,6 +35,10 @@ struct Corners {
 inline Corners at_corners(std::span<const double> values, const std::array<std::size_t, 4>& nodes) {
   return {values[nodes[0]], values[nodes[1]], values[nodes[2]], values[nodes[3]]};
 }
+/// At patch i between two rows of nodes.
+SEICHE_INLINE Corners corners_between(const std::array<const double*, 2>& rows, std::size_t i) {
+  return {rows[0][i], rows[0][i + 1], rows[1][i + 1], rows[1][i]};
+}
 /// Not a number where one is not.
 inline double smallest(const Corners& c) {
   return std::min(std::min(c.c0, c.c1), std::min(c.c2, c.c3));

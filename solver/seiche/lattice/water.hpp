@@ -41,6 +41,7 @@
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::lattice {
 
@@ -57,6 +58,14 @@ struct Corner {
 struct Cells {
   std::size_t columns, rows, layers = 1;
 };
+
+/// Of a mesh and settings that are valid. Throws std::invalid_argument.
+template <class Mesh, class Settings>
+Cells valid_cells(const Mesh& mesh, const Settings& settings, Cells cells) {
+  mesh.require_valid();
+  require_ranges(settings);
+  return cells;
+}
 
 /// One after the other.
 inline std::vector<double> joined(std::initializer_list<std::span<const double>> arrays) {
@@ -321,12 +330,8 @@ class Water {
       const auto dz = static_cast<std::size_t>(place_of[corner][2]);
       if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) return;
       const std::size_t row = (l - dz) * rows + j - dy;
-      const double* const s = gradients_.row(row).data;
-      const auto at = static_cast<std::ptrdiff_t>(i - dx);
-      Components& gradient = found.gradient[found.count];
-      gradient[0] = E::template gradient<corner, 0>(s, stride, at);
-      gradient[1] = E::template gradient<corner, 1>(s, stride, at);
-      if constexpr (E::axes == 3) gradient[2] = E::template gradient<corner, 2>(s, stride, at);
+      found.gradient[found.count] =
+          gradient_at<E, corner>(gradients_.row(row).data, stride, static_cast<std::ptrdiff_t>(i - dx));
       found.cell[found.count++] = row * columns + i - dx;
     };
     [&]<std::size_t... corner>(std::index_sequence<corner...>) {

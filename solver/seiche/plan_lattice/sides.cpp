@@ -38,12 +38,9 @@ void bind(BoundNode& bound, Point normal, const DrivenSide* driven, std::array<s
 }
 
 void hold(BoundNode& bound) {
-  bound = {.node = bound.node,
-           .directions = 2,
-           .normal = {Point{1, 0}, Point{0, 1}},
-           .driven = {},
-           .chord = {},
-           .shore = bound.shore};
+  bound.directions = 0;
+  bind(bound, {1, 0}, nullptr, {});
+  bind(bound, {0, 1}, nullptr, {});
 }
 
 }  // namespace

@@ -26,12 +26,9 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
   }
 #pragma omp simd reduction(min : jacobian, depth)
   for (std::size_t i = 0; i < columns; ++i) {
-    const auto corners = [&](std::size_t axis) __attribute__((always_inline)) {
-      return Corners{r[axis][0][i], r[axis][0][i + 1], r[axis][1][i + 1], r[axis][1][i]};
-    };
-    const Corners x = corners(0);
-    const Corners y = corners(1);
-    const Corners z = corners(2);
+    const Corners x = bilinear_patch::corners_between(r[0], i);
+    const Corners y = bilinear_patch::corners_between(r[1], i);
+    const Corners z = bilinear_patch::corners_between(r[2], i);
     const Corners over{z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom};
     const Corners j = bilinear_patch::jacobians(x, y);
     const auto volume = bilinear_patch::volume_gradient(x, y, over, j);

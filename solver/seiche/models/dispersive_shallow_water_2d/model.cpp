@@ -20,12 +20,6 @@ namespace {
 using bilinear_patch::at_corners;
 using bilinear_patch::Corners;
 
-lattice::Cells valid_cells(const Lattice& lattice, const Settings& settings) {
-  lattice.require_valid();
-  require_ranges(settings);
-  return {lattice.shape.columns, lattice.shape.rows};
-}
-
 /// The undeformed lattice nearest to a given one, which preconditions its systems: equal rectangles between four walls
 /// over a level bottom, of the lattice's mean sizes, depth H and inertia alpha:
 ///
@@ -61,7 +55,7 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
 }  // namespace
 
 Model::Model(Lattice lattice, Settings settings, Forcing forcing)
-    : Water{valid_cells(lattice, settings),
+    : Water{lattice::valid_cells(lattice, settings, {lattice.shape.columns, lattice.shape.rows}),
             std::vector<double>(lattice.shape.cells()),
             {lattice.shape.columns, lattice.shape.rows, settings.solver, undeformed_lattice(lattice, settings.inertia),
              settings.tolerance},

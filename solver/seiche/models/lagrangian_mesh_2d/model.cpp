@@ -19,12 +19,6 @@ namespace seiche::lagrangian_mesh_2d {
 
 namespace {
 
-lattice::Cells valid_cells(const Mesh& mesh, const Settings& settings) {
-  mesh.require_valid();
-  require_ranges(settings);
-  return {mesh.columns, mesh.rows};
-}
-
 std::vector<double> areas_of(const Mesh& mesh) {
   std::vector<double> areas(mesh.cells());
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) areas[cell] = cell_area(mesh, mesh.x, mesh.y, cell);
@@ -64,7 +58,7 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
 }  // namespace
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
-    : Water{valid_cells(mesh, settings),
+    : Water{lattice::valid_cells(mesh, settings, {mesh.columns, mesh.rows}),
             areas_of(mesh),
             {mesh.columns, mesh.rows, settings.solver, undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},

@@ -15,12 +15,6 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
-lattice::Cells valid_cells(const Mesh& mesh, const Settings& settings) {
-  mesh.require_valid();
-  require_ranges(settings);
-  return {mesh.plan.columns, mesh.plan.rows, mesh.layers};
-}
-
 std::vector<double> volumes_of(const Mesh& mesh) {
   std::vector<double> volumes(mesh.cells());
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
@@ -65,7 +59,7 @@ linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
 }  // namespace
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
-    : Water{valid_cells(mesh, settings),
+    : Water{lattice::valid_cells(mesh, settings, {mesh.plan.columns, mesh.plan.rows, mesh.layers}),
             volumes_of(mesh),
             {undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
@@ -118,7 +112,7 @@ void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
 }
 
 void Model::measure(Input q) {
-  driven_place_ = driven_places(q);
+  if (!nodes_.driven().empty()) driven_from_.assign(q.begin(), q.end());
   std::atomic<bool> tangled = false;
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);
@@ -141,22 +135,13 @@ void Model::kick(double h, Output u) const {
   nodes_.project(nodes_.on_bottom(), u);  // the bottom takes what would go through it
 }
 
-void Model::drive(double time, std::span<const Place> places, Output u) const {
-  for (std::size_t d = 0; d < places.size(); ++d) {
-    const Driven& driven = nodes_.driven()[d];
-    const Point v = driven.side->velocity(places[d], time);
+void Model::drive(double time, Input q, Output u) const {
+  for (const Driven& driven : nodes_.driven()) {
+    const Point v = driven.side->velocity(vector_at(q, driven.node), time);
     const double into_wall = dot(v, driven.wall);
     u[driven.node] = v.x - into_wall * driven.wall.x;
     u[n_ + driven.node] = v.y - into_wall * driven.wall.y;
   }
-}
-
-std::vector<Place> Model::driven_places(Input q) const {
-  std::vector<Place> places;
-  for (const Driven& driven : nodes_.driven()) {
-    places.push_back({q[driven.node], q[n_ + driven.node], q[2 * n_ + driven.node]});
-  }
-  return places;
 }
 
 void Model::shift_east(mechanics::State& state) {

@@ -96,8 +96,8 @@ class Model : public lattice::Water<Hexahedron, Model> {
 
   // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
   void kick(double h, Output u) const;
-  void enter(Input, Output u) const { drive(when_.middle(), driven_place_, u); }
-  void settle(Interval when, Output q, Output u) const { drive(when.end(), driven_places(q), u); }
+  void enter(Input, Output u) const { drive(when_.middle(), driven_from_, u); }
+  void settle(Interval when, Output q, Output u) const { drive(when.end(), q, u); }
   [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % n_]; }
 
   /// [J], zero for still water. @param counted  marks the columns of cells whose water counts; empty: all
@@ -149,9 +149,8 @@ class Model : public lattice::Water<Hexahedron, Model> {
   void measure(Input q);
   /// What each node is held to moves by, besides the axes.
   void hold();
-  [[nodiscard]] std::vector<Place> driven_places(Input q) const;
-  /// Velocities of driven nodes at these places.
-  void drive(double time, std::span<const Place> places, Output u) const;
+  /// Velocities of driven nodes where they are at q.
+  void drive(double time, Input q, Output u) const;
 
   Mesh mesh_;
   Settings settings_;
@@ -160,7 +159,7 @@ class Model : public lattice::Water<Hexahedron, Model> {
   lattice::SurfacePatches surface_;
   Forcing forcing_;
   std::vector<double> delta_;
-  std::vector<Place> driven_place_;  // at the linearised configuration
+  std::vector<double> driven_from_;  // the linearised configuration, if nodes are driven
 };
 
 /// Longest step of the one-step scheme that is surely stable on a mesh.
