@@ -8,6 +8,7 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
 #include "validation/instruments/mesh/mesh_gauges.hpp"
 #include "validation/instruments/peak.hpp"
 
@@ -74,7 +75,7 @@ Flow MeshWallClimb::start() const {
   const mechanics::Scheme scheme{.stepping = stepping};
   if (surface_impulse) {
     const std::vector<Point> velocities =
-        lagrangian_mesh_2d::impulsive_start(mesh, [&](double x) { return wave.surface_potential(x + distance); });
+        impulsive_start(mesh, [&](double x) { return wave.surface_potential(x + distance); });
     return Flow(std::move(mesh), velocities, scheme, settings);
   }
   const auto velocity = [&](Point r) {

@@ -24,19 +24,15 @@ Mesh empty_mesh(std::size_t columns, std::size_t rows) {
   return mesh;
 }
 
-std::vector<double> equal_widths(double begin, double end, std::size_t columns) {
-  std::vector<double> ends(columns + 1);
-  for (std::size_t i = 0; i <= columns; ++i) {
-    ends[i] = begin + (end - begin) * (static_cast<double>(i) / static_cast<double>(columns));
-  }
-  return ends;
-}
-
-/// Ends of columns of equal area: int (depth + elevation) dx from one to the next is the same.
-std::vector<double> equal_columns(const Layer& layer) {
+/// Ends of columns of equal area, int (depth + elevation) dx from one to the next is the same; over a curved bottom of
+/// equal width.
+std::vector<double> column_ends(const Layer& layer) {
   const auto n = static_cast<double>(layer.columns);
-  std::vector<double> ends = equal_widths(layer.begin, layer.end, layer.columns);
-  if (!layer.elevation) return ends;
+  std::vector<double> ends(layer.columns + 1);
+  for (std::size_t i = 0; i <= layer.columns; ++i) {
+    ends[i] = layer.begin + (layer.end - layer.begin) * (static_cast<double>(i) / n);
+  }
+  if (!layer.elevation || layer.bottom) return ends;
   const auto depth = [&](double x) { return layer.depth + layer.elevation(x); };
   // Area up to the ends of narrow strips, then Newton's iteration inside the strip where a column ends.
   const std::size_t strips = 4 * layer.columns;
@@ -66,19 +62,6 @@ std::vector<double> equal_columns(const Layer& layer) {
     ends[i] = x;
   }
   return ends;
-}
-
-void fill_columns(Mesh& mesh, const std::vector<double>& x, const std::function<double(std::size_t)>& bottom,
-                  const std::function<double(std::size_t)>& surface) {
-  for (std::size_t i = 0; i <= mesh.columns; ++i) {
-    const double low = bottom(i);
-    const double high = surface(i);
-    for (std::size_t j = 0; j <= mesh.rows; ++j) {
-      const std::size_t k = mesh.node(i, j);
-      mesh.x[k] = x[i];
-      mesh.y[k] = plan_lattice::equally_spaced(low, high, j, mesh.rows);
-    }
-  }
 }
 
 /// Puts the bottom and the slope on one curve, along which the toe slides too.
@@ -114,11 +97,18 @@ Mesh layer_mesh(const Layer& layer) {
   require_positive("end - begin", layer.end - layer.begin);
   require_positive("depth", layer.depth);
   Mesh mesh = empty_mesh(layer.columns, layer.rows);
-  const std::vector<double> x = equal_columns(layer);
-  fill_columns(
-      mesh, x, [&](std::size_t) { return -layer.depth; },
-      [&](std::size_t i) { return layer.elevation ? layer.elevation(x[i]) : 0.0; });
-  mesh.sides = {vertical_wall(layer.begin), vertical_wall(layer.end), level_wall(-layer.depth), FreeSide{}};
+  const std::vector<double> x = column_ends(layer);
+  for (std::size_t i = 0; i <= layer.columns; ++i) {
+    const double low = layer.bottom ? layer.bottom->position(layer.bottom->arc_length_at({x[i], 0})).y : -layer.depth;
+    const double high = layer.elevation ? layer.elevation(x[i]) : 0.0;
+    for (std::size_t j = 0; j <= layer.rows; ++j) {
+      const std::size_t k = mesh.node(i, j);
+      mesh.x[k] = x[i];
+      mesh.y[k] = plan_lattice::equally_spaced(low, high, j, layer.rows);
+    }
+  }
+  mesh.sides = {vertical_wall(layer.begin), vertical_wall(layer.end),
+                layer.bottom ? Wall{layer.bottom} : level_wall(-layer.depth), FreeSide{}};
   return mesh;
 }
 
@@ -141,23 +131,6 @@ Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend, d
   const Point contact{toe.x + layer.depth * cot, 0};
   mesh.sides.right = Wall{std::make_shared<Line>(contact, Point{1, tan_slope})};
   if (rounding > 0) round_toe(mesh, toe, tan_slope, rounding);
-  return mesh;
-}
-
-Mesh layer_mesh_over(std::shared_ptr<const GraphCurve> bottom, double begin, double end, std::size_t columns,
-                     std::size_t rows, const std::function<double(double x)>& elevation) {
-  require_finite("begin", begin);
-  require_finite("end", end);
-  require_positive("end - begin", end - begin);
-  Mesh mesh = empty_mesh(columns, rows);
-  const std::vector<double> x = equal_widths(begin, end, columns);
-  fill_columns(
-      mesh, x,
-      [&](std::size_t i) {
-        return bottom->position(bottom->arc_length_at({x[i], 0})).y;
-      },
-      [&](std::size_t i) { return elevation ? elevation(x[i]) : 0.0; });
-  mesh.sides = {vertical_wall(begin), vertical_wall(end), Wall{std::move(bottom)}, FreeSide{}};
   return mesh;
 }
 

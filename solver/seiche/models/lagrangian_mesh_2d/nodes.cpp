@@ -14,14 +14,10 @@ namespace seiche::lagrangian_mesh_2d {
 
 namespace {
 
-bool vertical(const Wall& wall) {
+/// Of a straight wall; of a curve one that is along no axis.
+Point direction(const Wall& wall) {
   const auto* line = dynamic_cast<const Line*>(wall.curve.get());
-  return line != nullptr && line->tangent(0).x == 0;
-}
-
-bool level(const Wall& wall) {
-  const auto* line = dynamic_cast<const Line*>(wall.curve.get());
-  return line != nullptr && line->tangent(0).y == 0;
+  return line != nullptr ? line->tangent(0) : Point{1, 1};
 }
 
 /// Level and unbent to rounding: a node that is driven along x does not leave the curve then.
@@ -51,14 +47,10 @@ Nodes::Nodes(const Mesh& mesh, std::span<const double> areas, double density, bo
     wx_.push_back(1 / mass_[k]);
     wy_.push_back(1 / inertia_y_[k]);
   }
-  const Sides& sides = *sides_;
-  for (std::size_t i = 1; i < mesh.columns; ++i) {
-    hold(mesh, mesh.node(i, 0), {&sides.bottom});
-    hold(mesh, mesh.node(i, mesh.rows), {&sides.top});
-  }
-  for (std::size_t j = 1; j < mesh.rows; ++j) {
-    hold(mesh, mesh.node(0, j), {&sides.left});
-    hold(mesh, mesh.node(mesh.columns, j), {&sides.right});
+  const auto walks = plan_lattice::nodes_around(mesh);
+  const std::array sides{&sides_->bottom, &sides_->right, &sides_->top, &sides_->left};
+  for (std::size_t s = 0; s < walks.size(); ++s) {
+    for (std::size_t k = 1; k + 1 < walks[s].size(); ++k) hold(mesh, walks[s][k], {sides[s]});
   }
   for (const std::size_t i : {std::size_t{0}, mesh.columns}) {
     for (const std::size_t j : {std::size_t{0}, mesh.rows}) hold_corner(mesh, i, j);
@@ -71,7 +63,7 @@ void Nodes::hold_corner(const Mesh& mesh, std::size_t i, std::size_t j) {
   const std::size_t node = mesh.node(i, j);
   const auto* wall = std::get_if<Wall>(&beside);
   const bool contact = wall != nullptr && std::holds_alternative<FreeSide>(across);
-  require_that(!contact || !level(*wall),
+  require_that(!contact || direction(*wall).y != 0,
                "the free side ends at a level wall, at ({:g}, {:g}); allowed: walls with a slope", mesh.x[node],
                mesh.y[node]);
   hold(mesh, node, {&beside, &across});
@@ -108,9 +100,9 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
   } else if (walls.size() == 2 && !joined(*sides[0], *sides[1])) {
     wx_[node] = wy_[node] = 0;
   } else if (!walls.empty()) {
-    if (vertical(*walls.front())) {
+    if (direction(*walls.front()).x == 0) {
       wx_[node] = 0;
-    } else if (level(*walls.front())) {
+    } else if (direction(*walls.front()).y == 0) {
       wy_[node] = 0;
     } else {
       const Curve& curve = *walls.front()->curve;
