@@ -45,6 +45,12 @@ void hold(BoundNode& bound) {
 
 }  // namespace
 
+void require_ascending(std::string_view first, double begin, std::string_view last, double end) {
+  require_finite(first, begin);
+  require_finite(last, end);
+  require_that(end > begin, "{} = {:g}; allowed: above {} = {:g}", last, end, first, begin);
+}
+
 void require_places(const Shape& shape, long columns, std::size_t levels,
                     std::initializer_list<std::pair<std::string_view, std::span<const double>>> places) {
   require_at_least("columns", static_cast<long>(shape.columns), columns);

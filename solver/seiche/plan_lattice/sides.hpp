@@ -98,6 +98,8 @@ struct Shape {
   }
 };
 
+/// Throws std::invalid_argument unless both are finite and the last one is larger.
+void require_ascending(std::string_view first, double begin, std::string_view last, double end);
 /// Throws std::invalid_argument for fewer columns than that, no rows or layers, arrays of places that are not as long
 /// as `levels` of nodes, values that are not finite.
 void require_places(const Shape& shape, long columns, std::size_t levels,

@@ -13,18 +13,17 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 SEICHE_SIMD_CLONES
-RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows, double bottom, double weight,
-                        bool add, linear::RowBlocks::Row gradients) {
+double measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows, double bottom, double weight,
+                   bool add, linear::RowBlocks::Row gradients) {
   using bilinear_patch::Corners;
   const lattice::NodeVectors<Column> r = rows;
   double* const g = gradients.data;
   const std::size_t stride = gradients.stride;
   double jacobian = std::numeric_limits<double>::infinity();
-  double depth = std::numeric_limits<double>::infinity();
   if (!add) {
     for (std::size_t k = 0; k < Column::stored; ++k) std::fill_n(gradients[k], columns, 0.0);
   }
-#pragma omp simd reduction(min : jacobian, depth)
+#pragma omp simd reduction(min : jacobian)
   for (std::size_t i = 0; i < columns; ++i) {
     const Corners x = bilinear_patch::corners_between(r[0], i);
     const Corners y = bilinear_patch::corners_between(r[1], i);
@@ -42,9 +41,8 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
     put(1, volume.y);
     put(2, volume.z);
     jacobian = std::min(jacobian, std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)));
-    depth = std::min(depth, std::min(std::min(over.c0, over.c1), std::min(over.c2, over.c3)));
   }
-  return {jacobian, depth};
+  return jacobian;
 }
 
 BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)

@@ -33,15 +33,10 @@ struct InverseMasses {
   std::vector<double> xx, yy, zz, xy, xz, yz;
 };
 
-/// Smallest corner Jacobian of a row and the smallest depth of its nodes.
-struct RowExtremes {
-  double jacobian;
-  double depth;
-};
-
 /// Gradients of the volumes of a row over the level z = bottom, times `weight`, added to what is there if `add`.
-RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>& r, double bottom, double weight,
-                        bool add, linear::RowBlocks::Row gradients);
+/// Returns the smallest corner Jacobian.
+double measure_row(std::size_t columns, const lattice::NodeVectors<Column>& r, double bottom, double weight, bool add,
+                   linear::RowBlocks::Row gradients);
 
 // The volume between the level z = 0 and an uneven bottom, cell by cell, as a sum over directed edges p -> q:
 //
@@ -53,19 +48,6 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
 // Discrete gradients over a way: what Simpson's mean lacks of E's difference is divided by the way. B counts from far
 // away, and the difference of two E has the round-off of |B|, which a short way would make a force: a step's sweeps
 // then never settle. So only differences of B over the way enter, which are as short as it is.
-
-/// Gauss's rule of three points on [0, 1].
-struct GaussPoint {
-  double t;
-  double weight;
-};
-
-inline const std::array<GaussPoint, 3>& gauss_points() {
-  static const double half = 0.5 * std::sqrt(0.6);
-  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
-                                 GaussPoint{0.5 + half, 5.0 / 18}};
-  return points;
-}
 
 /// Makes a mean gradient over a way a discrete one, gradient times way a difference: what it lacks is added along the
 /// way. Less than what is `rounded`, divided by a short way, would become a force.

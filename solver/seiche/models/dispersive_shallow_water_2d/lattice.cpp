@@ -49,11 +49,8 @@ void Lattice::require_valid() const {
 }
 
 Lattice rectangular_lattice(const Rectangle& rectangle) {
-  for (const auto& [name, from, to] :
-       {std::tuple{"end", rectangle.begin, rectangle.end}, std::tuple{"north", rectangle.south, rectangle.north}}) {
-    require_finite(name, to);
-    require_that(to > from, "{} = {:g}; allowed: above {:g}", name, to, from);
-  }
+  plan_lattice::require_ascending("begin", rectangle.begin, "end", rectangle.end);
+  plan_lattice::require_ascending("south", rectangle.south, "north", rectangle.north);
   require_at_least("columns", static_cast<long>(rectangle.columns), 2);
   require_at_least("rows", static_cast<long>(rectangle.rows), 1);
   Lattice lattice{.shape = {rectangle.columns, rectangle.rows},

@@ -153,17 +153,14 @@ void Model::gather(Input q0, Input q1, Input at, int sweep) {
 void Model::measure(Input q, double weight, bool add) {
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
   std::atomic<bool> tangled = false;
-  std::atomic<bool> dry = false;
   each_row([&](std::size_t j) {
-    const RowExtremes least = measure_row(shape_.columns, around(j, q), bottom, weight, add, gradients_.row(j));
-    if (least.jacobian <= 0) tangled = true;
-    if (least.depth <= 0) dry = true;
+    if (measure_row(shape_.columns, around(j, q), bottom, weight, add, gradients_.row(j)) <= 0) tangled = true;
   });
   surface_.push(q, settings_.gravity * weight, push_);
   if (tangled) throw_tangled(q);
-  if (!bottom_ && dry) {
-    const Input z = q.last(n_);
-    const auto lowest = static_cast<std::size_t>(std::ranges::min_element(z) - z.begin());
+  const Input z = q.last(n_);
+  const auto lowest = static_cast<std::size_t>(std::ranges::min_element(z) - z.begin());
+  if (!bottom_ && z[lowest] <= bottom) {
     throw mechanics::Infeasible(q[lowest],
                                 "the surface touches the bottom: z = {:g} at ({:g}, {:g}) (allowed: above "
                                 "{:g})",

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/geometry/curve.hpp"
+#include "seiche/geometry/gauss_mean.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
@@ -37,11 +37,7 @@ std::vector<double> column_ends(const Layer& layer) {
   // Area up to the ends of narrow strips, then Newton's iteration inside the strip where a column ends.
   const std::size_t strips = 4 * layer.columns;
   const double width = (layer.end - layer.begin) / static_cast<double>(strips);
-  const auto area_between = [&](double from, double to) {
-    const double half = 0.5 * (to - from);
-    return half * boost::math::quadrature::gauss<double, 10>::integrate(
-                      [&](double s) { return depth(0.5 * (from + to) + half * s); }, -1, 1);
-  };
+  const auto area_between = [&](double from, double to) { return (to - from) * gauss_mean(depth, from, to); };
   std::vector<double> area{0};
   for (std::size_t k = 0; k < strips; ++k) {
     const double from = layer.begin + width * static_cast<double>(k);

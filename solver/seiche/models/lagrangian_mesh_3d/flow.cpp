@@ -22,20 +22,10 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
                 surely_stable_step(*model), smooth_start && model->nodes().driven().empty());
 }
 
-namespace {
-
-void require_ascending(const char* first, double begin, const char* last, double end) {
-  require_finite(first, begin);
-  require_finite(last, end);
-  require_that(end > begin, "{} = {:g}; allowed: above {} = {:g}", last, end, first, begin);
-}
-
-}  // namespace
-
 Mesh layer_mesh(const Layer& layer) {
   using plan_lattice::equally_spaced;
-  require_ascending("begin", layer.begin, "end", layer.end);
-  if (!layer.south_wall) require_ascending("south", layer.south, "north", layer.north);
+  plan_lattice::require_ascending("begin", layer.begin, "end", layer.end);
+  if (!layer.south_wall) plan_lattice::require_ascending("south", layer.south, "north", layer.north);
   require_positive("depth", layer.depth);
   Mesh mesh{.plan = {layer.columns, layer.rows},
             .layers = layer.layers,

@@ -31,13 +31,10 @@ constexpr std::array<std::array<std::size_t, 3>, 8> edges{
 
 using V3 = Vector3;
 
-/// Row and place in it of a corner: 0, 3, 4, 7 on the west side of the cell, 1, 2, 5, 6 on the east side.
-constexpr std::array<std::size_t, 8> row_of{0, 0, 1, 1, 2, 2, 3, 3};
-constexpr std::array<std::size_t, 8> east{0, 1, 1, 0, 0, 1, 1, 0};
-
 SEICHE_INLINE V3 at(const NodeVectors& r, std::size_t corner, std::size_t i) {
-  const std::size_t row = row_of[corner];
-  const std::size_t k = i + east[corner];
+  const auto [east, north, above] = lattice::place_of[corner];
+  const auto row = static_cast<std::size_t>(north + 2 * above);
+  const std::size_t k = i + static_cast<std::size_t>(east);
   return {r[0][row][k], r[1][row][k], r[2][row][k]};
 }
 

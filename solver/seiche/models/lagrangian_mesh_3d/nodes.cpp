@@ -55,11 +55,8 @@ void Nodes::weigh(const Mesh& mesh, std::span<const double> volumes, double dens
 }
 
 void Nodes::turn(mechanics::Input q0, mechanics::Input q1) {
-  static const double outer = 0.5 * std::sqrt(0.6);
-  static const std::array gauss{std::pair{0.5 - outer, 5.0 / 18}, std::pair{0.5, 8.0 / 18},
-                                std::pair{0.5 + outer, 5.0 / 18}};
-  static const std::array here{std::pair{0.0, 1.0}};
-  const auto points = q0.data() == q1.data() ? std::span<const std::pair<double, double>>(here) : std::span(gauss);
+  static constexpr std::array here{GaussPoint{0, 1}};
+  const auto points = q0.data() == q1.data() ? std::span<const GaussPoint>(here) : std::span(gauss_points());
   const std::size_t n = mass_.size();
   for (std::size_t k = 0; k < on_bottom_.size(); ++k) {
     Point slope;
