@@ -58,11 +58,6 @@ bool Mesh::on_joined_sides(std::size_t cell, std::size_t corner) const {
   return joined(i == 0 ? sides.left : sides.right, j == 0 ? sides.bottom : sides.top);
 }
 
-bool Mesh::has_joined_sides() const {
-  return joined(sides.left, sides.bottom) || joined(sides.bottom, sides.right) || joined(sides.right, sides.top) ||
-         joined(sides.top, sides.left);
-}
-
 Wall vertical_wall(double place) {
   return {std::make_shared<Line>(Point{place, 0}, Point{0, 1})};
 }

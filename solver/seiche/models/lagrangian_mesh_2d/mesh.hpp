@@ -65,7 +65,6 @@ struct Mesh : plan_lattice::Shape {
 
   /// Whether a corner of a cell is one of the mesh, between joined sides.
   [[nodiscard]] bool on_joined_sides(std::size_t cell, std::size_t corner) const;
-  [[nodiscard]] bool has_joined_sides() const;
 
   /// Throws std::invalid_argument: no cells, arrays of other lengths, values that are not finite, a corner that is not
   /// convex (by cell), a node that is off its wall by more than 1e-12 of the mesh's size, missing functions.

@@ -155,9 +155,7 @@ void Model::measure(Input at) {
     if (measure_row(mesh_.columns, around(j, at), gradients_.row(j)) <= lowest_triangle_) low = true;
   });
   // A flat corner between joined sides is none that counts.
-  if (low && !(mesh_.has_joined_sides() && worst_corner(at).shape > settings_.lowest_corner)) {
-    throw_tangled(at, settings_.lowest_corner);
-  }
+  if (low && !(worst_corner(at).shape > settings_.lowest_corner)) throw_tangled(at, settings_.lowest_corner);
 }
 
 void Model::gather_forces(Input at, double weight) {
