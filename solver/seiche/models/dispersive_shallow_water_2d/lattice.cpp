@@ -76,10 +76,6 @@ namespace {
 
 using Symmetric = std::array<double, 6>;  // xx, yy, zz, xy, xz, yz
 
-Vector3 normal_at(const Normals* normals, std::size_t k) {
-  return normals == nullptr ? Vector3{0, 0, 1} : (*normals)[k];
-}
-
 Vector3 horizontal(Point p) {
   return {p.x, p.y, 0};
 }
@@ -134,16 +130,16 @@ NodeMasses::NodeMasses(plan_lattice::Shape shape, const plan_lattice::Sides& sid
   }
 }
 
-void NodeMasses::stand_on(const Normals* normals) {
-  if (normals != nullptr) std::ranges::fill(full_, char{1});
+void NodeMasses::stand_on(const Normals& normals) {
   for (std::size_t k = 0; k < mass_.size(); ++k) {
     const double m = 1 / mass_[k];
-    inverse_.put(k, with_dyad({m, m, m}, m * (1 / inertia_ - 1), normal_at(normals, k)));
+    inverse_.put(k, with_dyad({m, m, m}, m * (1 / inertia_ - 1), normals[k]));
+    if (normals[k].x != 0 || normals[k].y != 0) full_[k * full_.size() / mass_.size()] = 1;
   }
   for (const BoundNode& bound : bound_) bind(bound, normals);
 }
 
-void NodeMasses::turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals* normals) {
+void NodeMasses::turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals& normals) {
   for (BoundNode& bound : bound_) {
     if (!bound.is_driven()) continue;
     for (std::size_t d = 0; d < bound.directions; ++d) {
@@ -153,8 +149,8 @@ void NodeMasses::turn_driven_sides(std::span<const double> x, std::span<const do
   }
 }
 
-void NodeMasses::bind(const BoundNode& bound, const Normals* normals) {
-  inverse_.put(bound.node, bound_inverse(bound, mass_[bound.node], inertia_, normal_at(normals, bound.node)));
+void NodeMasses::bind(const BoundNode& bound, const Normals& normals) {
+  inverse_.put(bound.node, bound_inverse(bound, mass_[bound.node], inertia_, normals[bound.node]));
 }
 
 void NodeMasses::carry(const Normals& from, const Normals& to, std::span<double> u) const {
@@ -186,12 +182,12 @@ Vector3 NodeMasses::carried_along_side(const BoundNode& bound, Vector3 from, Vec
   return v + (stretch - 1) / square_after * dot(v, after) * after;
 }
 
-void NodeMasses::constrain(std::span<const double> q, double time, const Normals* normals, bool all,
+void NodeMasses::constrain(std::span<const double> q, double time, const Normals& normals, bool all,
                            std::span<double> u) const {
   for (const BoundNode& bound : bound_) {
     if (!bound.is_driven() && !all) continue;
     const std::size_t k = bound.node;
-    const Vector3 n = normal_at(normals, k);
+    const Vector3 n = normals[k];
     // One direction after the other along W0 N, m W0 = I + more n n^T; the second without what the first one forbids.
     // On a shoreline M is m I.
     const double more = bound.shore ? -1 : 1 / inertia_ - 1;

@@ -82,20 +82,19 @@ class NodeMasses {
   [[nodiscard]] bool full(std::size_t row) const { return full_[row] != 0; }
   [[nodiscard]] bool has_driven_sides() const { return has_driven_sides_; }
 
-  /// W over a bottom with these normals; null: level.
-  void stand_on(const Normals* normals);
+  /// W over a bottom with these normals.
+  void stand_on(const Normals& normals);
   /// Turns the normals of driven sides into those of the lattice x, y, and W with them.
-  /// @param normals  of the bottom; null: level
-  void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals* normals);
+  void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals& normals);
   /// Carries velocities u = (u, v, w) from a bottom with some normals to one with others, by isometries of M: the
   /// smallest rotation that takes one normal to the other; on sides at rest a motion within what they leave.
   void carry(const Normals& from, const Normals& to, std::span<double> u) const;
   /// Imposes what the sides prescribe at this time on the velocities u = (u, v, w).
   /// @param all  false: only on nodes of driven sides
-  void constrain(std::span<const double> q, double time, const Normals* normals, bool all, std::span<double> u) const;
+  void constrain(std::span<const double> q, double time, const Normals& normals, bool all, std::span<double> u) const;
 
  private:
-  void bind(const plan_lattice::BoundNode& bound, const Normals* normals);
+  void bind(const plan_lattice::BoundNode& bound, const Normals& normals);
   [[nodiscard]] Vector3 carried_along_side(const plan_lattice::BoundNode& bound, Vector3 from, Vector3 to,
                                            Vector3 u) const;
 

@@ -66,8 +66,8 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       masses_(shape(), lattice_.sides, lattice_.x, lattice_.y, settings.inertia),
       surface_(shape().columns, shape().rows, n_),
       drag_(settings.drag, lattice_, settings.inertia),
-      normals_(n_),
-      other_normals_(n_) {
+      normals_(n_, {0, 0, 1}),
+      other_normals_(normals_) {
   if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
   const std::vector<double> places = lattice::joined({lattice_.x, lattice_.y, lattice_.z});
   if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {
@@ -93,7 +93,7 @@ void Model::sum_masses() {
       mass[k] += (on_shore(k) ? Shoreline::share_of_mass : 0.25) * volume_[cell];
     }
   }
-  if (!bottom_) masses_.stand_on(nullptr);
+  if (!bottom_) masses_.stand_on(normals_);
 }
 
 mechanics::State Model::state(const InitialVelocity& velocity) const {
@@ -103,7 +103,7 @@ mechanics::State Model::state(const InitialVelocity& velocity) const {
       velocity, n_, [&](const VelocityAt& at, std::size_t k) { return at(lattice_.x[k], lattice_.y[k]); });
   for (std::size_t k = 0; k < n_; ++k) put_vector({given[k].u, given[k].v, given[k].w}, k, state.u);
   if (bottom_) find_normals(state.q, other_normals_);
-  masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);
+  masses_.constrain(state.q, 0, other_normals_, true, state.u);
   return state;
 }
 
@@ -122,9 +122,9 @@ void Model::find_normals(Input q, Normals& normals) const {
 void Model::stand(Input q) {
   if (bottom_) {
     find_normals(q, normals_);
-    masses_.stand_on(&normals_);
+    masses_.stand_on(normals_);
   }
-  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
+  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals_);
 }
 
 void Model::gather(Input q0, Input q1, Input at, int sweep) {
@@ -139,7 +139,7 @@ void Model::gather(Input q0, Input q1, Input at, int sweep) {
   stand(at);
   if (shoreline_ && !instant) {
     shoreline_->tilt_between(q0, q1, normals_);
-    masses_.stand_on(&normals_);
+    masses_.stand_on(normals_);
   }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
@@ -182,15 +182,13 @@ void Model::carry(Input q, bool onto, Output u) const {
 // Only nodes of driven sides can have got a forbidden velocity.
 void Model::enter(Input q, Output u) const {
   if (bottom_) carry(q, true, u);
-  if (masses_.has_driven_sides()) masses_.constrain(q, when_.middle(), normals(), false, u);
+  if (masses_.has_driven_sides()) masses_.constrain(q, when_.middle(), normals_, false, u);
 }
 
 void Model::settle(Interval when, Output q, Output u) const {
   if (shoreline_) shoreline_->land(q);
   if (bottom_) carry(q, false, u);
-  if (masses_.has_driven_sides()) {
-    masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, false, u);
-  }
+  if (masses_.has_driven_sides()) masses_.constrain(q, when.end(), other_normals_, false, u);
   drag_.breaking().settle();
 }
 

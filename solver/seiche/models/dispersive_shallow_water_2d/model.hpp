@@ -63,9 +63,7 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 using lattice::Corner;
-using mechanics::Input;
 using mechanics::Interval;
-using mechanics::Output;
 
 struct Settings {
   double gravity = 1;        ///< [m/s^2]
@@ -169,7 +167,6 @@ class Model : public lattice::Water<Column, Model> {
  private:
   void sum_masses();
   void find_normals(Input q, Normals& normals) const;
-  [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
   void measure(Input q, double weight, bool add);
   void stand(Input q);
   [[nodiscard]] bool on_shore(std::size_t node) const { return shoreline_ && shoreline_->marks()[node] != 0; }
