@@ -46,7 +46,7 @@ double measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows
 }
 
 BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
-    : shape_(shape), bottom_(std::move(bottom)), edges_(shape.edges()) {}
+    : shape_(shape), bottom_(std::move(bottom)) {}
 
 BottomVolume::Edge BottomVolume::edge(const Ends& at) const {
   const Point way = at[1] - at[0];
@@ -88,31 +88,25 @@ BottomVolume::Edge BottomVolume::edge_between(const Ends& from, const Ends& to) 
   return {end.value - begin.value, slope[0], slope[1], slope[2], slope[3], mean(&Edge::integral)};
 }
 
-void BottomVolume::subtract_gradients(mechanics::Input q0, mechanics::Input q1, linear::RowBlocks& gradients) {
+void BottomVolume::subtract_gradients(mechanics::Input q0, mechanics::Input q1, linear::RowBlocks& gradients) const {
   const std::size_t n = shape_.nodes();
-  std::size_t number = 0;
-  shape_.each_edge([&](std::size_t p, std::size_t q, std::size_t, std::size_t) {
+  shape_.each_edge([&](std::size_t p, std::size_t q, std::size_t left, std::size_t right) {
     const auto ends = [&](mechanics::Input at) { return Ends{Point{at[p], at[n + p]}, Point{at[q], at[n + q]}}; };
-    edges_[number++] = q0.data() == q1.data() ? edge(ends(q0)) : edge_between(ends(q0), ends(q1));
+    const Edge here = q0.data() == q1.data() ? edge(ends(q0)) : edge_between(ends(q0), ends(q1));
+    const std::array at{here.at_p(), here.at_q()};
+    // Cells on its left have it anticlockwise.
+    const auto subtract = [&](std::size_t cell, const std::array<std::size_t, 2>& corners, double sign) {
+      if (cell == plan_lattice::Shape::outside) return;
+      const linear::RowBlocks::Row row = gradients.row(cell / shape_.columns);
+      for (std::size_t end = 0; end < 2; ++end) {
+        row[3 * corners[end]][cell % shape_.columns] -= sign * at[end].x;
+        row[3 * corners[end] + 1][cell % shape_.columns] -= sign * at[end].y;
+      }
+    };
+    const bool along_row = q == p + 1;
+    subtract(left, along_row ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 2}, 1);
+    subtract(right, along_row ? std::array<std::size_t, 2>{3, 2} : std::array<std::size_t, 2>{0, 3}, -1);
   });
-  for (std::size_t j = 0; j < shape_.rows; ++j) {
-    const linear::RowBlocks::Row row = gradients.row(j);
-    for (std::size_t i = 0; i < shape_.columns; ++i) {
-      // Around the cell: 0 -> 1, 1 -> 2, and 3 -> 2, 0 -> 3 backwards.
-      const Edge& south = edges_[along_i(i, j)];
-      const Edge& east = edges_[along_j(i + 1, j)];
-      const Edge& north = edges_[along_i(i, j + 1)];
-      const Edge& west = edges_[along_j(i, j)];
-      const auto subtract = [&](std::size_t corner, Point gradient) {
-        row[3 * corner][i] -= gradient.x;
-        row[3 * corner + 1][i] -= gradient.y;
-      };
-      subtract(0, south.at_p() - west.at_p());
-      subtract(1, south.at_q() + east.at_p());
-      subtract(2, east.at_q() - north.at_q());
-      subtract(3, -1 * north.at_p() - west.at_q());
-    }
-  }
 }
 
 double BottomVolume::volume(const std::array<Point, 4>& at) const {

@@ -70,7 +70,7 @@ class BottomVolume {
   /// Subtracts the gradients of the volumes from those of the cells, in rows: at q0 if q1 is the same, else discrete
   /// gradients over the segment: Simpson's mean, corrected along the segment so that gradient times segment is the
   /// difference of the volumes to round-off.
-  void subtract_gradients(mechanics::Input q0, mechanics::Input q1, linear::RowBlocks& gradients);
+  void subtract_gradients(mechanics::Input q0, mechanics::Input q1, linear::RowBlocks& gradients) const;
   /// int b dA over the quadrilateral of these corners.
   [[nodiscard]] double volume(const std::array<Point, 4>& at) const;
 
@@ -89,14 +89,9 @@ class BottomVolume {
   using Ends = std::array<Point, 2>;  ///< p, q
   [[nodiscard]] Edge edge(const Ends& at) const;
   [[nodiscard]] Edge edge_between(const Ends& from, const Ends& to) const;
-  [[nodiscard]] std::size_t along_i(std::size_t i, std::size_t j) const { return j * shape_.columns + i; }
-  [[nodiscard]] std::size_t along_j(std::size_t i, std::size_t j) const {
-    return shape_.columns * (shape_.rows + 1) + j * (shape_.columns + 1) + i;
-  }
 
   plan_lattice::Shape shape_;
   std::shared_ptr<const PlanBottom> bottom_;
-  std::vector<Edge> edges_;  ///< in the order of Shape::each_edge
 };
 
 /// Improved dispersion of the plan model: an energy of the surface's slope beside the potential energy,
