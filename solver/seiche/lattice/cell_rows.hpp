@@ -5,7 +5,7 @@
 ///
 ///     axes, corners, stored        of its nodes' places, of a cell, numbers kept per cell
 ///     mobilities                   of the nodes' inverse masses W: xx, yy(, zz) or also xy, xz, yz
-///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
+///     gradient(corner, axis, s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
 ///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
 ///
 /// and the clones of run(RowLoop), which is run_row. Cells that share a node are coupled there: A = J W J^T has the
@@ -29,8 +29,8 @@ constexpr std::size_t corner_at(int px, int py, int pz) {
 
 /// Of an element in space that keeps its gradients as they are, number 3 corner + axis.
 struct StoredGradients {
-  template <std::size_t corner, std::size_t axis>
-  SEICHE_INLINE static double gradient(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
+  SEICHE_INLINE static double gradient(std::size_t corner, std::size_t axis, const double* s, std::ptrdiff_t stride,
+                                       std::ptrdiff_t i) {
     return s[static_cast<std::ptrdiff_t>(3 * corner + axis) * stride + i];
   }
 };
@@ -105,14 +105,12 @@ constexpr bool any_shared(std::size_t first, std::size_t count) {
 }
 
 /// Of the volume of cell i at one of its corners.
-template <class E, std::size_t corner>
-SEICHE_INLINE std::array<double, E::axes> gradient_at(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
-  const double x = E::template gradient<corner, 0>(s, stride, i), y = E::template gradient<corner, 1>(s, stride, i);
-  if constexpr (E::axes == 2) {
-    return {x, y};
-  } else {
-    return {x, y, E::template gradient<corner, 2>(s, stride, i)};
-  }
+template <class E>
+SEICHE_INLINE std::array<double, E::axes> gradient_at(std::size_t corner, const double* s, std::ptrdiff_t stride,
+                                                      std::ptrdiff_t i) {
+  std::array<double, E::axes> g;
+  for (std::size_t axis = 0; axis < E::axes; ++axis) g[axis] = E::gradient(corner, axis, s, stride, i);
+  return g;
 }
 
 /// g_a W g_b, summed in pairs over the shared ones of `count` corners.
@@ -124,8 +122,8 @@ SEICHE_INLINE double coupling(const double* a, const double* b, std::ptrdiff_t s
     constexpr std::size_t theirs = corner_at(place_of[first][0] - di, place_of[first][1] - dj, place_of[first][2] - dl);
     constexpr auto row = static_cast<std::size_t>(place_of[first][1] + 2 * place_of[first][2]);
     const std::ptrdiff_t n = i + place_of[first][0];
-    const auto g = gradient_at<E, first>(a, stride, i);
-    const auto h = gradient_at<E, theirs>(b, stride, i + di);
+    const auto g = gradient_at<E>(first, a, stride, i);
+    const auto h = gradient_at<E>(theirs, b, stride, i + di);
     double sum = g[0] * w[0][row][n] * h[0] + g[1] * w[1][row][n] * h[1];
     if constexpr (E::axes == 3) sum += g[2] * w[2][row][n] * h[2];
     if constexpr (full) {
@@ -187,7 +185,7 @@ SEICHE_INLINE double corner_rates(const double* s, std::ptrdiff_t stride, const 
   if constexpr (count == 1) {
     constexpr auto row = static_cast<std::size_t>(place_of[first][1] + 2 * place_of[first][2]);
     const std::ptrdiff_t n = i + place_of[first][0];
-    const auto g = gradient_at<E, first>(s, stride, i);
+    const auto g = gradient_at<E>(first, s, stride, i);
     double sum = g[0] * u[0][row][n] + g[1] * u[1][row][n];
     if constexpr (E::axes == 3) sum += g[2] * u[2][row][n];
     return sum;
@@ -235,11 +233,11 @@ SEICHE_INLINE std::array<double, E::axes> pressure(const Reaction<E>& row, std::
     constexpr int py = 1 - first % 2;
     constexpr int pz = E::corners == 8 ? 1 - static_cast<int>(first / 2) : 0;
     if constexpr (east) {
-      const auto g = gradient_at<E, corner_at(0, py, pz)>(row.cells[first], row.stride, i);
+      const auto g = gradient_at<E>(corner_at(0, py, pz), row.cells[first], row.stride, i);
       for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] = row.mu[first][i] * g[axis];
     }
     if constexpr (west) {
-      const auto g = gradient_at<E, corner_at(1, py, pz)>(row.cells[first], row.stride, i - 1);
+      const auto g = gradient_at<E>(corner_at(1, py, pz), row.cells[first], row.stride, i - 1);
       for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] += row.mu[first][i - 1] * g[axis];
     }
   } else {

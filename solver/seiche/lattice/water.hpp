@@ -323,21 +323,17 @@ class Water {
     const std::size_t l = node / ((columns + 1) * (rows + 1));
     const auto stride = static_cast<std::ptrdiff_t>(gradients_.row(0).stride);
     Around found;
-    // The node is this corner of the cell west, south, below of it where the corner's place is 1.
-    const auto add = [&]<std::size_t corner>() {
+    for (std::size_t corner = 0; corner < E::corners; ++corner) {
+      // The node is this corner of the cell west, south, below of it where the corner's place is 1.
       const auto dx = static_cast<std::size_t>(place_of[corner][0]);
       const auto dy = static_cast<std::size_t>(place_of[corner][1]);
       const auto dz = static_cast<std::size_t>(place_of[corner][2]);
-      if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) return;
+      if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) continue;
       const std::size_t row = (l - dz) * rows + j - dy;
       found.gradient[found.count] =
-          gradient_at<E, corner>(gradients_.row(row).data, stride, static_cast<std::ptrdiff_t>(i - dx));
+          gradient_at<E>(corner, gradients_.row(row).data, stride, static_cast<std::ptrdiff_t>(i - dx));
       found.cell[found.count++] = row * columns + i - dx;
-    };
-    [&]<std::size_t... corner>(std::index_sequence<corner...>) {
-      (add.template operator()<corner>(), ...);
     }
-    (std::make_index_sequence<E::corners>{});
     return found;
   }
 
