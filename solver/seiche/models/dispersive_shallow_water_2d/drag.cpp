@@ -27,22 +27,25 @@ void BreakingFronts::measure(std::span<const double> volumes, mechanics::Input q
 /// At one line, a row or what lies across the rows: keeps it if it is steep somewhere or broke.
 void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row) {
   const std::size_t n = shape_.nodes();
-  const std::size_t last = is_row ? shape_.rows : shape_.columns;
-  const std::array beside{line > 0 ? line - 1 : 0, std::min(line, last - 1)};
-  // On a side there is half of the water; its one cell is counted twice.
-  const double share = beside[0] == beside[1] ? 1 : 2;
   const std::size_t first = pairs_.size();
   bool kept = false;
   for (std::size_t k = 0; k < (is_row ? shape_.columns : shape_.rows); ++k) {
     const std::size_t from = is_row ? shape_.node(k, line) : shape_.node(line, k);
-    Pair pair{.from = from,
-              .to = is_row ? from + 1 : from + shape_.columns + 1,
-              .place = is_row ? line * shape_.columns + k : (shape_.rows + 1) * shape_.columns + from};
-    pair.way = {q[pair.to] - q[from], q[n + pair.to] - q[n + from]};
-    pair.rise = q[2 * n + pair.to] - q[2 * n + from];
-    const double square = dot(pair.way, pair.way);
-    pair.steep = pair.rise * pair.rise > slope_ * slope_ * square;
-    kept = kept || pair.steep || broke_[pair.place] != 0;
+    const std::size_t to = is_row ? from + 1 : from + shape_.columns + 1;
+    const std::size_t place = is_row ? line * shape_.columns + k : (shape_.rows + 1) * shape_.columns + from;
+    const Point way{q[to] - q[from], q[n + to] - q[n + from]};
+    const double rise = q[2 * n + to] - q[2 * n + from];
+    const bool steep = rise * rise > slope_ * slope_ * dot(way, way);
+    kept = kept || steep || broke_[place] != 0;
+    pairs_.push_back({.from = from, .to = to, .place = place, .way = way, .rise = rise, .steep = steep});
+  }
+  if (!kept) return pairs_.resize(first);
+  const std::size_t last = is_row ? shape_.rows : shape_.columns;
+  const std::array beside{line > 0 ? line - 1 : 0, std::min(line, last - 1)};
+  // On a side there is half of the water; its one cell is counted twice.
+  const double share = beside[0] == beside[1] ? 1 : 2;
+  for (std::size_t k = 0; k < pairs_.size() - first; ++k) {
+    Pair& pair = pairs_[first + k];
     double water = 0;
     double area = 0;
     for (const std::size_t strip : beside) {
@@ -51,11 +54,9 @@ void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, s
       area += cell_area(shape_, q, q.subspan(n), cell) / 4;
     }
     pair.depth = water / area;
-    pair.exchange = share * water * (2 * std::sqrt(inertia_ * pair.depth) * pair.depth) / square;
-    pairs_.push_back(pair);
+    pair.exchange = share * water * (2 * std::sqrt(inertia_ * pair.depth) * pair.depth) / dot(pair.way, pair.way);
   }
-  if (kept) lines_.push_back(pairs_.size());
-  if (!kept) pairs_.resize(first);
+  lines_.push_back(pairs_.size());
 }
 
 void BreakingFronts::find(double gravity, mechanics::Input u) const {
