@@ -14,9 +14,9 @@ BermGauge::BermGauge(const Flow& flow, const Berm& berm)
 
 std::optional<BermGauge::Reading> BermGauge::after_step() {
   std::optional<Reading> reading;
-  if (flow_->steps() > 1) {
+  if (const auto wall = wall_.read(*flow_)) {
     reading = {.time = time_between_, .load = berm_load(flow_->model().mesh(), y_between_, flow_->dynamic_pressure())};
-    reading->load.rear = flow_->wall_load(Flow::WallSide::right).force - still_;
+    reading->load.rear = wall->force - still_;
   }
   y_between_.assign(flow_->y().begin(), flow_->y().end());
   time_between_ = flow_->time();

@@ -9,6 +9,7 @@
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/breakwater/berm_load.hpp"
 #include "validation/breakwater/surface_modes.hpp"
+#include "validation/instruments/mesh/mesh_gauges.hpp"
 
 namespace seiche::validation {
 
@@ -28,6 +29,7 @@ class BermGauge {
 
  private:
   const lagrangian_mesh_2d::Flow* flow_;
+  WallGauge wall_;
   double still_;  // on the rear wall
   std::vector<double> y_between_;
   double time_between_ = 0;

@@ -26,7 +26,8 @@ Mesh Berm::mesh(std::size_t columns, std::size_t rows, const std::function<doubl
       [scaled, berm = *this](double x) { return -1 + 0.5 * berm.rise * (1 + std::tanh(scaled(x))); }, slope,
       [scaled, slope, berm = *this](double x) { return -2 * slope(x) * std::tanh(scaled(x)) / berm.steepness; },
       -length, 0.0, static_cast<std::size_t>(std::ceil(length / panel)));
-  return lagrangian_mesh_2d::layer_mesh_over(bottom, -length, 0, columns, rows, elevation);
+  return lagrangian_mesh_2d::layer_mesh(
+      {.begin = -length, .end = 0, .columns = columns, .rows = rows, .elevation = elevation, .bottom = bottom});
 }
 
 BermLoad berm_load(const Mesh& mesh, std::span<const double> y, std::span<const double> multipliers) {

@@ -59,7 +59,7 @@ TankHistory run_tank(const Berm& basin, const BermResolution& mesh, const Incide
       history.rear.push_back(reading->load.rear);
       history.antinode.push_back(between);
     }
-    between = flow.elevation_at(std::array{antinode.place}).front();
+    between = elevation_at(flow, std::array{antinode.place}).front();
   });
   return history;
 }

@@ -8,6 +8,8 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
+#include "validation/instruments/mesh/mesh_gauges.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
@@ -73,7 +75,7 @@ Flow MeshWallClimb::start() const {
   const mechanics::Scheme scheme{.stepping = stepping};
   if (surface_impulse) {
     const std::vector<Point> velocities =
-        lagrangian_mesh_2d::impulsive_start(mesh, [&](double x) { return wave.surface_potential(x + distance); });
+        impulsive_start(mesh, [&](double x) { return wave.surface_potential(x + distance); });
     return Flow(std::move(mesh), velocities, scheme, settings);
   }
   const auto velocity = [&](Point r) {
@@ -93,6 +95,7 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
   if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();
   Peak level, still, bottom, force;
+  WallGauge gauge;
   bool fallen = false;  // loads count while the wave is at the wall
   const auto observe = [&] {
     const double contact = flow.surface_y().back();
@@ -103,11 +106,10 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
     }
     level.add(flow.time(), contact);
     if (contact < level.value() / 2 && level.value() > climb.wave.amplitude()) fallen = true;
-    if (flow.knows_loads() && !fallen) {
-      const auto load = flow.wall_load(Flow::WallSide::right);
-      if (load.contact > 0) still.add(load.time, load.pressure_at(0));
-      bottom.add(load.time, load.pressure_at(-1));
-      force.add(load.time, load.force);
+    if (const auto load = gauge.read(flow); load && !fallen) {
+      if (load->contact > 0) still.add(load->time, load->pressure_at(0));
+      bottom.add(load->time, load->pressure_at(-1));
+      force.add(load->time, load->force);
     }
     if (after_step) after_step(flow);
   };

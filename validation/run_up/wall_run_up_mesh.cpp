@@ -32,6 +32,7 @@ Above $A = 0.45$ they may tangle when the water falls again; the case then tells
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/mesh/mesh_gauges.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -46,6 +47,7 @@ struct History {
   std::vector<double> time, contact, load_time, still, bottom, force;
   std::vector<double> highest_x, highest_y;  ///< the mesh when the contact point was highest
   Largest highest;
+  WallGauge gauge;
 
   void add(const Flow& flow) {
     const double now = flow.surface_y().back();
@@ -57,12 +59,12 @@ struct History {
     }
     time.push_back(flow.time());
     contact.push_back(now);
-    if (!flow.knows_loads()) return;
-    const auto load = flow.wall_load(Flow::WallSide::right);
-    load_time.push_back(load.time);
-    still.push_back(load.pressure_at(0));
-    bottom.push_back(load.pressure_at(-1));
-    force.push_back(load.force);
+    const auto load = gauge.read(flow);
+    if (!load) return;
+    load_time.push_back(load->time);
+    still.push_back(load->pressure_at(0));
+    bottom.push_back(load->pressure_at(-1));
+    force.push_back(load->force);
   }
 };
 

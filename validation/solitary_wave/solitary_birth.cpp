@@ -48,6 +48,7 @@ left.
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/mesh/crest_track.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
 #include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 

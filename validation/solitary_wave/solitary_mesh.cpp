@@ -37,6 +37,7 @@ tangle. A small restoring force (`hourglass`) prevents it too.
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/mesh/crest_track.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
 #include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 

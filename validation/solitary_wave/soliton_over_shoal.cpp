@@ -35,6 +35,7 @@ shortest. Across, where the bottom is level, they agree to half a per cent.
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation::cases::soliton_over_shoal {
@@ -150,8 +151,8 @@ ShoalRun run_hexahedra(const ShoalWave& wave) {
        .layers = wave.layers,
        .elevation = [&](double x, double) { return solitary.elevation(x - ShoalWave::crest); },
        .bottom = wave.bottom()});
-  const std::vector<lagrangian_mesh_3d::Vector> velocities = lagrangian_mesh_3d::impulsive_start(
-      mesh, [&](double x, double) { return solitary.surface_potential(x - ShoalWave::crest); });
+  const std::vector<lagrangian_mesh_3d::Vector> velocities =
+      impulsive_start(mesh, [&](double x, double) { return solitary.surface_potential(x - ShoalWave::crest); });
   lagrangian_mesh_3d::Flow flow(std::move(mesh), velocities);
   return followed(flow, wave, [](const auto& f) { return std::pair{f.surface_x(), f.surface_z()}; });
 }

@@ -32,6 +32,7 @@ and the difference falls as slowly. The second order has twice the frequency: cr
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/mesh/mesh_gauges.hpp"
 
 namespace seiche::validation::cases::wavemaker_mesh {
 namespace {
@@ -173,7 +174,7 @@ Series make_waves(const Paddle& paddle, const Mesh& resolution, mechanics::Stepp
   for (long n = 1; n <= samples; ++n) {
     march(flow, static_cast<double>(n) * interval, resolution.tau);
     series.time.push_back(flow.time());
-    const std::vector<double> elevation = flow.elevation_at(gauges);
+    const std::vector<double> elevation = elevation_at(flow, gauges);
     for (std::size_t g = 0; g < gauges.size(); ++g) series.elevation[g].push_back(elevation[g]);
   }
   return series;

@@ -57,7 +57,11 @@ inline std::vector<std::pair<std::string, MeshProblem (*)()>> basins() {
              return MeshProblem(layer_mesh_with_slope(
                  {.begin = 0, .end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation}, 1));
            }},
-          {"a bump on the bottom", [] { return MeshProblem(layer_mesh_over(bump(), 0, 6, 24, 4, cosine_elevation)); }},
+          {"a bump on the bottom",
+           [] {
+             return MeshProblem(
+                 layer_mesh({.end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation, .bottom = bump()}));
+           }},
           {"vertical walls, with the hourglass potential", [] { return sloshing({.hourglass = 0.3}); }}};
 }
 

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/plan/water_surface.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::water_surface_2dh_test {
 
-using dispersive_shallow_water_2d::WaterSurface;
 using plan_lattice::Shape;
+using validation::WaterSurface;
 
 constexpr double pi = std::numbers::pi;
 constexpr double improved = 1.0 / 15;
 constexpr double accuracy = 1e-8;  // of the solution, relative to the difference from z
-const std::string derived = "derived in dispersive_shallow_water_2d/flow.hpp";
+const std::string derived = "derived in validation/instruments/plan/water_surface.hpp";
 
 /// Markers and the water of cells.
 struct Sheet {

@@ -59,7 +59,11 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
               "of the curve for those that slide. Areas at five times, $h = 10^{-3}$ apart, give their second "
               "derivatives with an error of $h^4/90$ of the sixth, at most 10, and with roundings of areas over $h^2$.",
               "Taylor's theorem");
-  Model model(layer_mesh_over(verification::bump(), 0, 6, 16, 4, verification::cosine_elevation));
+  Model model(layer_mesh({.end = 6,
+                          .columns = 16,
+                          .rows = 4,
+                          .elevation = verification::cosine_elevation,
+                          .bottom = verification::bump()}));
   const mechanics::State start = model.state(VelocityAt([](Point r) {
     return Point{0.3 + 0.2 * std::sin(r.x), 0.2 * std::cos(2 * r.x + r.y)};
   }));

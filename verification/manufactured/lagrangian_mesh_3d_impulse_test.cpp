@@ -7,6 +7,7 @@
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
@@ -34,7 +35,7 @@ Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
                                 .elevation = [&](double x, double) { return wave.elevation(x); }});
   Model model(mesh);
   const mechanics::State state =
-      model.state(impulsive_start(mesh, [&](double x, double) { return wave.surface_potential(x); }));
+      model.state(validation::impulsive_start(mesh, [&](double x, double) { return wave.surface_potential(x); }));
   Errors errors;
   errors.kinetic = std::abs(model.kinetic_energy(state.q, state.u) / (width * wave.kinetic_energy()) - 1);
   model.linearise({}, state.q);

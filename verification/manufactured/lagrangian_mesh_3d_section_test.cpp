@@ -47,8 +47,10 @@ struct Slope {
 
 /// Largest difference of a node's place between the two meshes at the end.
 double difference(const Slope& slope, Stepping stepping, double tau) {
-  section::Flow plane(section::layer_mesh_over(slope.curve(), 0, length, columns, layers, hump), section::VelocityAt{},
-                      {.stepping = stepping});
+  section::Flow plane(
+      section::layer_mesh(
+          {.end = length, .columns = columns, .rows = layers, .elevation = hump, .bottom = slope.curve()}),
+      section::VelocityAt{}, {.stepping = stepping});
   space::Flow water(space::layer_mesh({.end = length,
                                        .north = 1.3,
                                        .columns = columns,

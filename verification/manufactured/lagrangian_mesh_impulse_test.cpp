@@ -5,6 +5,7 @@
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/mesh/impulsive_start.hpp"
 #include "validation/instruments/mesh/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
@@ -25,8 +26,7 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
   const validation::PlacedWave placed{wave, length / 2};
   const lagrangian_mesh_2d::Mesh mesh =
       placed.mesh(length, {.column_width = 2 / static_cast<double>(rows), .rows = rows});
-  const auto velocity =
-      lagrangian_mesh_2d::impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); });
+  const auto velocity = validation::impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); });
   lagrangian_mesh_2d::Model model(mesh);
   const mechanics::State state = model.state(velocity);
   Errors errors;

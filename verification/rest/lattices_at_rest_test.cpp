@@ -118,9 +118,10 @@ TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") 
   {
     using namespace vertical;
     const Layer layer{.begin = 0, .end = 6, .columns = 12, .rows = 5};
-    for (const auto& [lake, mesh] : {std::pair{"Mesh, vertical walls, level bottom", layer_mesh(layer)},
-                                     std::pair{"Mesh, a wall of slope 1", layer_mesh_with_slope(layer, 1)},
-                                     std::pair{"Mesh, a bump", layer_mesh_over(bump(), 0, 6, 12, 5)}}) {
+    for (const auto& [lake, mesh] :
+         {std::pair{"Mesh, vertical walls, level bottom", layer_mesh(layer)},
+          std::pair{"Mesh, a wall of slope 1", layer_mesh_with_slope(layer, 1)},
+          std::pair{"Mesh, a bump", layer_mesh({.end = 6, .columns = 12, .rows = 5, .bottom = bump()})}}) {
       for (const unsigned seed : {1U, 2U}) {
         MeshProblem problem(vertical::jittered(mesh, 0.1, seed));
         std::vector<double> rates(problem.model.rates());

@@ -41,8 +41,8 @@ TEST_CASE("bad lattices and settings of the 2DH model are refused with name, val
               "bottom, its settings, its steps.");
   Refusals refusals(check);
   const auto rectangle = refusals.of(still_water(), [&](Rectangle r) { Flow flow(rectangular_lattice(r)); });
-  rectangle({"end = 0", "above 0"}, [](Rectangle& r) { r.end = 0; });
-  rectangle({"north = -1", "above 0"}, [](Rectangle& r) { r.north = -1; });
+  rectangle({"end = 0", "above begin = 0"}, [](Rectangle& r) { r.end = 0; });
+  rectangle({"north = -1", "above south = 0"}, [](Rectangle& r) { r.north = -1; });
   rectangle({"end", "inf", "finite"}, [](Rectangle& r) { r.end = infinity; });
   rectangle({"columns", "= 1", "at least 2"}, [](Rectangle& r) { r.columns = 1; });
   rectangle({"rows", "= 0", "at least 1"}, [](Rectangle& r) { r.rows = 0; });

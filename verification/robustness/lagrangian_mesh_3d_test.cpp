@@ -39,7 +39,7 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
   layer({"elevation nan", "above the bottom"},
         [](Layer& l) { l.elevation = [](double, double) { return not_a_number; }; });
   const auto mesh = refusals.of(layer_mesh(still_layer()), [&](Mesh m) { Flow flow(std::move(m)); });
-  mesh({"60, 60, 59 nodes", "60 each"}, [](Mesh& m) { m.z.pop_back(); });
+  mesh({"z has 59 values", "60, one per node"}, [](Mesh& m) { m.z.pop_back(); });
   mesh({"node 7", "nan", "finite"}, [](Mesh& m) { m.x[7] = not_a_number; });
   mesh({"corner", "of cell", "positive"}, [](Mesh& m) { m.x[m.node(1, 1, 1)] = 2.5; });
   mesh({"bottom node 3", "that of all others, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });

@@ -27,7 +27,7 @@ TEST_CASE("bad meshes are refused with name, value and range", "[robustness]") {
   const auto refused = refusals.of(still_water(), [&](Mesh mesh) { Flow flow(std::move(mesh)); });
   refused({"columns", "= 0", "at least 1"}, [](Mesh& m) { m.columns = 0; });
   refused({"rows", "= 0", "at least 1"}, [](Mesh& m) { m.rows = 0; });
-  refused({"15 and 14", "15 = (columns + 1)(rows + 1)"}, [](Mesh& m) { m.y.pop_back(); });
+  refused({"y has 14 values", "15, one per node of 4 x 2 cells"}, [](Mesh& m) { m.y.pop_back(); });
   refused({"node 7", "nan", "finite"}, [](Mesh& m) { m.x[7] = not_a_number; });
   refused({"node 13", "inf", "finite"}, [](Mesh& m) { m.y[13] = infinity; });
   refused({"cell", "column 1", "not convex", "positive"}, [](Mesh& m) { m.x[m.node(2, 1)] = 0.5; });

@@ -35,9 +35,24 @@ struct Corners {
 inline Corners at_corners(std::span<const double> values, const std::array<std::size_t, 4>& nodes) {
   return {values[nodes[0]], values[nodes[1]], values[nodes[2]], values[nodes[3]]};
 }
+/// At patch i between two rows of nodes.
+SEICHE_INLINE Corners corners_between(const std::array<const double*, 2>& rows, std::size_t i) {
+  return {rows[0][i], rows[0][i + 1], rows[1][i + 1], rows[1][i]};
+}
 /// Not a number where one is not.
 inline double smallest(const Corners& c) {
   return std::min(std::min(c.c0, c.c1), std::min(c.c2, c.c3));
+}
+
+/// Between the corners, with s from 0 to 1 from the first to the second and t from the first to the last.
+inline double mix(const Corners& c, double s, double t) {
+  return (1 - t) * ((1 - s) * c.c0 + s * c.c1) + t * ((1 - s) * c.c3 + s * c.c2);
+}
+inline double along_s(const Corners& c, double t) {
+  return (1 - t) * (c.c1 - c.c0) + t * (c.c2 - c.c3);
+}
+inline double along_t(const Corners& c, double s) {
+  return (1 - s) * (c.c3 - c.c0) + s * (c.c2 - c.c1);
 }
 
 /// A plane vector for each corner.

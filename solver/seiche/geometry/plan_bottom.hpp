@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -18,6 +19,19 @@
 #include "seiche/divergence.hpp"
 
 namespace seiche {
+
+/// Gauss's rule of three points on [0, 1], along an edge or a way over a bottom.
+struct GaussPoint {
+  double t;
+  double weight;
+};
+
+inline const std::array<GaussPoint, 3>& gauss_points() {
+  static const double half = 0.5 * std::sqrt(0.6);
+  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
+                                 GaussPoint{0.5 + half, 5.0 / 18}};
+  return points;
+}
 
 class PlanBottom {
  public:

@@ -5,7 +5,7 @@
 ///
 ///     axes, corners, stored        of its nodes' places, of a cell, numbers kept per cell
 ///     mobilities                   of the nodes' inverse masses W: xx, yy(, zz) or also xy, xz, yz
-///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
+///     gradient(corner, axis, s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
 ///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
 ///
 /// and the clones of run(RowLoop), which is run_row. Cells that share a node are coupled there: A = J W J^T has the
@@ -29,8 +29,8 @@ constexpr std::size_t corner_at(int px, int py, int pz) {
 
 /// Of an element in space that keeps its gradients as they are, number 3 corner + axis.
 struct StoredGradients {
-  template <std::size_t corner, std::size_t axis>
-  SEICHE_INLINE static double gradient(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
+  SEICHE_INLINE static double gradient(std::size_t corner, std::size_t axis, const double* s, std::ptrdiff_t stride,
+                                       std::ptrdiff_t i) {
     return s[static_cast<std::ptrdiff_t>(3 * corner + axis) * stride + i];
   }
 };
@@ -104,6 +104,15 @@ constexpr bool any_shared(std::size_t first, std::size_t count) {
   return false;
 }
 
+/// Of the volume of cell i at one of its corners.
+template <class E>
+SEICHE_INLINE std::array<double, E::axes> gradient_at(std::size_t corner, const double* s, std::ptrdiff_t stride,
+                                                      std::ptrdiff_t i) {
+  std::array<double, E::axes> g;
+  for (std::size_t axis = 0; axis < E::axes; ++axis) g[axis] = E::gradient(corner, axis, s, stride, i);
+  return g;
+}
+
 /// g_a W g_b, summed in pairs over the shared ones of `count` corners.
 template <class E, bool full, int di, int dj, int dl, std::size_t first, std::size_t count>
 SEICHE_INLINE double coupling(const double* a, const double* b, std::ptrdiff_t stride, const NodeMobilities<E>& w,
@@ -113,18 +122,13 @@ SEICHE_INLINE double coupling(const double* a, const double* b, std::ptrdiff_t s
     constexpr std::size_t theirs = corner_at(place_of[first][0] - di, place_of[first][1] - dj, place_of[first][2] - dl);
     constexpr auto row = static_cast<std::size_t>(place_of[first][1] + 2 * place_of[first][2]);
     const std::ptrdiff_t n = i + place_of[first][0];
-    const std::ptrdiff_t k = i + di;
-    const double ax = E::template gradient<first, 0>(a, stride, i), ay = E::template gradient<first, 1>(a, stride, i);
-    const double bx = E::template gradient<theirs, 0>(b, stride, k), by = E::template gradient<theirs, 1>(b, stride, k);
-    double sum = ax * w[0][row][n] * bx + ay * w[1][row][n] * by;
-    if constexpr (E::axes == 3) {
-      const double az = E::template gradient<first, 2>(a, stride, i);
-      const double bz = E::template gradient<theirs, 2>(b, stride, k);
-      sum += az * w[2][row][n] * bz;
-      if constexpr (full) {
-        sum += w[3][row][n] * (ax * by + ay * bx) + w[4][row][n] * (ax * bz + az * bx) +
-               w[5][row][n] * (ay * bz + az * by);
-      }
+    const auto g = gradient_at<E>(first, a, stride, i);
+    const auto h = gradient_at<E>(theirs, b, stride, i + di);
+    double sum = g[0] * w[0][row][n] * h[0] + g[1] * w[1][row][n] * h[1];
+    if constexpr (E::axes == 3) sum += g[2] * w[2][row][n] * h[2];
+    if constexpr (full) {
+      sum += w[3][row][n] * (g[0] * h[1] + g[1] * h[0]) + w[4][row][n] * (g[0] * h[2] + g[2] * h[0]) +
+             w[5][row][n] * (g[1] * h[2] + g[2] * h[1]);
     }
     return sum;
   } else if constexpr (!any_shared<di, dj, dl>(first, half)) {
@@ -181,10 +185,10 @@ SEICHE_INLINE double corner_rates(const double* s, std::ptrdiff_t stride, const 
   if constexpr (count == 1) {
     constexpr auto row = static_cast<std::size_t>(place_of[first][1] + 2 * place_of[first][2]);
     const std::ptrdiff_t n = i + place_of[first][0];
-    const double plane = E::template gradient<first, 0>(s, stride, i) * u[0][row][n] +
-                         E::template gradient<first, 1>(s, stride, i) * u[1][row][n];
-    if constexpr (E::axes == 2) return plane;
-    return plane + E::template gradient<first, E::axes - 1>(s, stride, i) * u[E::axes - 1][row][n];
+    const auto g = gradient_at<E>(first, s, stride, i);
+    double sum = g[0] * u[0][row][n] + g[1] * u[1][row][n];
+    if constexpr (E::axes == 3) sum += g[2] * u[2][row][n];
+    return sum;
   } else {
     return corner_rates<E, first, count / 2>(s, stride, u, i) +
            corner_rates<E, first + count / 2, count / 2>(s, stride, u, i);
@@ -221,34 +225,27 @@ SEICHE_INLINE void move(const std::array<const double*, E::mobilities>& w, const
   }
 }
 
-/// What the cells west and east of a node press on it along an axis, from `count` of the rows around it.
-template <class E, std::size_t axis, bool west, bool east, std::size_t first, std::size_t count>
-SEICHE_INLINE double pressure(const Rows<E>& cells, const Rows<E>& mu, std::ptrdiff_t stride, std::ptrdiff_t i) {
+/// What the cells west and east of a node press on it, from `count` of the rows around it.
+template <class E, bool west, bool east, std::size_t first, std::size_t count>
+SEICHE_INLINE std::array<double, E::axes> pressure(const Reaction<E>& row, std::ptrdiff_t i) {
+  std::array<double, E::axes> force{};
   if constexpr (count == 1) {
     constexpr int py = 1 - first % 2;
     constexpr int pz = E::corners == 8 ? 1 - static_cast<int>(first / 2) : 0;
-    double sum = 0;
-    if constexpr (east) sum = mu[first][i] * E::template gradient<corner_at(0, py, pz), axis>(cells[first], stride, i);
-    if constexpr (west && !east) {
-      sum = mu[first][i - 1] * E::template gradient<corner_at(1, py, pz), axis>(cells[first], stride, i - 1);
-    } else if constexpr (west) {
-      sum += mu[first][i - 1] * E::template gradient<corner_at(1, py, pz), axis>(cells[first], stride, i - 1);
+    if constexpr (east) {
+      const auto g = gradient_at<E>(corner_at(0, py, pz), row.cells[first], row.stride, i);
+      for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] = row.mu[first][i] * g[axis];
     }
-    return sum;
+    if constexpr (west) {
+      const auto g = gradient_at<E>(corner_at(1, py, pz), row.cells[first], row.stride, i - 1);
+      for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] += row.mu[first][i - 1] * g[axis];
+    }
   } else {
-    return pressure<E, axis, west, east, first, count / 2>(cells, mu, stride, i) +
-           pressure<E, axis, west, east, first + count / 2, count / 2>(cells, mu, stride, i);
+    const auto one = pressure<E, west, east, first, count / 2>(row, i);
+    const auto other = pressure<E, west, east, first + count / 2, count / 2>(row, i);
+    for (std::size_t axis = 0; axis < E::axes; ++axis) force[axis] = one[axis] + other[axis];
   }
-}
-
-template <class E, bool full, bool west, bool east>
-SEICHE_INLINE void react_at(const Reaction<E>& row, std::ptrdiff_t i) {
-  constexpr std::size_t rows = E::corners / 2;
-  std::array<double, E::axes> f;
-  f[0] = pressure<E, 0, west, east, 0, rows>(row.cells, row.mu, row.stride, i);
-  f[1] = pressure<E, 1, west, east, 0, rows>(row.cells, row.mu, row.stride, i);
-  if constexpr (E::axes == 3) f[2] = pressure<E, 2, west, east, 0, rows>(row.cells, row.mu, row.stride, i);
-  move<E, full>(row.w, row.velocity, f, i);
+  return force;
 }
 
 /// u += W J^T mu.
@@ -256,10 +253,13 @@ template <class E, bool full>
 SEICHE_INLINE void react(const Reaction<E>& given) {
   const Reaction<E> row = given;
   const auto last = static_cast<std::ptrdiff_t>(row.columns);
-  react_at<E, full, false, true>(row, 0);
+  constexpr std::size_t rows = E::corners / 2;
+  move<E, full>(row.w, row.velocity, pressure<E, false, true, 0, rows>(row, 0), 0);
 #pragma GCC ivdep
-  for (std::ptrdiff_t i = 1; i < last; ++i) react_at<E, full, true, true>(row, i);
-  react_at<E, full, true, false>(row, last);
+  for (std::ptrdiff_t i = 1; i < last; ++i) {
+    move<E, full>(row.w, row.velocity, pressure<E, true, true, 0, rows>(row, i), i);
+  }
+  move<E, full>(row.w, row.velocity, pressure<E, true, false, 0, rows>(row, last), last);
 }
 
 /// u += h W push.

@@ -51,11 +51,9 @@ class Flow : public mechanics::ModelFlow<Model> {
   void begin_at_first(std::unique_ptr<Model> model, mechanics::State state, double stable_step, bool smooth_start) {
     smooth_start_ = smooth_start && scheme_.stepping != mechanics::Stepping::conservative &&
                     scheme_.composition == mechanics::TimeComposition::none;
-    try {
-      begin(std::move(model), std::move(state), stable_step);
-    } catch (const mechanics::Infeasible& failure) {
-      throw Divergence(failure.what(), 0, 0, failure.place());
-    }
+    mechanics::ModelFlow<Model>::begin_at_first(std::move(model), std::move(state));
+    stepper_ = std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme_);
+    stable_step_ = stable_step;
   }
   void step(double tau) {
     if (fresh_ && smooth_start_) {

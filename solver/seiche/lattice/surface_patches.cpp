@@ -14,19 +14,13 @@ namespace {
 using bilinear_patch::Corners;
 
 /// Nodes south and north of a row of patches, by axis.
-struct PatchRows {
-  std::array<const double*, 3> south, north;
+using PatchRows = std::array<std::array<const double*, 2>, 3>;
 
-  PatchRows(const double* first, std::size_t nodes, std::size_t stride) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      south[axis] = first + axis * nodes;
-      north[axis] = south[axis] + stride;
-    }
-  }
-  [[nodiscard]] SEICHE_INLINE Corners corners(std::size_t axis, std::size_t i) const {
-    return {south[axis][i], south[axis][i + 1], north[axis][i + 1], north[axis][i]};
-  }
-};
+PatchRows rows_from(const double* first, std::size_t nodes, std::size_t stride) {
+  PatchRows rows;
+  for (std::size_t axis = 0; axis < 3; ++axis) rows[axis] = {first + axis * nodes, first + axis * nodes + stride};
+  return rows;
+}
 
 SEICHE_SIMD_CLONES
 void press_patches(std::size_t columns, const PatchRows& rows, double weight, linear::RowBlocks::Row forces) {
@@ -35,9 +29,9 @@ void press_patches(std::size_t columns, const PatchRows& rows, double weight, li
   const std::size_t stride = forces.stride;
 #pragma GCC ivdep
   for (std::size_t i = 0; i < columns; ++i) {
-    const Corners x = r.corners(0, i);
-    const Corners y = r.corners(1, i);
-    const Corners z = r.corners(2, i);
+    const Corners x = bilinear_patch::corners_between(r[0], i);
+    const Corners y = bilinear_patch::corners_between(r[1], i);
+    const Corners z = bilinear_patch::corners_between(r[2], i);
     const auto g = bilinear_patch::moment_gradient(x, y, z, bilinear_patch::jacobians(x, y));
     const auto put = [&](std::size_t axis, const Corners& along) __attribute__((always_inline)) {
       out[axis * stride + i] = -weight * along.c0;
@@ -74,7 +68,7 @@ void SurfacePatches::push(mechanics::Input q, double weight, mechanics::Output p
   const std::size_t stride = columns_ + 1;
   const linear::RowBlocks& forces = forces_;
   linear::share_out(rows_, worth_it, [&](std::size_t j) {
-    press_patches(columns_, {q.data() + first_ + j * stride, nodes_, stride}, weight, forces_.row(j));
+    press_patches(columns_, rows_from(q.data() + first_ + j * stride, nodes_, stride), weight, forces_.row(j));
   });
   linear::share_out(rows_ + 1, worth_it, [&](std::size_t j) {
     double* const out = push.data() + first_ + j * stride;
@@ -88,9 +82,9 @@ double SurfacePatches::moment(mechanics::Input q, std::span<const char> counted)
   for (std::size_t cell = 0; cell < columns_ * rows_; ++cell) {
     if (!counted.empty() && counted[cell] == 0) continue;
     const std::size_t stride = columns_ + 1;
-    const PatchRows r(q.data() + first_ + cell / columns_ * stride, nodes_, stride);
-    const std::size_t i = cell % columns_;
-    sum.add(bilinear_patch::moment(r.corners(0, i), r.corners(1, i), r.corners(2, i)));
+    const PatchRows r = rows_from(q.data() + first_ + cell / columns_ * stride, nodes_, stride);
+    const auto along = [&](std::size_t axis) { return bilinear_patch::corners_between(r[axis], cell % columns_); };
+    sum.add(bilinear_patch::moment(along(0), along(1), along(2)));
   }
   return sum.value();
 }

@@ -41,6 +41,7 @@
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/ranges.hpp"
 
 namespace seiche::lattice {
 
@@ -53,20 +54,18 @@ struct Corner {
   double shape = 1;
   std::size_t cell = 0;
 };
-/// @param shape_of  of a cell's worst corner; not a number counts as the worst
-template <class Shape>
-Corner worst_corner(std::size_t cells, const Shape& shape_of) {
-  Corner worst{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    const double shape = shape_of(cell);
-    if (!(shape >= worst.shape)) worst = {shape, cell};
-  }
-  return worst;
-}
 
 struct Cells {
   std::size_t columns, rows, layers = 1;
 };
+
+/// Of a mesh and settings that are valid. Throws std::invalid_argument.
+template <class Mesh, class Settings>
+Cells valid_cells(const Mesh& mesh, const Settings& settings, Cells cells) {
+  mesh.require_valid();
+  require_ranges(settings);
+  return cells;
+}
 
 /// One after the other.
 inline std::vector<double> joined(std::initializer_list<std::span<const double>> arrays) {
@@ -107,12 +106,6 @@ void shift_rows(std::span<T> values, std::size_t length) {
   }
 }
 
-/// to = from + h u, of a row of numbers.
-inline void advance_row(std::size_t count, const double* from, const double* u, double h, double* to) {
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + h * u[i];
-}
-
 /// @tparam E      the element
 /// @tparam Model  derives from it and gives
 ///                   mobility()                 pointers to the nodes' inverse masses along the axes
@@ -146,7 +139,8 @@ class Water {
   void advance(Input from, Input u, double h, Output to) const {
     const std::size_t count = shape_.columns + 1;
     linear::share_out(E::axes * node_rows(), worth_sharing(), [&](std::size_t row) {
-      advance_row(count, from.data() + row * count, u.data() + row * count, h, to.data() + row * count);
+#pragma omp simd
+      for (std::size_t i = row * count; i < (row + 1) * count; ++i) to[i] = from[i] + h * u[i];
     });
   }
   /// Of what is pushed, from `first_pushed_row_` on, and of `held_`.
@@ -225,27 +219,15 @@ class Water {
     return sum.value();
   }
   [[nodiscard]] std::array<double, E::momenta> momentum(Input q, Input u) const {
-    std::array<CompensatedSum, E::momenta> sum;
-    each_momentum(q, u, [&](std::size_t, const Components& p) {
-      for (std::size_t axis = 0; axis < E::momenta; ++axis) sum[axis].add(p[axis]);
-    });
-    std::array<double, E::momenta> values;
-    for (std::size_t axis = 0; axis < E::momenta; ++axis) values[axis] = sum[axis].value();
-    return values;
+    return sums<E::momenta>(q, u, [](std::size_t, const Components& p, std::size_t axis) { return p[axis]; });
   }
   /// About the origin: along z, in space along all axes.
   [[nodiscard]] std::array<double, E::turns> angular_momentum(Input q, Input u) const {
-    std::array<CompensatedSum, E::turns> sum;
-    each_momentum(q, u, [&](std::size_t k, const Components& p) {
-      for (std::size_t turn = 0; turn < E::turns; ++turn) {
-        const std::size_t a = E::turns == 1 ? 0 : (turn + 1) % 3;
-        const std::size_t b = E::turns == 1 ? 1 : (turn + 2) % 3;
-        sum[turn].add(q[a * n_ + k] * p[b] - q[b * n_ + k] * p[a]);
-      }
+    return sums<E::turns>(q, u, [&](std::size_t k, const Components& p, std::size_t turn) {
+      const std::size_t a = E::turns == 1 ? 0 : (turn + 1) % 3;
+      const std::size_t b = E::turns == 1 ? 1 : (turn + 2) % 3;
+      return q[a * n_ + k] * p[b] - q[b * n_ + k] * p[a];
     });
-    std::array<double, E::turns> values;
-    for (std::size_t turn = 0; turn < E::turns; ++turn) values[turn] = sum[turn].value();
-    return values;
   }
   [[nodiscard]] double kinetic_energy(Input q, Input u) const {
     CompensatedSum sum;
@@ -255,13 +237,24 @@ class Water {
     return sum.value();
   }
 
-  [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
-  [[nodiscard]] const linear::ConstraintSolver& solver() const { return solver_; }
+  [[nodiscard]] std::span<const double> first_volumes() const {
+    return volume_;
+  }
+  [[nodiscard]] const linear::ConstraintSolver& solver() const {
+    return solver_;
+  }
   /// A of the last linearisation.
-  [[nodiscard]] const linear::StencilMatrix& matrix() const { return matrix_; }
+  [[nodiscard]] const linear::StencilMatrix& matrix() const {
+    return matrix_;
+  }
   /// A warning when below 0.2.
   [[nodiscard]] Corner worst_corner(Input q) const {
-    return lattice::worst_corner(volume_.size(), [&](std::size_t cell) { return self().cell_shape(q, cell); });
+    Corner worst{std::numeric_limits<double>::infinity(), 0};
+    for (std::size_t cell = 0; cell < volume_.size(); ++cell) {
+      const double shape = self().cell_shape(q, cell);
+      if (!(shape >= worst.shape)) worst = {shape, cell};  // not a number counts as the worst
+    }
+    return worst;
   }
 
  protected:
@@ -279,10 +272,11 @@ class Water {
     std::size_t count = 0;
   };
 
-  Water(Cells cells, linear::ConstraintSolver solver, double tolerance)
+  /// @param volumes  of the cells at the beginning
+  Water(Cells cells, std::vector<double> volumes, linear::ConstraintSolver solver, double tolerance)
       : shape_(cells),
         n_((cells.columns + 1) * (cells.rows + 1) * (E::corners == 8 ? cells.layers + 1 : 1)),
-        volume_(cells.columns * cells.rows * cells.layers),
+        volume_(std::move(volumes)),
         gradients_(cells.columns, cells.rows * cells.layers, E::stored),
         push_(E::axes * n_, 0.0),
         no_cells_(cells.columns + 1, 0.0),
@@ -290,10 +284,18 @@ class Water {
         solver_(std::move(solver)),
         tolerance_(tolerance) {}
 
-  [[nodiscard]] const Model& self() const { return static_cast<const Model&>(*this); }
-  [[nodiscard]] bool worth_sharing() const { return volume_.size() > linear::worth_threads; }
-  [[nodiscard]] std::size_t cell_rows() const { return shape_.rows * shape_.layers; }
-  [[nodiscard]] std::size_t node_rows() const { return n_ / (shape_.columns + 1); }
+  [[nodiscard]] const Model& self() const {
+    return static_cast<const Model&>(*this);
+  }
+  [[nodiscard]] bool worth_sharing() const {
+    return volume_.size() > linear::worth_threads;
+  }
+  [[nodiscard]] std::size_t cell_rows() const {
+    return shape_.rows * shape_.layers;
+  }
+  [[nodiscard]] std::size_t node_rows() const {
+    return n_ / (shape_.columns + 1);
+  }
   /// Rows of nodes around a row of cells, of quantities that begin at these places.
   template <std::size_t count>
   [[nodiscard]] std::array<Rows<E>, count> around(std::size_t row, const std::array<const double*, count>& from) const {
@@ -306,7 +308,9 @@ class Water {
     }
     return rows;
   }
-  [[nodiscard]] NodeVectors<E> around(std::size_t row, Input values) const { return around(row, axes_of(values)); }
+  [[nodiscard]] NodeVectors<E> around(std::size_t row, Input values) const {
+    return around(row, axes_of(values));
+  }
   [[nodiscard]] std::array<const double*, E::axes> axes_of(Input values) const {
     std::array<const double*, E::axes> from;
     for (std::size_t axis = 0; axis < E::axes; ++axis) from[axis] = values.data() + axis * n_;
@@ -319,25 +323,17 @@ class Water {
     const std::size_t l = node / ((columns + 1) * (rows + 1));
     const auto stride = static_cast<std::ptrdiff_t>(gradients_.row(0).stride);
     Around found;
-    // The node is this corner of the cell west, south, below of it where the corner's place is 1.
-    const auto add = [&]<std::size_t corner>() {
+    for (std::size_t corner = 0; corner < E::corners; ++corner) {
+      // The node is this corner of the cell west, south, below of it where the corner's place is 1.
       const auto dx = static_cast<std::size_t>(place_of[corner][0]);
       const auto dy = static_cast<std::size_t>(place_of[corner][1]);
       const auto dz = static_cast<std::size_t>(place_of[corner][2]);
-      if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) return;
+      if (i < dx || j < dy || l < dz || i - dx >= columns || j - dy >= rows || l - dz >= layers) continue;
       const std::size_t row = (l - dz) * rows + j - dy;
-      const double* const s = gradients_.row(row).data;
-      const auto at = static_cast<std::ptrdiff_t>(i - dx);
-      Components& gradient = found.gradient[found.count];
-      gradient[0] = E::template gradient<corner, 0>(s, stride, at);
-      gradient[1] = E::template gradient<corner, 1>(s, stride, at);
-      if constexpr (E::axes == 3) gradient[2] = E::template gradient<corner, 2>(s, stride, at);
+      found.gradient[found.count] =
+          gradient_at<E>(corner, gradients_.row(row).data, stride, static_cast<std::ptrdiff_t>(i - dx));
       found.cell[found.count++] = row * columns + i - dx;
-    };
-    [&]<std::size_t... corner>(std::index_sequence<corner...>) {
-      (add.template operator()<corner>(), ...);
     }
-    (std::make_index_sequence<E::corners>{});
     return found;
   }
 
@@ -346,6 +342,17 @@ class Water {
   void each_momentum(Input q, Input u, const Take& take) const {
     if constexpr (requires { self().look_below(q); }) self().look_below(q);
     for (std::size_t k = 0; k < n_; ++k) take(k, self().momentum_of(k, u));
+  }
+  /// Of value(node, M u of it, number) over all nodes.
+  template <std::size_t count, class Value>
+  [[nodiscard]] std::array<double, count> sums(Input q, Input u, const Value& value) const {
+    std::array<CompensatedSum, count> sum;
+    each_momentum(q, u, [&](std::size_t k, const Components& p) {
+      for (std::size_t number = 0; number < count; ++number) sum[number].add(value(k, p, number));
+    });
+    std::array<double, count> values;
+    for (std::size_t number = 0; number < count; ++number) values[number] = sum[number].value();
+    return values;
   }
   /// work(row) for all rows of cells.
   template <class Work>

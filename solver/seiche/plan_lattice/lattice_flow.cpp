@@ -26,15 +26,9 @@ void require_straight_walls(const Window& window, const Sides& sides, Shape shap
   for (const auto& [side, row, name] :
        {std::tuple{&sides.south, std::size_t{0}, "south"}, std::tuple{&sides.north, shape.rows, "north"}}) {
     if (!std::holds_alternative<WallSide>(*side)) continue;
-    const auto edge = [&, row = row](std::size_t i) {
-      const std::size_t k = shape.node(i, row);
-      return Point{x[k + 1] - x[k], y[k + 1] - y[k]};
-    };
-    const Point first = edge(0);
-    for (std::size_t i = 1; i < shape.columns; ++i) {
-      const Point next = edge(i);
-      const double turn = cross(first, next) / (std::hypot(first.x, first.y) * std::hypot(next.x, next.y));
-      const std::size_t k = shape.node(i, row);
+    const std::size_t first = shape.node(0, row);
+    for (std::size_t k = first + 1; k < first + shape.columns; ++k) {
+      const double turn = cross(chord_normal({first, first + 1}, x, y), chord_normal({k, k + 1}, x, y));
       require_that(std::abs(turn) <= straight,
                    "a moving window beside a {} wall that bends at ({:g}, {:g}); allowed: straight walls", name, x[k],
                    y[k]);

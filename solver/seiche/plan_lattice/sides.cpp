@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
 namespace seiche::plan_lattice {
@@ -37,15 +38,32 @@ void bind(BoundNode& bound, Point normal, const DrivenSide* driven, std::array<s
 }
 
 void hold(BoundNode& bound) {
-  bound = {.node = bound.node,
-           .directions = 2,
-           .normal = {Point{1, 0}, Point{0, 1}},
-           .driven = {},
-           .chord = {},
-           .shore = bound.shore};
+  bound.directions = 0;
+  bind(bound, {1, 0}, nullptr, {});
+  bind(bound, {0, 1}, nullptr, {});
 }
 
 }  // namespace
+
+void require_ascending(std::string_view first, double begin, std::string_view last, double end) {
+  require_finite(first, begin);
+  require_finite(last, end);
+  require_that(end > begin, "{} = {:g}; allowed: above {} = {:g}", last, end, first, begin);
+}
+
+void require_places(const Shape& shape, long columns, std::size_t levels,
+                    std::initializer_list<std::pair<std::string_view, std::span<const double>>> places) {
+  require_at_least("columns", static_cast<long>(shape.columns), columns);
+  require_at_least("rows", static_cast<long>(shape.rows), 1);
+  for (const auto& [name, values] : places) {
+    const std::size_t count = levels * shape.nodes();
+    require_that(values.size() == count, "{} has {} values; allowed: {}, one per node of {} x {} cells", name,
+                 values.size(), count, shape.columns, shape.rows);
+    for (std::size_t k = 0; k < count; ++k) {
+      require_that(std::isfinite(values[k]), "{}[{}] of node {} is {}; allowed: finite", name, k, k, values[k]);
+    }
+  }
+}
 
 std::array<std::vector<std::size_t>, 4> nodes_around(Shape shape) {
   std::array<std::vector<std::size_t>, 4> walks;

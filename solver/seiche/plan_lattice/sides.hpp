@@ -13,19 +13,19 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "seiche/geometry/curve.hpp"
+#include "seiche/geometry/vector.hpp"
 
 namespace seiche::plan_lattice {
 
-struct Place {
-  double x = 0;
-  double y = 0;
-  double z = 0;  ///< elevation above still water
-};
+using Place = Vector3;  ///< z: elevation above still water
 
 /// A vertical wall along the polygon of the side's first nodes. Nodes slide along straight parts and are held where the
 /// wall bends inwards (interior angle below 180 degrees). Bends outwards are not possible.
@@ -97,6 +97,13 @@ struct Shape {
     }
   }
 };
+
+/// Throws std::invalid_argument unless both are finite and the last one is larger.
+void require_ascending(std::string_view first, double begin, std::string_view last, double end);
+/// Throws std::invalid_argument for fewer columns than that, no rows or layers, arrays of places that are not as long
+/// as `levels` of nodes, values that are not finite.
+void require_places(const Shape& shape, long columns, std::size_t levels,
+                    std::initializer_list<std::pair<std::string_view, std::span<const double>>> places);
 
 /// Node k of n + 1 at equal distances; the last one is at `to` in every bit.
 inline double equally_spaced(double from, double to, std::size_t k, std::size_t n) {

@@ -47,11 +47,10 @@ class SweptRemap {
   /// visit(point, its place on the old lattice) for the points of the rule in what an edge sweeps.
   template <class Visit>
   void each_swept(std::size_t p, std::size_t q, const Visit& visit) const {
-    const std::array corner{at_node(p), places_[p], places_[q], at_node(q)};
-    const std::array columns{corner[0].i, corner[1].i, corner[2].i, corner[3].i};
-    const std::array rows{corner[0].j, corner[1].j, corner[2].j, corner[3].j};
-    each_swept_point(swept(p, q), [&](const SweptPoint& point) {
-      visit(point, old_.find(point.place, {.i = point.mix(columns), .j = point.mix(rows)}));
+    const LatticePlace a = at_node(p), b = places_[p], c = places_[q], d = at_node(q);
+    each_swept_point(swept(p, q), [&](const SweptPoint& at) {
+      using bilinear_patch::mix;
+      visit(at, old_.find(at.place, {mix({a.i, b.i, c.i, d.i}, at.s, at.t), mix({a.j, b.j, c.j, d.j}, at.s, at.t)}));
     });
   }
 

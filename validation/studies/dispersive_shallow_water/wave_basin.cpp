@@ -10,6 +10,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "validation/instruments/plan/plan_gauges.hpp"
+#include "validation/instruments/plan/water_surface.hpp"
 #include "validation/instruments/wave_source.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
@@ -68,7 +69,7 @@ dispersive_shallow_water_2d::Flow basin_flow(const Basin& basin, const PaddleWav
 std::vector<std::vector<double>> harmonics_at(dispersive_shallow_water_2d::Flow& flow, const std::vector<Point>& places,
                                               std::size_t orders, double period, long steps, long periods) {
   PlanGauges gauges(flow.shape(), places);
-  dispersive_shallow_water_2d::WaterSurface surface(flow.shape(), flow.model().settings().gamma);
+  WaterSurface surface(flow.shape(), flow.model().settings().gamma);
   std::vector<std::vector<std::complex<double>>> sums(orders, std::vector<std::complex<double>>(places.size()));
   const long samples = steps * periods;
   for (long sample = 0; sample < samples; ++sample) {

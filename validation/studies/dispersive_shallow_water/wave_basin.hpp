@@ -6,7 +6,7 @@
 ///
 ///     a = U k h/omega / (1 + gamma (k h)^4/nu),   nu = omega^2 h/g,   U its largest velocity,
 ///
-/// for the markers, and for the water's surface more (dispersive_shallow_water_2d/flow.hpp). The last factor
+/// for the markers, and for the water's surface more (instruments/plan/water_surface.hpp). The last factor
 /// is what the wave that does not leave the paddle takes, x-dependence exp(-kappa x), (kappa h)^2 = nu/(gamma (k h)^2):
 /// volume is kept at the paddle, and the slope of the surface there is zero. Lengths in metres, times in seconds.
 #pragma once

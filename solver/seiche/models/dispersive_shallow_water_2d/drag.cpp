@@ -27,28 +27,25 @@ void BreakingFronts::measure(std::span<const double> volumes, mechanics::Input q
 /// At one line, a row or what lies across the rows: keeps it if it is steep somewhere or broke.
 void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row) {
   const std::size_t n = shape_.nodes();
-  const std::size_t count = is_row ? shape_.columns : shape_.rows;
-  const auto pair_at = [&](std::size_t k) {
+  const std::size_t first = pairs_.size();
+  bool kept = false;
+  for (std::size_t k = 0; k < (is_row ? shape_.columns : shape_.rows); ++k) {
     const std::size_t from = is_row ? shape_.node(k, line) : shape_.node(line, k);
     const std::size_t to = is_row ? from + 1 : from + shape_.columns + 1;
+    const std::size_t place = is_row ? line * shape_.columns + k : (shape_.rows + 1) * shape_.columns + from;
     const Point way{q[to] - q[from], q[n + to] - q[n + from]};
     const double rise = q[2 * n + to] - q[2 * n + from];
-    const bool steep = rise * rise > slope_ * slope_ * (way.x * way.x + way.y * way.y);
-    const std::size_t place = is_row ? line * shape_.columns + k : (shape_.rows + 1) * shape_.columns + from;
-    return Pair{.from = from, .to = to, .place = place, .way = way, .rise = rise, .steep = steep};
-  };
-  bool kept = false;
-  for (std::size_t k = 0; k < count && !kept; ++k) {
-    const Pair pair = pair_at(k);
-    kept = pair.steep || broke_[pair.place] != 0;
+    const bool steep = rise * rise > slope_ * slope_ * dot(way, way);
+    kept = kept || steep || broke_[place] != 0;
+    pairs_.push_back({.from = from, .to = to, .place = place, .way = way, .rise = rise, .steep = steep});
   }
-  if (!kept) return;
+  if (!kept) return pairs_.resize(first);
   const std::size_t last = is_row ? shape_.rows : shape_.columns;
   const std::array beside{line > 0 ? line - 1 : 0, std::min(line, last - 1)};
   // On a side there is half of the water; its one cell is counted twice.
   const double share = beside[0] == beside[1] ? 1 : 2;
-  for (std::size_t k = 0; k < count; ++k) {
-    Pair pair = pair_at(k);
+  for (std::size_t k = 0; k < pairs_.size() - first; ++k) {
+    Pair& pair = pairs_[first + k];
     double water = 0;
     double area = 0;
     for (const std::size_t strip : beside) {
@@ -57,9 +54,7 @@ void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, s
       area += cell_area(shape_, q, q.subspan(n), cell) / 4;
     }
     pair.depth = water / area;
-    const double viscosity = 2 * std::sqrt(inertia_ * pair.depth) * pair.depth;
-    pair.exchange = share * water * viscosity / (pair.way.x * pair.way.x + pair.way.y * pair.way.y);
-    pairs_.push_back(pair);
+    pair.exchange = share * water * (2 * std::sqrt(inertia_ * pair.depth) * pair.depth) / dot(pair.way, pair.way);
   }
   lines_.push_back(pairs_.size());
 }
@@ -68,9 +63,8 @@ void BreakingFronts::find(double gravity, mechanics::Input u) const {
   constexpr double least = 0.0015;
   const std::size_t n = shape_.nodes();
   const auto comes_nearer = [&](const Pair& pair) {
-    const double nearer = (u[pair.from] - u[pair.to]) * pair.way.x + (u[n + pair.from] - u[n + pair.to]) * pair.way.y;
-    const double square = pair.way.x * pair.way.x + pair.way.y * pair.way.y;
-    return nearer > least * square * std::sqrt(gravity / pair.depth);
+    const Point nearer{u[pair.from] - u[pair.to], u[n + pair.from] - u[n + pair.to]};
+    return dot(nearer, pair.way) > least * dot(pair.way, pair.way) * std::sqrt(gravity / pair.depth);
   };
   std::fill(breaks_.begin(), breaks_.end(), char{0});
   fronts_.clear();
@@ -85,11 +79,10 @@ void BreakingFronts::find(double gravity, mechanics::Input u) const {
         steep = steep || pairs_[behind].steep;
         goes_on = goes_on || broke_[pairs_[behind].place] != 0;
       }
-      const Front front{.first = first,
-                        .pairs = behind - first,
-                        .damping = steep || goes_on ? damping(std::span(pairs_).subspan(first, behind - first)) : 0.0};
-      if (front.damping > 0) {
-        fronts_.push_back(front);
+      const auto pairs = std::span(pairs_).subspan(first, behind - first);
+      const double part = steep || goes_on ? damping(pairs) : 0.0;
+      if (part > 0) {
+        fronts_.push_back({pairs, part});
         going_on_ += steep ? 0 : 1;
         for (std::size_t k = first; k < behind; ++k) breaks_[pairs_[k].place] = 1;
       }
@@ -120,7 +113,7 @@ void BreakingFronts::exchange(std::span<const double> masses, const InverseMasse
   if (!found_) find(gravity, u);
   if (fronts_.empty()) return;
   before_.assign(u.begin(), u.end());
-  for (const Front& front : fronts_) mix(front, h * std::sqrt(gravity) * front.damping, masses, inverse, before_, u);
+  for (const auto& [pairs, damping] : fronts_) mix(pairs, h * std::sqrt(gravity) * damping, masses, inverse, u);
 }
 
 void BreakingFronts::shift_east() {
@@ -137,10 +130,9 @@ void BreakingFronts::shift_east() {
 
 /// The mean of a step's velocities gets half of what those at its end get, (M + 2 h L) u' = M u, L the pairs: a front
 /// along a row and one across take no more than all between them, and neither has to come first.
-void BreakingFronts::mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
-                         mechanics::Input before, mechanics::Output u) const {
+void BreakingFronts::mix(std::span<const Pair> pairs, double time, std::span<const double> masses,
+                         const InverseMasses& inverse, mechanics::Output u) const {
   const std::size_t n = masses.size();
-  const auto pairs = std::span(pairs_).subspan(front.first, front.pairs);
   const std::size_t count = pairs.size() + 1;
   diagonal_.resize(count);
   coupling_.resize(count);
@@ -148,7 +140,7 @@ void BreakingFronts::mix(const Front& front, double time, std::span<const double
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t node = k < pairs.size() ? pairs[k].from : pairs.back().to;
     diagonal_[k] = masses[node];
-    for (std::size_t axis = 0; axis < 2; ++axis) speed_[axis][k] = masses[node] * before[axis * n + node];
+    for (std::size_t axis = 0; axis < 2; ++axis) speed_[axis][k] = masses[node] * before_[axis * n + node];
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double factor = 2 * time * pairs[k].exchange;
@@ -166,25 +158,14 @@ void BreakingFronts::mix(const Front& front, double time, std::span<const double
   }
 }
 
-namespace {
-
-/// Inverse mass of a node along a horizontal direction.
-double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
-  return inverse.xx[k] * t.x * t.x + 2 * inverse.xy[k] * t.x * t.y + inverse.yy[k] * t.y * t.y;
-}
-
-}  // namespace
-
 Drag::Drag(DragSettings settings, const Lattice& lattice, double inertia)
     : settings_(settings), shape_(lattice.shape), breaking_(settings.breaking_slope, inertia, lattice.shape) {
   require_ranges(settings);
   require_that(settings.shore_rate == 0 || std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south),
                "shore_rate without a shoreline on the south side; allowed: 0");
-  if (settings.absorption) {
-    for (std::size_t k = 0; k < lattice.shape.nodes(); ++k) {
-      absorption_.push_back(settings.absorption({lattice.x[k], lattice.y[k]}));
-      require_not_negative("absorption", absorption_.back());
-    }
+  for (std::size_t k = 0; settings.absorption && k < lattice.shape.nodes(); ++k) {
+    absorption_.push_back(settings.absorption({lattice.x[k], lattice.y[k]}));
+    require_not_negative("absorption", absorption_.back());
   }
 }
 
@@ -205,9 +186,8 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
   if (settings_.shore_rate > 0) {
     along_.resize(shape_.columns + 1);
     for (std::size_t i = 1; i < shape_.columns; ++i) {
-      const Point chord{q[i + 1] - q[i - 1], q[n + i + 1] - q[n + i - 1]};
-      const double length = std::hypot(chord.x, chord.y);
-      along_[i] = {chord.x / length, chord.y / length};
+      const Point normal = plan_lattice::chord_normal({i - 1, i + 1}, q.first(n), q.subspan(n, n));
+      along_[i] = {-normal.y, normal.x};
     }
   }
   if (settings_.breaking_slope > 0 && new_step) breaking_.measure(volumes, q);
@@ -229,9 +209,12 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
     for (std::size_t i = 1; i < shape_.columns; ++i) {
       const std::size_t beside = i + shape_.columns + 1;
       const Point t = along_[i];
+      const auto inverse_along = [&](std::size_t k) {
+        return inverse.xx[k] * t.x * t.x + 2 * inverse.xy[k] * t.x * t.y + inverse.yy[k] * t.y * t.y;
+      };
       const double difference = (u[i] - u[beside]) * t.x + (u[n + i] - u[n + beside]) * t.y;
       const double part = h * settings_.shore_rate / (1 + h * settings_.shore_rate);
-      const double impulse = part * difference / (inverse_along(inverse, i, t) + inverse_along(inverse, beside, t));
+      const double impulse = part * difference / (inverse_along(i) + inverse_along(beside));
       push(inverse, i, -impulse * t, u);
       push(inverse, beside, impulse * t, u);
     }
@@ -252,46 +235,43 @@ void Drag::absorb(double h, mechanics::Output u) const {
 // largest of its nodes' sums of |weight| |weights| / (mass lightness), Gershgorin's bound of the pairs' sum.
 void Drag::slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h,
                         mechanics::Output u) const {
-  constexpr std::array along_pair{1.0, -2.0, 1.0};
-  constexpr std::array across_pair{1.0, -1.0};
+  constexpr std::array weight{1.0, -1.0, -2.0, 2.0, 1.0, -1.0};
   constexpr double weights = 8;  // sum of |weight|
   const std::size_t n = masses.size();
   // The whole pattern sees its nodes in six pairs along each direction, 32/3 times what one pair does.
   const double part = 3.0 / 32 * h * settings_.lattice_rate;
-  const auto in_pair = [&](std::size_t first, std::size_t along, std::size_t across, const auto& act) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t b = 0; b < 2; ++b) act(first + a * along + b * across, along_pair[a] * across_pair[b]);
-    }
-  };
+  // act(the six nodes of a pair)
   const auto in_pairs = [&](const auto& act) {
+    const auto pair = [&](std::size_t k, std::size_t along, std::size_t across) {
+      act(std::array{k, k + across, k + along, k + along + across, k + 2 * along, k + 2 * along + across});
+    };
     for (std::size_t j = 0; j < shape_.rows; ++j) {
-      for (std::size_t i = 0; i + 1 < shape_.columns; ++i) act(shape_.node(i, j), 1, shape_.columns + 1);
+      for (std::size_t i = 0; i + 1 < shape_.columns; ++i) pair(shape_.node(i, j), 1, shape_.columns + 1);
     }
     for (std::size_t j = 0; j + 1 < shape_.rows; ++j) {
-      for (std::size_t i = 0; i < shape_.columns; ++i) act(shape_.node(i, j), shape_.columns + 1, 1);
+      for (std::size_t i = 0; i < shape_.columns; ++i) pair(shape_.node(i, j), shape_.columns + 1, 1);
     }
   };
-  const auto lightness_of = [&](std::size_t first, std::size_t along, std::size_t across) {
+  const auto lightness_of = [&](const auto& nodes) {
     double lightness = 0;
-    in_pair(first, along, across, [&](std::size_t k, double weight) { lightness += weight * weight / masses[k]; });
+    for (std::size_t c = 0; c < 6; ++c) lightness += weight[c] * weight[c] / masses[nodes[c]];
     return lightness;
   };
   share_.assign(n, 0.0);
-  in_pairs([&](std::size_t first, std::size_t along, std::size_t across) {
-    const double share = weights / lightness_of(first, along, across);
-    in_pair(first, along, across,
-            [&](std::size_t k, double weight) { share_[k] += std::abs(weight) * share / masses[k]; });
+  in_pairs([&](const auto& nodes) {
+    const double share = weights / lightness_of(nodes);
+    for (std::size_t c = 0; c < 6; ++c) share_[nodes[c]] += std::abs(weight[c]) * share / masses[nodes[c]];
   });
   impulse_.assign(n, {});
-  in_pairs([&](std::size_t first, std::size_t along, std::size_t across) {
+  in_pairs([&](const auto& nodes) {
     double share = 0;
     Point difference;
-    in_pair(first, along, across, [&](std::size_t k, double weight) {
-      share = std::max(share, share_[k]);
-      difference += weight * Point{u[k], u[n + k]};
-    });
-    const double taken = -part / (1 + part * share) / lightness_of(first, along, across);
-    in_pair(first, along, across, [&](std::size_t k, double weight) { impulse_[k] += weight * taken * difference; });
+    for (std::size_t c = 0; c < 6; ++c) {
+      share = std::max(share, share_[nodes[c]]);
+      difference += weight[c] * Point{u[nodes[c]], u[n + nodes[c]]};
+    }
+    const double taken = -part / (1 + part * share) / lightness_of(nodes);
+    for (std::size_t c = 0; c < 6; ++c) impulse_[nodes[c]] += weight[c] * taken * difference;
   });
   for (std::size_t k = 0; k < n; ++k) push(inverse, k, impulse_[k], u);
 }

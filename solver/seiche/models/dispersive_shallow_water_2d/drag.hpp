@@ -105,16 +105,15 @@ class BreakingFronts {
     bool steep = false;
   };
   struct Front {
-    std::size_t first = 0;  ///< pair
-    std::size_t pairs = 0;
-    double damping = 0;  ///< share of the viscosity
+    std::span<const Pair> pairs;
+    double damping;  ///< share of the viscosity
   };
 
   void look(std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row);
   void find(double gravity, mechanics::Input u) const;
   [[nodiscard]] static double damping(std::span<const Pair> pairs);
-  void mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
-           mechanics::Input before, mechanics::Output u) const;
+  void mix(std::span<const Pair> pairs, double time, std::span<const double> masses, const InverseMasses& inverse,
+           mechanics::Output u) const;
 
   double slope_;
   double inertia_;

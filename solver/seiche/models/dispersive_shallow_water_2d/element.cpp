@@ -13,25 +13,21 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 SEICHE_SIMD_CLONES
-RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows, double bottom, double weight,
-                        bool add, linear::RowBlocks::Row gradients) {
+double measure_row(std::size_t columns, const lattice::NodeVectors<Column>& rows, double bottom, double weight,
+                   bool add, linear::RowBlocks::Row gradients) {
   using bilinear_patch::Corners;
   const lattice::NodeVectors<Column> r = rows;
   double* const g = gradients.data;
   const std::size_t stride = gradients.stride;
   double jacobian = std::numeric_limits<double>::infinity();
-  double depth = std::numeric_limits<double>::infinity();
   if (!add) {
     for (std::size_t k = 0; k < Column::stored; ++k) std::fill_n(gradients[k], columns, 0.0);
   }
-#pragma omp simd reduction(min : jacobian, depth)
+#pragma omp simd reduction(min : jacobian)
   for (std::size_t i = 0; i < columns; ++i) {
-    const auto corners = [&](std::size_t axis) __attribute__((always_inline)) {
-      return Corners{r[axis][0][i], r[axis][0][i + 1], r[axis][1][i + 1], r[axis][1][i]};
-    };
-    const Corners x = corners(0);
-    const Corners y = corners(1);
-    const Corners z = corners(2);
+    const Corners x = bilinear_patch::corners_between(r[0], i);
+    const Corners y = bilinear_patch::corners_between(r[1], i);
+    const Corners z = bilinear_patch::corners_between(r[2], i);
     const Corners over{z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom};
     const Corners j = bilinear_patch::jacobians(x, y);
     const auto volume = bilinear_patch::volume_gradient(x, y, over, j);
@@ -45,39 +41,35 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
     put(1, volume.y);
     put(2, volume.z);
     jacobian = std::min(jacobian, std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)));
-    depth = std::min(depth, std::min(std::min(over.c0, over.c1), std::min(over.c2, over.c3)));
   }
-  return {jacobian, depth};
+  return jacobian;
 }
 
 BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
-    : shape_(shape), bottom_(std::move(bottom)), edges_(shape.edges()) {}
+    : shape_(shape), bottom_(std::move(bottom)) {}
 
-BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
-  const double width = at.x[q] - at.x[p];
-  const double height = at.y[q] - at.y[p];
+BottomVolume::Edge BottomVolume::edge(const Ends& at) const {
+  const Point way = at[1] - at[0];
   Edge edge;
   for (const auto [t, weight] : gauss_points()) {
-    const auto b = bottom_->integral(at.x[p] + t * width, at.y[p] + t * height);
-    edge.value += weight * height * b.value;
-    edge.xp += weight * height * (1 - t) * b.elevation;
-    edge.xq += weight * height * t * b.elevation;
-    edge.yp += weight * height * (1 - t) * b.along_y;
-    edge.yq += weight * height * t * b.along_y;
+    const auto b = bottom_->integral(at[0].x + t * way.x, at[0].y + t * way.y);
+    edge.value += weight * way.y * b.value;
+    edge.xp += weight * way.y * (1 - t) * b.elevation;
+    edge.xq += weight * way.y * t * b.elevation;
+    edge.yp += weight * way.y * (1 - t) * b.along_y;
+    edge.yq += weight * way.y * t * b.along_y;
     edge.integral += weight * b.value;
   }
   return edge;
 }
 
-BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const {
-  // The middle of the four coordinates, as two nodes.
-  const std::array x{0.5 * (q0.x[p] + q1.x[p]), 0.5 * (q0.x[q] + q1.x[q])};
-  const std::array y{0.5 * (q0.y[p] + q1.y[p]), 0.5 * (q0.y[q] + q1.y[q])};
-  const Edge begin = edge(q0, p, q);
-  const Edge middle = edge({x.data(), y.data()}, 0, 1);
-  const Edge end = edge(q1, p, q);
+BottomVolume::Edge BottomVolume::edge_between(const Ends& from, const Ends& to) const {
+  const Ends half{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
+  const Edge begin = edge(from);
+  const Edge middle = edge(half);
+  const Edge end = edge(to);
   const auto mean = [&](double Edge::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
-  const std::array way{q1.x[p] - q0.x[p], q1.y[p] - q0.y[p], q1.x[q] - q0.x[q], q1.y[q] - q0.y[q]};
+  const std::array way{to[0].x - from[0].x, to[0].y - from[0].y, to[1].x - from[1].x, to[1].y - from[1].y};
   std::array slope{mean(&Edge::xp), mean(&Edge::yp), mean(&Edge::xq), mean(&Edge::yq)};
   // What E grows by, less the mean gradient times the way. Both are the same for B and for its difference from B where
   // a point of the rule is in the middle.
@@ -86,52 +78,40 @@ BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t 
   for (const auto [t, weight] : gauss_points()) {
     const double dx = 0.5 * std::lerp(way[0], way[2], t);
     const double dy = 0.5 * std::lerp(way[1], way[3], t);
-    const double place_x = x[0] + t * (x[1] - x[0]);
-    const double place_y = y[0] + t * (y[1] - y[0]);
-    const double after = bottom_->increment(place_x, place_y, dx, dy);
-    const double before = bottom_->increment(place_x, place_y, -dx, -dy);
-    lacking += weight * ((y[1] - y[0]) * (after - before) + stretch / 2 * (after + before));
+    const Point place = half[0] + t * (half[1] - half[0]);
+    const double after = bottom_->increment(place.x, place.y, dx, dy);
+    const double before = bottom_->increment(place.x, place.y, -dx, -dy);
+    lacking += weight * ((half[1].y - half[0].y) * (after - before) + stretch / 2 * (after + before));
     lacking -= weight * stretch * (after + before) / 6;
   }
-  double square = 0;
-  for (std::size_t k = 0; k < way.size(); ++k) {
-    lacking -= slope[k] * way[k];
-    square += way[k] * way[k];
-  }
-  if (square > 0) {
-    for (std::size_t k = 0; k < way.size(); ++k) slope[k] += lacking / square * way[k];
-  }
+  complete(slope, way, lacking);
   return {end.value - begin.value, slope[0], slope[1], slope[2], slope[3], mean(&Edge::integral)};
 }
 
-void BottomVolume::subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients) {
-  std::size_t number = 0;
-  shape_.each_edge([&](std::size_t p, std::size_t q, std::size_t, std::size_t) {
-    edges_[number++] = q0.x == q1.x ? edge(q0, p, q) : edge_between(q0, q1, p, q);
+void BottomVolume::subtract_gradients(mechanics::Input q0, mechanics::Input q1, linear::RowBlocks& gradients) const {
+  const std::size_t n = shape_.nodes();
+  shape_.each_edge([&](std::size_t p, std::size_t q, std::size_t left, std::size_t right) {
+    const auto ends = [&](mechanics::Input at) { return Ends{Point{at[p], at[n + p]}, Point{at[q], at[n + q]}}; };
+    const Edge here = q0.data() == q1.data() ? edge(ends(q0)) : edge_between(ends(q0), ends(q1));
+    const std::array at{here.at_p(), here.at_q()};
+    // Cells on its left have it anticlockwise.
+    const auto subtract = [&](std::size_t cell, const std::array<std::size_t, 2>& corners, double sign) {
+      if (cell == plan_lattice::Shape::outside) return;
+      const linear::RowBlocks::Row row = gradients.row(cell / shape_.columns);
+      for (std::size_t end = 0; end < 2; ++end) {
+        row[3 * corners[end]][cell % shape_.columns] -= sign * at[end].x;
+        row[3 * corners[end] + 1][cell % shape_.columns] -= sign * at[end].y;
+      }
+    };
+    const bool along_row = q == p + 1;
+    subtract(left, along_row ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 2}, 1);
+    subtract(right, along_row ? std::array<std::size_t, 2>{3, 2} : std::array<std::size_t, 2>{0, 3}, -1);
   });
-  for (std::size_t j = 0; j < shape_.rows; ++j) {
-    const linear::RowBlocks::Row row = gradients.row(j);
-    for (std::size_t i = 0; i < shape_.columns; ++i) {
-      // Around the cell: 0 -> 1, 1 -> 2, and 3 -> 2, 0 -> 3 backwards.
-      const Edge& south = edges_[along_i(i, j)];
-      const Edge& east = edges_[along_j(i + 1, j)];
-      const Edge& north = edges_[along_i(i, j + 1)];
-      const Edge& west = edges_[along_j(i, j)];
-      const auto subtract = [&](std::size_t corner, Point gradient) {
-        row[3 * corner][i] -= gradient.x;
-        row[3 * corner + 1][i] -= gradient.y;
-      };
-      subtract(0, south.at_p() - west.at_p());
-      subtract(1, south.at_q() + east.at_p());
-      subtract(2, east.at_q() - north.at_q());
-      subtract(3, -1 * north.at_p() - west.at_q());
-    }
-  }
 }
 
-double BottomVolume::volume(Places at, std::size_t cell) const {
-  const auto [c0, c1, c2, c3] = shape_.corners(cell);
-  return edge(at, c0, c1).value + edge(at, c1, c2).value - edge(at, c3, c2).value - edge(at, c0, c3).value;
+double BottomVolume::volume(const std::array<Point, 4>& at) const {
+  return edge({at[0], at[1]}).value + edge({at[1], at[2]}).value - edge({at[3], at[2]}).value -
+         edge({at[0], at[3]}).value;
 }
 
 namespace {
@@ -164,29 +144,25 @@ Diagonals::Diagonals(mechanics::Input q, const plan_lattice::Shape& shape, std::
   b = vector_at(q, c3) - vector_at(q, c1);
 }
 
-DispersionEnergy::DispersionEnergy(plan_lattice::Shape shape, double gamma) : shape_(shape), gamma_(gamma) {}
-
-double DispersionEnergy::value(std::span<const double> volumes, mechanics::Input q) const {
+double dispersion_energy(const plan_lattice::Shape& shape, double gamma, std::span<const double> volumes,
+                         mechanics::Input q) {
   CompensatedSum sum;
-  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-    const Diagonals at(q, shape_, cell);
-    sum.add(gamma_ / 8 * volumes[cell] * volumes[cell] * dot(at.d(), at.d()) / cube(at.area()));
+  for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
+    const Diagonals at(q, shape, cell);
+    sum.add(gamma / 8 * volumes[cell] * volumes[cell] * dot(at.d(), at.d()) / cube(at.area()));
   }
   return sum.value();
 }
 
-void DispersionEnergy::push(std::span<const double> volumes, mechanics::Input q0, mechanics::Input q1, double gravity,
-                            mechanics::Output forces) const {
-  const std::size_t n = shape_.nodes();
-  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-    const auto corners = shape_.corners(cell);
-    const auto slope = gradient({q0, shape_, cell}, {q1, shape_, cell});
-    const double weight = gravity * gamma_ / 8 * volumes[cell] * volumes[cell];
+void push_dispersion(const plan_lattice::Shape& shape, double weight, std::span<const double> volumes,
+                     mechanics::Input q0, mechanics::Input q1, mechanics::Output forces) {
+  for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
+    const auto corners = shape.corners(cell);
+    const auto slope = gradient({q0, shape, cell}, {q1, shape, cell});
+    const double half = weight / 8 * volumes[cell] * volumes[cell];
     for (std::size_t c = 0; c < 4; ++c) {
-      const Vector3 force = (c < 2 ? weight : -weight) * slope[c % 2];
-      forces[corners[c]] += force.x;
-      forces[n + corners[c]] += force.y;
-      forces[2 * n + corners[c]] += force.z;
+      const Vector3 force = vector_at(forces, corners[c]) + (c < 2 ? half : -half) * slope[c % 2];
+      put_vector(force, corners[c], forces);
     }
   }
 }

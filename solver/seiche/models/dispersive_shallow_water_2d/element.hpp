@@ -33,15 +33,10 @@ struct InverseMasses {
   std::vector<double> xx, yy, zz, xy, xz, yz;
 };
 
-/// Smallest corner Jacobian of a row and the smallest depth of its nodes.
-struct RowExtremes {
-  double jacobian;
-  double depth;
-};
-
 /// Gradients of the volumes of a row over the level z = bottom, times `weight`, added to what is there if `add`.
-RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>& r, double bottom, double weight,
-                        bool add, linear::RowBlocks::Row gradients);
+/// Returns the smallest corner Jacobian.
+double measure_row(std::size_t columns, const lattice::NodeVectors<Column>& r, double bottom, double weight, bool add,
+                   linear::RowBlocks::Row gradients);
 
 // The volume between the level z = 0 and an uneven bottom, cell by cell, as a sum over directed edges p -> q:
 //
@@ -54,34 +49,30 @@ RowExtremes measure_row(std::size_t columns, const lattice::NodeVectors<Column>&
 // away, and the difference of two E has the round-off of |B|, which a short way would make a force: a step's sweeps
 // then never settle. So only differences of B over the way enter, which are as short as it is.
 
-/// Gauss's rule of three points on [0, 1].
-struct GaussPoint {
-  double t;
-  double weight;
-};
-
-inline const std::array<GaussPoint, 3>& gauss_points() {
-  static const double half = 0.5 * std::sqrt(0.6);
-  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
-                                 GaussPoint{0.5 + half, 5.0 / 18}};
-  return points;
+/// Makes a mean gradient over a way a discrete one, gradient times way a difference: what it lacks is added along the
+/// way. Less than what is `rounded`, divided by a short way, would become a force.
+template <std::size_t n>
+void complete(std::array<double, n>& gradient, const std::array<double, n>& way, double difference,
+              double rounded = 0) {
+  double square = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    difference -= gradient[k] * way[k];
+    square += way[k] * way[k];
+  }
+  if (!(std::abs(difference) > rounded)) return;
+  for (std::size_t k = 0; k < n; ++k) gradient[k] += difference / square * way[k];
 }
 
 class BottomVolume {
  public:
-  struct Places {
-    const double* x;
-    const double* y;
-  };
-
   BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom);
 
   /// Subtracts the gradients of the volumes from those of the cells, in rows: at q0 if q1 is the same, else discrete
   /// gradients over the segment: Simpson's mean, corrected along the segment so that gradient times segment is the
   /// difference of the volumes to round-off.
-  void subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients);
-  /// int b dA over a cell.
-  [[nodiscard]] double volume(Places at, std::size_t cell) const;
+  void subtract_gradients(mechanics::Input q0, mechanics::Input q1, linear::RowBlocks& gradients) const;
+  /// int b dA over the quadrilateral of these corners.
+  [[nodiscard]] double volume(const std::array<Point, 4>& at) const;
 
  private:
   /// E, its derivatives with respect to x_p, y_p, x_q, y_q but for what B itself gives, and the integral of B over the
@@ -95,16 +86,12 @@ class BottomVolume {
     [[nodiscard]] Point at_q() const { return {xq, yq + integral}; }
   };
 
-  [[nodiscard]] Edge edge(Places at, std::size_t p, std::size_t q) const;
-  [[nodiscard]] Edge edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const;
-  [[nodiscard]] std::size_t along_i(std::size_t i, std::size_t j) const { return j * shape_.columns + i; }
-  [[nodiscard]] std::size_t along_j(std::size_t i, std::size_t j) const {
-    return shape_.columns * (shape_.rows + 1) + j * (shape_.columns + 1) + i;
-  }
+  using Ends = std::array<Point, 2>;  ///< p, q
+  [[nodiscard]] Edge edge(const Ends& at) const;
+  [[nodiscard]] Edge edge_between(const Ends& from, const Ends& to) const;
 
   plan_lattice::Shape shape_;
   std::shared_ptr<const PlanBottom> bottom_;
-  std::vector<Edge> edges_;  ///< in the order of Shape::each_edge
 };
 
 /// Improved dispersion of the plan model: an energy of the surface's slope beside the potential energy,
@@ -127,23 +114,13 @@ class BottomVolume {
 ///
 /// Reference: P. A. Madsen, O. R. Sorensen, A new form of the Boussinesq equations with improved linear dispersion
 /// characteristics, part 2, Coastal Eng. 18 (1992) 183.
-class DispersionEnergy {
- public:
-  /// @param gamma  0 for none. Throws std::invalid_argument for a negative one.
-  DispersionEnergy(plan_lattice::Shape shape, double gamma);
-
-  [[nodiscard]] bool active() const { return gamma_ > 0; }
-  /// Of all cells, over g. @param volumes  of the cells
-  [[nodiscard]] double value(std::span<const double> volumes, mechanics::Input q) const;
-  /// Adds the forces to those on the nodes along x, y, z: the discrete gradient between q0 and q1, for q0 = q1 the
-  /// gradient.
-  void push(std::span<const double> volumes, mechanics::Input q0, mechanics::Input q1, double gravity,
-            mechanics::Output forces) const;
-
- private:
-  plan_lattice::Shape shape_;
-  double gamma_;
-};
+/// Of all cells, over g. @param volumes  of the cells
+double dispersion_energy(const plan_lattice::Shape& shape, double gamma, std::span<const double> volumes,
+                         mechanics::Input q);
+/// Adds the forces to those on the nodes along x, y, z: the discrete gradient between q0 and q1, for q0 = q1 the
+/// gradient. @param weight  g gamma
+void push_dispersion(const plan_lattice::Shape& shape, double weight, std::span<const double> volumes,
+                     mechanics::Input q0, mechanics::Input q1, mechanics::Output forces);
 
 /// A cell's diagonals, a from corner 0 to 2 and b from 1 to 3.
 struct Diagonals {

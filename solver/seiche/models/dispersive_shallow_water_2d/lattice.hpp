@@ -27,6 +27,10 @@ struct Lattice {
   /// Uneven bottom, which `depth` then does not describe; null for none.
   std::shared_ptr<const PlanBottom> bottom = {};
 
+  /// Elevation of the bottom. Throws Infeasible where there is none.
+  [[nodiscard]] double bed(double at_x, double at_y) const {
+    return bottom ? bottom->slope(at_x, at_y).elevation : -depth;
+  }
   /// Throws std::invalid_argument: fewer than one row or two columns, arrays of other lengths, values that are not
   /// finite, depth not positive, a cell with a corner that is not convex, a marker that is not above the bottom (by
   /// place); a shoreline without an uneven bottom, or a marker of it that is off the bottom by more than 1e-12.
@@ -55,8 +59,12 @@ Lattice rectangular_lattice(const Rectangle& rectangle);
 //
 //     T = (m/2) [ |w|^2 - (1 - alpha)(w.n)^2 ],   M = m [I - (1 - alpha) n n^T],   W = [I + (1/alpha - 1) n n^T]/m
 //
-// On a side W is the inverse of M on the motions that are left: S (S^T M S)^-1 S^T; on a shoreline, where a node keeps
-// to the bottom, (I - n n^T)/m. Velocities that a side prescribes are imposed by the M-orthogonal projection.
+// On a side W is the inverse of M on the motions that are left. With P, the projector on them, and p = P n
+//
+//     W = [P + (1 - alpha)/(1 - (1 - alpha) |p|^2) p p^T]/m;
+//
+// on a shoreline a node keeps to the bottom and p = 0. Velocities that a side prescribes are imposed by the
+// M-orthogonal projection.
 
 /// Unit normals of the bottom below the nodes.
 using Normals = std::vector<Vector3>;
@@ -74,20 +82,19 @@ class NodeMasses {
   [[nodiscard]] bool full(std::size_t row) const { return full_[row] != 0; }
   [[nodiscard]] bool has_driven_sides() const { return has_driven_sides_; }
 
-  /// W over a bottom with these normals; null: level.
-  void stand_on(const Normals* normals);
+  /// W over a bottom with these normals.
+  void stand_on(const Normals& normals);
   /// Turns the normals of driven sides into those of the lattice x, y, and W with them.
-  /// @param normals  of the bottom; null: level
-  void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals* normals);
+  void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals& normals);
   /// Carries velocities u = (u, v, w) from a bottom with some normals to one with others, by isometries of M: the
   /// smallest rotation that takes one normal to the other; on sides at rest a motion within what they leave.
   void carry(const Normals& from, const Normals& to, std::span<double> u) const;
   /// Imposes what the sides prescribe at this time on the velocities u = (u, v, w).
   /// @param all  false: only on nodes of driven sides
-  void constrain(std::span<const double> q, double time, const Normals* normals, bool all, std::span<double> u) const;
+  void constrain(std::span<const double> q, double time, const Normals& normals, bool all, std::span<double> u) const;
 
  private:
-  void bind(const plan_lattice::BoundNode& bound, const Normals* normals);
+  void bind(const plan_lattice::BoundNode& bound, const Normals& normals);
   [[nodiscard]] Vector3 carried_along_side(const plan_lattice::BoundNode& bound, Vector3 from, Vector3 to,
                                            Vector3 u) const;
 

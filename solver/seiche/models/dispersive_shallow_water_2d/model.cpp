@@ -20,12 +20,6 @@ namespace {
 using bilinear_patch::at_corners;
 using bilinear_patch::Corners;
 
-lattice::Cells valid_cells(const Lattice& lattice, const Settings& settings) {
-  lattice.require_valid();
-  require_ranges(settings);
-  return {lattice.shape.columns, lattice.shape.rows};
-}
-
 /// The undeformed lattice nearest to a given one, which preconditions its systems: equal rectangles between four walls
 /// over a level bottom, of the lattice's mean sizes, depth H and inertia alpha:
 ///
@@ -39,10 +33,7 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
     const auto [c0, c1, c2, c3] = shape.corners(cell);
     const Corners x = at_corners(lattice.x, shape.corners(cell));
     const Corners y = at_corners(lattice.y, shape.corners(cell));
-    const auto depth = [&](std::size_t k) {
-      return lattice.z[k] -
-             (lattice.bottom ? lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation : -lattice.depth);
-    };
+    const auto depth = [&](std::size_t k) { return lattice.z[k] - lattice.bed(lattice.x[k], lattice.y[k]); };
     const auto j = bilinear_patch::jacobians(x, y);
     volume += bilinear_patch::volume(x, y, {depth(c0), depth(c1), depth(c2), depth(c3)});
     area += 0.5 * (j.c0 + j.c2);
@@ -64,7 +55,8 @@ linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double iner
 }  // namespace
 
 Model::Model(Lattice lattice, Settings settings, Forcing forcing)
-    : Water{valid_cells(lattice, settings),
+    : Water{lattice::valid_cells(lattice, settings, {lattice.shape.columns, lattice.shape.rows}),
+            std::vector<double>(lattice.shape.cells()),
             {lattice.shape.columns, lattice.shape.rows, settings.solver, undeformed_lattice(lattice, settings.inertia),
              settings.tolerance},
             settings.tolerance},
@@ -73,10 +65,9 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       forcing_(std::move(forcing)),
       masses_(shape(), lattice_.sides, lattice_.x, lattice_.y, settings.inertia),
       surface_(shape().columns, shape().rows, n_),
-      dispersion_(shape(), settings.gamma),
       drag_(settings.drag, lattice_, settings.inertia),
-      normals_(n_),
-      other_normals_(n_) {
+      normals_(n_, {0, 0, 1}),
+      other_normals_(normals_) {
   if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
   const std::vector<double> places = lattice::joined({lattice_.x, lattice_.y, lattice_.z});
   if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {
@@ -102,7 +93,7 @@ void Model::sum_masses() {
       mass[k] += (on_shore(k) ? Shoreline::share_of_mass : 0.25) * volume_[cell];
     }
   }
-  if (!bottom_) masses_.stand_on(nullptr);
+  if (!bottom_) masses_.stand_on(normals_);
 }
 
 mechanics::State Model::state(const InitialVelocity& velocity) const {
@@ -112,7 +103,7 @@ mechanics::State Model::state(const InitialVelocity& velocity) const {
       velocity, n_, [&](const VelocityAt& at, std::size_t k) { return at(lattice_.x[k], lattice_.y[k]); });
   for (std::size_t k = 0; k < n_; ++k) put_vector({given[k].u, given[k].v, given[k].w}, k, state.u);
   if (bottom_) find_normals(state.q, other_normals_);
-  masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);
+  masses_.constrain(state.q, 0, other_normals_, true, state.u);
   return state;
 }
 
@@ -131,9 +122,9 @@ void Model::find_normals(Input q, Normals& normals) const {
 void Model::stand(Input q) {
   if (bottom_) {
     find_normals(q, normals_);
-    masses_.stand_on(&normals_);
+    masses_.stand_on(normals_);
   }
-  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
+  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals_);
 }
 
 void Model::gather(Input q0, Input q1, Input at, int sweep) {
@@ -142,13 +133,13 @@ void Model::gather(Input q0, Input q1, Input at, int sweep) {
   if (!instant) measure(q0, 1.0 / 6, false);
   if (!instant) measure(q1, 1.0 / 6, true);
   measure(at, instant ? 1 : 4.0 / 6, !instant);
-  if (bottom_) bottom_->subtract_gradients(plan(q0), plan(q1), gradients_);
+  if (bottom_) bottom_->subtract_gradients(q0, q1, gradients_);
   if (shoreline_) shoreline_->push(q0, q1, settings_.gravity, push_);
-  if (dispersion_.active()) dispersion_.push(volume_, q0, q1, settings_.gravity, push_);
+  if (settings_.gamma > 0) push_dispersion(shape(), settings_.gravity * settings_.gamma, volume_, q0, q1, push_);
   stand(at);
   if (shoreline_ && !instant) {
     shoreline_->tilt_between(q0, q1, normals_);
-    masses_.stand_on(&normals_);
+    masses_.stand_on(normals_);
   }
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
@@ -162,17 +153,14 @@ void Model::gather(Input q0, Input q1, Input at, int sweep) {
 void Model::measure(Input q, double weight, bool add) {
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
   std::atomic<bool> tangled = false;
-  std::atomic<bool> dry = false;
   each_row([&](std::size_t j) {
-    const RowExtremes least = measure_row(shape_.columns, around(j, q), bottom, weight, add, gradients_.row(j));
-    if (least.jacobian <= 0) tangled = true;
-    if (least.depth <= 0) dry = true;
+    if (measure_row(shape_.columns, around(j, q), bottom, weight, add, gradients_.row(j)) <= 0) tangled = true;
   });
   surface_.push(q, settings_.gravity * weight, push_);
   if (tangled) throw_tangled(q);
-  if (!bottom_ && dry) {
-    const Input z = q.last(n_);
-    const auto lowest = static_cast<std::size_t>(std::ranges::min_element(z) - z.begin());
+  const Input z = q.last(n_);
+  const auto lowest = static_cast<std::size_t>(std::ranges::min_element(z) - z.begin());
+  if (!bottom_ && z[lowest] <= bottom) {
     throw mechanics::Infeasible(q[lowest],
                                 "the surface touches the bottom: z = {:g} at ({:g}, {:g}) (allowed: above "
                                 "{:g})",
@@ -194,15 +182,13 @@ void Model::carry(Input q, bool onto, Output u) const {
 // Only nodes of driven sides can have got a forbidden velocity.
 void Model::enter(Input q, Output u) const {
   if (bottom_) carry(q, true, u);
-  if (masses_.has_driven_sides()) masses_.constrain(q, when_.middle(), normals(), false, u);
+  if (masses_.has_driven_sides()) masses_.constrain(q, when_.middle(), normals_, false, u);
 }
 
 void Model::settle(Interval when, Output q, Output u) const {
   if (shoreline_) shoreline_->land(q);
   if (bottom_) carry(q, false, u);
-  if (masses_.has_driven_sides()) {
-    masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, false, u);
-  }
+  if (masses_.has_driven_sides()) masses_.constrain(q, when.end(), other_normals_, false, u);
   drag_.breaking().settle();
 }
 
@@ -221,7 +207,8 @@ double Model::cell_volume(Input q, std::size_t cell) const {
   const Corners z = at_corners(q.subspan(2 * n_), corners);
   const double volume = bilinear_patch::volume(at_corners(q, corners), at_corners(q.subspan(n_), corners),
                                                {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom});
-  return bottom_ ? volume - bottom_->volume(plan(q), cell) : volume;
+  const auto point = [&](std::size_t a) { return Point{q[corners[a]], q[n_ + corners[a]]}; };
+  return bottom_ ? volume - bottom_->volume({point(0), point(1), point(2), point(3)}) : volume;
 }
 
 /// Over the mean Jacobian at the beginning.
@@ -233,11 +220,11 @@ double Model::cell_shape(Input q, std::size_t cell) const {
 double Model::potential_energy(Input q, std::span<const char> counted) const {
   double sum = surface_.moment(q, counted);
   if (shoreline_) sum -= shoreline_->bottom_moment(q, counted);
-  if (dispersion_.active()) {
+  if (settings_.gamma > 0) {
     // It has the square of a cell's volume as a factor.
     std::vector<double> volumes = volume_;
     for (std::size_t cell = 0; cell < counted.size(); ++cell) volumes[cell] *= counted[cell] != 0 ? 1 : 0;
-    sum += dispersion_.value(volumes, q);
+    sum += dispersion_energy(shape(), settings_.gamma, volumes, q);
   }
   return settings_.gravity * sum;
 }

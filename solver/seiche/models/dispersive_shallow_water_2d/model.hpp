@@ -63,9 +63,7 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 using lattice::Corner;
-using mechanics::Input;
 using mechanics::Interval;
-using mechanics::Output;
 
 struct Settings {
   double gravity = 1;        ///< [m/s^2]
@@ -167,10 +165,8 @@ class Model : public lattice::Water<Column, Model> {
   [[nodiscard]] double cell_shape(Input q, std::size_t cell) const;
 
  private:
-  [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + n_}; }
   void sum_masses();
   void find_normals(Input q, Normals& normals) const;
-  [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
   void measure(Input q, double weight, bool add);
   void stand(Input q);
   [[nodiscard]] bool on_shore(std::size_t node) const { return shoreline_ && shoreline_->marks()[node] != 0; }
@@ -185,7 +181,6 @@ class Model : public lattice::Water<Column, Model> {
   std::optional<BottomVolume> bottom_;
   std::optional<Shoreline> shoreline_;
   lattice::SurfacePatches surface_;
-  DispersionEnergy dispersion_;
   Drag drag_;
   Normals normals_;                // of the bottom at the linearised configuration
   mutable Normals other_normals_;  // at the beginning or end of the step

@@ -50,7 +50,7 @@ class Remap {
         u_(u),
         now_{.lattice = moved(model.lattice(), std::move(x), std::move(y)), .velocity = {}},
         swept_(shape_, q.first(n_), q.subspan(n_, n_), now_.lattice.x, now_.lattice.y, shares_of(now_.lattice)),
-        quadrilateral_({1, 1}, model.lattice().bottom) {
+        bottom_(shape_, model.lattice().bottom) {
     for (std::size_t k = 0; k < n_; ++k) {
       depth_.push_back(on_shore(k) ? 0 : q_[2 * n_ + k] - bottom(swept_.old_point(k)));
     }
@@ -69,10 +69,7 @@ class Remap {
   [[nodiscard]] double old_value(std::size_t axis, const LatticePlace& at) const {
     return swept_.old().value(u_.subspan(axis * n_, n_), at);
   }
-  [[nodiscard]] double bottom(Point at) const {
-    const Lattice& lattice = now_.lattice;
-    return lattice.bottom ? lattice.bottom->slope(at.x, at.y).elevation : -lattice.depth;
-  }
+  [[nodiscard]] double bottom(Point at) const { return now_.lattice.bed(at.x, at.y); }
 
   /// Depth of the old surface: the cubic one's, as long as the bilinear one is near it. In a thin sheet the cubic one
   /// would go below the bottom.
@@ -83,9 +80,7 @@ class Remap {
 
   /// int b dA of the quadrilateral, by the rule of the model's volumes.
   [[nodiscard]] double bottom_under(const Quadrilateral& at) const {
-    const std::array x{at[0].x, at[1].x, at[3].x, at[2].x};
-    const std::array y{at[0].y, at[1].y, at[3].y, at[2].y};
-    if (now_.lattice.bottom) return quadrilateral_.volume({x.data(), y.data()}, 0);
+    if (now_.lattice.bottom) return bottom_.volume(at);
     const Corners j = jacobians(at);
     return -now_.lattice.depth * 0.5 * (j.c0 + j.c2);
   }
@@ -181,33 +176,25 @@ class Remap {
     return bilinear_patch::volume(at(now_.lattice.x), at(now_.lattice.y), at(now_.lattice.z));
   }
 
-  /// Columns that the interpolation leaves nearly dry begin with a part of the mean depth of their cells.
-  void fill_thin_columns() {
-    std::vector<double> water(n_, 0.0);
-    std::vector<double> area(n_, 0.0);
+  /// What the surface has too little of V*, to the nodes. Columns that the interpolation leaves nearly dry begin with a
+  /// part of the mean depth of their cells.
+  void level_water() {
+    // Around the nodes; by_z is dV/dz.
+    std::vector<double> water(n_, 0.0), area(n_, 0.0), by_z(n_, 0.0);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const auto corners = shape_.corners(cell);
       const Corners j = jacobians(corners_of(cell, true));
-      for (const std::size_t k : shape_.corners(cell)) {
-        water[k] += volume_[cell];
-        area[k] += 0.5 * (j.c0 + j.c2);
+      const Corners threes = bilinear_patch::threes(j);
+      const std::array rises{threes.c0 / 12, threes.c1 / 12, threes.c2 / 12, threes.c3 / 12};
+      for (std::size_t a = 0; a < 4; ++a) {
+        water[corners[a]] += volume_[cell];
+        area[corners[a]] += 0.5 * (j.c0 + j.c2);
+        by_z[corners[a]] += rises[a];
       }
     }
     for (std::size_t k = 0; k < n_; ++k) {
       if (on_shore(k)) continue;
       now_.lattice.z[k] = std::max(now_.lattice.z[k], bed_[k] + thinnest * water[k] / area[k]);
-    }
-  }
-
-  /// What the surface has too little of V*, to the nodes.
-  void level_water() {
-    fill_thin_columns();
-    // dV/dz of the nodes.
-    std::vector<double> area(n_, 0.0);
-    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      const auto corners = shape_.corners(cell);
-      const Corners threes = bilinear_patch::threes(jacobians(corners_of(cell, true)));
-      const std::array by_z{threes.c0 / 12, threes.c1 / 12, threes.c2 / 12, threes.c3 / 12};
-      for (std::size_t a = 0; a < 4; ++a) area[corners[a]] += by_z[a];
     }
     std::vector<char> sank;
     for (int pass = 0; pass < passes || std::ranges::count(sank, 1) > 0; ++pass) {
@@ -217,12 +204,12 @@ class Remap {
             now_.lattice.x[static_cast<std::size_t>(std::ranges::find(sank, 1) - sank.begin())]);
       }
       if (pass >= passes) share_with_neighbours(sank);
-      sank = raise(area);
+      sank = raise(by_z);
     }
   }
 
   /// One pass. A column sinks by a part of its depth at most: marks those that should sink more.
-  std::vector<char> raise(const std::vector<double>& area) {
+  std::vector<char> raise(const std::vector<double>& by_z) {
     std::vector<double> rise(n_, 0.0);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
       const auto corners = shape_.corners(cell);
@@ -230,7 +217,7 @@ class Remap {
       double wet = 0;
       for (const std::size_t k : corners) wet += on_shore(k) ? 0.0 : 1.0;
       for (const std::size_t k : corners) {
-        if (!on_shore(k)) rise[k] += lacking / (wet * area[k]);
+        if (!on_shore(k)) rise[k] += lacking / (wet * by_z[k]);
       }
     }
     std::vector<char> sank(n_, 0);
@@ -293,7 +280,7 @@ class Remap {
   Input q_, u_;
   Remapped now_;
   SweptRemap swept_;
-  BottomVolume quadrilateral_;
+  BottomVolume bottom_;
   std::vector<double> depth_;   // of the old nodes
   std::vector<double> bed_;     // below the new nodes
   std::vector<double> under_;   // bottom_under of the new cells

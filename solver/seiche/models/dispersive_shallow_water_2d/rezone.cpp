@@ -203,9 +203,7 @@ void RezonedFlow::follow(bool anyway) {
   if (!anyway && !(following_.drift(flow_->state().q, places) > settings_.drift)) return;
   try {
     rezone(places);
-  } catch (const mechanics::Infeasible&) {
-    ++refused_;
-  } catch (const Divergence&) {  // a new flow that cannot begin
+  } catch (const std::runtime_error&) {  // Infeasible, and Divergence of a new flow that cannot begin
     ++refused_;
   } catch (const std::invalid_argument&) {  // a surface that leaves a cell without water
     ++refused_;

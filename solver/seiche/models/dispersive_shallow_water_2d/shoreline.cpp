@@ -11,14 +11,8 @@ namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
-/// Relative round-off of a difference of two values. What is lacking to a discrete gradient beyond it is added; less,
-/// divided by a short way, would become a force.
+/// Relative round-off of a difference of two values, and of a place times a gradient.
 constexpr double noise = 8 * std::numeric_limits<double>::epsilon();
-
-/// How much of a quantity with this gradient the rounding of a place is worth, over the relative rounding.
-double rise(Point gradient, Point place) {
-  return std::abs(gradient.x * place.x) + std::abs(gradient.y * place.y);
-}
 
 }  // namespace
 
@@ -46,29 +40,28 @@ void Shoreline::tilt_between(Input q0, Input q1, Normals& normals) const {
     const Point from{q0[k], q0[nodes_ + k]};
     const Point way = Point{q1[k], q1[nodes_ + k]} - from;
     const auto middle = bottom_->slope(from.x + 0.5 * way.x, from.y + 0.5 * way.y);
-    Point slope{middle.along_x, middle.along_y};
+    std::array slope{middle.along_x, middle.along_y};
     const double begin = bottom_->slope(from.x, from.y).elevation;
     const double end = bottom_->slope(from.x + way.x, from.y + way.y).elevation;
-    const double lacking = end - begin - dot(slope, way);
-    const double roundoff = noise * (std::abs(begin) + std::abs(end) + rise(slope, from));
-    if (std::abs(lacking) > roundoff) slope += lacking / dot(way, way) * way;
-    const double length = std::sqrt(1 + dot(slope, slope));
-    normals[k] = {-slope.x / length, -slope.y / length, 1 / length};
+    const double rounded = std::abs(slope[0] * from.x) + std::abs(slope[1] * from.y);
+    complete(slope, {way.x, way.y}, end - begin, noise * (std::abs(begin) + std::abs(end) + rounded));
+    const double length = std::sqrt(1 + slope[0] * slope[0] + slope[1] * slope[1]);
+    normals[k] = {-slope[0] / length, -slope[1] / length, 1 / length};
   }
 }
 
 Shoreline::Ends Shoreline::ends(const std::array<std::size_t, 2>& nodes, Input q) const {
-  const auto [p, r] = nodes;
-  return {Point{q[p], q[nodes_ + p]}, Point{q[r], q[nodes_ + r]}};
+  return {q[nodes[0]], q[nodes_ + nodes[0]], q[nodes[1]], q[nodes_ + nodes[1]]};
 }
 
 Shoreline::Moment Shoreline::moment(const Edge& edge, const Ends& at) const {
-  const Point dp = at[0] - edge.first[0];
-  const Point dq = at[1] - edge.first[1];
+  const Point first_p{edge.first[0], edge.first[1]}, first_q{edge.first[2], edge.first[3]};
+  const Point dp = Point{at[0], at[1]} - first_p;
+  const Point dq = Point{at[2], at[3]} - first_q;
   Moment moment;
   for (const auto [s, weight] : gauss_points()) {
-    const Point place_p = edge.first[0] + s * dp;
-    const Point place_q = edge.first[1] + s * dq;
+    const Point place_p = first_p + s * dp;
+    const Point place_q = first_q + s * dq;
     const Point chord = place_q - place_p;
     const auto bottom_p = bottom_->slope(place_p.x, place_p.y);
     const auto bottom_q = bottom_->slope(place_q.x, place_q.y);
@@ -86,33 +79,30 @@ Shoreline::Moment Shoreline::moment(const Edge& edge, const Ends& at) const {
     const Point turn_q = near_q * (chord - s * dq) - near_p * s * dp;
     const double by_a = s * ((a / 2 + b / 6) * sweep_p + (a + b) / 6 * sweep_q);
     const double by_b = s * ((a + b) / 6 * sweep_p + (a / 6 + b / 2) * sweep_q);
-    moment.gradient[0] += half * Point{turn_p.y + by_a * bottom_p.along_x, -turn_p.x + by_a * bottom_p.along_y};
-    moment.gradient[1] += half * Point{turn_q.y + by_b * bottom_q.along_x, -turn_q.x + by_b * bottom_q.along_y};
+    moment.gradient[0] += half * (turn_p.y + by_a * bottom_p.along_x);
+    moment.gradient[1] += half * (-turn_p.x + by_a * bottom_p.along_y);
+    moment.gradient[2] += half * (turn_q.y + by_b * bottom_q.along_x);
+    moment.gradient[3] += half * (-turn_q.x + by_b * bottom_q.along_y);
   }
   return moment;
 }
 
 Shoreline::Moment Shoreline::moment_between(const Edge& edge, const Ends& from, const Ends& to) const {
+  Ends half{}, way{};
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    half[k] = 0.5 * (from[k] + to[k]);
+    way[k] = to[k] - from[k];
+  }
   const Moment begin = moment(edge, from);
-  const Moment middle = moment(edge, {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])});
+  const Moment middle = moment(edge, half);
   const Moment end = moment(edge, to);
   Moment result{.value = end.value - begin.value, .gradient = {}};
-  double done = 0;
-  double square = 0;
-  Ends way{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    result.gradient[k] = {(begin.gradient[k].x + 4 * middle.gradient[k].x + end.gradient[k].x) / 6,
-                          (begin.gradient[k].y + 4 * middle.gradient[k].y + end.gradient[k].y) / 6};
-    way[k] = to[k] - from[k];
-    done += dot(result.gradient[k], way[k]);
-    square += dot(way[k], way[k]);
-  }
-  const double lacking = result.value - done;
   double rounded = std::abs(begin.value) + std::abs(end.value);
-  for (std::size_t k = 0; k < 2; ++k) rounded += rise(end.gradient[k], to[k]);
-  if (std::abs(lacking) > noise * rounded) {
-    for (std::size_t k = 0; k < 2; ++k) result.gradient[k] += lacking / square * way[k];
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    result.gradient[k] = (begin.gradient[k] + 4 * middle.gradient[k] + end.gradient[k]) / 6;
+    rounded += std::abs(end.gradient[k] * to[k]);
   }
+  complete(result.gradient, way, result.value, noise * rounded);
   return result;
 }
 
@@ -130,8 +120,8 @@ void Shoreline::push(Input q0, Input q1, double gravity, Output forces) const {
     const Ends from = ends(edge.nodes, q0);
     const Moment there = q0.data() == q1.data() ? moment(edge, from) : moment_between(edge, from, ends(edge.nodes, q1));
     for (std::size_t k = 0; k < 2; ++k) {
-      forces[edge.nodes[k]] += gravity * there.gradient[k].x;
-      forces[nodes_ + edge.nodes[k]] += gravity * there.gradient[k].y;
+      forces[edge.nodes[k]] += gravity * there.gradient[2 * k];
+      forces[nodes_ + edge.nodes[k]] += gravity * there.gradient[2 * k + 1];
     }
   }
 }

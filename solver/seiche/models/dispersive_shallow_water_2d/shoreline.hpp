@@ -55,12 +55,12 @@ class Shoreline {
   void push(Input q0, Input q1, double gravity, Output forces) const;
 
  private:
+  using Ends = std::array<double, 4>;  ///< x, y of p, of q
   struct Edge {
     std::array<std::size_t, 2> nodes{};
-    std::size_t cell = 0;          ///< beside it
-    std::array<Point, 2> first{};  ///< p0, q0
+    std::size_t cell = 0;  ///< beside it
+    Ends first{};          ///< p0, q0
   };
-  using Ends = std::array<Point, 2>;
   struct Moment {
     double value = 0;
     Ends gradient{};

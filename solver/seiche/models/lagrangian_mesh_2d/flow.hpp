@@ -26,19 +26,6 @@ using mechanics::Scheme;
 using mechanics::Stepping;
 using mechanics::TimeComposition;
 
-/// The water at a wall, at one moment.
-struct WallLoad {
-  double time = 0;
-  double contact = 0;            ///< elevation of the contact point [m]
-  std::vector<double> y;         ///< middles of the wall's cells, from the bottom up [m]
-  std::vector<double> pressure;  ///< there [Pa]
-  /// Horizontal force on the wall towards the outside, hydrostatic pressure included [N/m].
-  double force = 0;
-
-  /// Linear between the middles, 0 at the contact point; extrapolated to the bottom. NaN above the contact point.
-  [[nodiscard]] double pressure_at(double elevation) const;
-};
-
 class Flow : public lattice::Flow<Model> {
  public:
   using Velocity = InitialVelocity;
@@ -67,15 +54,6 @@ class Flow : public lattice::Flow<Model> {
   /// Row `rows` of the nodes.
   [[nodiscard]] std::span<const double> surface_x() const { return top(x()); }
   [[nodiscard]] std::span<const double> surface_y() const { return top(y()); }
-  /// Surface elevation at places, linear between nodes; NaN beyond the surface's ends.
-  [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const;
-
-  enum class WallSide { left, right };
-  /// The load of a wall at the beginning of the last step, from the mean of the last two steps' multipliers. After two
-  /// steps of equal length, without composition.
-  [[nodiscard]] WallLoad wall_load(WallSide side) const;
-  /// Whether two steps have been made since the beginning or the last rezoning.
-  [[nodiscard]] bool knows_loads() const { return !state_.multipliers.empty() && !state_.earlier_multipliers.empty(); }
 
  private:
   [[nodiscard]] std::span<const double> top(std::span<const double> values) const {
@@ -87,23 +65,7 @@ class Flow : public lattice::Flow<Model> {
   std::unique_ptr<const UprightColumns> upright_;  // or none
   double drift_ = 0;
   Rezoning rezoning_;
-  // Before the last step.
-  double time_before_ = 0;
-  std::vector<double> y_before_;
 };
-
-/// First velocities of a mesh of water in potential flow, from the potential on its surface.
-///
-/// An impulsive pressure -rho phi on the free surface sets water at rest into the potential flow with phi there. On the
-/// mesh it gives velocities that the mesh itself could have got from rest. Velocities of the exact flow, sampled at the
-/// nodes, are not such ones: in a potential flow of the mesh surface nodes, which feel the pressure half a cell below,
-/// are slower along the surface by O(h). Given the exact velocity, they slide over the row beneath for ever.
-///
-/// Reference: Lamb, Hydrodynamics, 6th ed. (1932), art. 11, on impulsive pressures.
-///
-/// Velocities of the nodes of a mesh between walls, for Flow and Model::state.
-/// @param potential  on the surface, at place x [m^2/s]
-std::vector<Point> impulsive_start(const Mesh& mesh, const std::function<double(double x)>& potential);
 
 }  // namespace seiche::lagrangian_mesh_2d
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/geometry/curve.hpp"
+#include "seiche/geometry/gauss_mean.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
@@ -24,23 +24,20 @@ Mesh empty_mesh(std::size_t columns, std::size_t rows) {
   return mesh;
 }
 
-/// Ends of columns of equal area: int (depth + elevation) dx from one to the next is the same.
-std::vector<double> equal_columns(const Layer& layer) {
+/// Ends of columns of equal area, int (depth + elevation) dx from one to the next is the same; over a curved bottom of
+/// equal width.
+std::vector<double> column_ends(const Layer& layer) {
   const auto n = static_cast<double>(layer.columns);
   std::vector<double> ends(layer.columns + 1);
   for (std::size_t i = 0; i <= layer.columns; ++i) {
     ends[i] = layer.begin + (layer.end - layer.begin) * (static_cast<double>(i) / n);
   }
-  if (!layer.elevation) return ends;
+  if (!layer.elevation || layer.bottom) return ends;
   const auto depth = [&](double x) { return layer.depth + layer.elevation(x); };
   // Area up to the ends of narrow strips, then Newton's iteration inside the strip where a column ends.
   const std::size_t strips = 4 * layer.columns;
   const double width = (layer.end - layer.begin) / static_cast<double>(strips);
-  const auto area_between = [&](double from, double to) {
-    const double half = 0.5 * (to - from);
-    return half * boost::math::quadrature::gauss<double, 10>::integrate(
-                      [&](double s) { return depth(0.5 * (from + to) + half * s); }, -1, 1);
-  };
+  const auto area_between = [&](double from, double to) { return (to - from) * gauss_mean(depth, from, to); };
   std::vector<double> area{0};
   for (std::size_t k = 0; k < strips; ++k) {
     const double from = layer.begin + width * static_cast<double>(k);
@@ -63,26 +60,13 @@ std::vector<double> equal_columns(const Layer& layer) {
   return ends;
 }
 
-void fill_columns(Mesh& mesh, const std::vector<double>& x, const std::function<double(std::size_t)>& bottom,
-                  const std::function<double(std::size_t)>& surface) {
-  for (std::size_t i = 0; i <= mesh.columns; ++i) {
-    const double low = bottom(i);
-    const double high = surface(i);
-    for (std::size_t j = 0; j <= mesh.rows; ++j) {
-      const std::size_t k = mesh.node(i, j);
-      mesh.x[k] = x[i];
-      mesh.y[k] = plan_lattice::equally_spaced(low, high, j, mesh.rows);
-    }
-  }
-}
-
 /// Puts the bottom and the slope on one curve, along which the toe slides too.
 void round_toe(Mesh& mesh, Point toe, double tan_slope, double rounding) {
   const auto curve = std::make_shared<BentLine>(toe, Point{1, 0}, Point{1, tan_slope}, rounding);
   const auto put = [&](std::size_t node) {
-    const Point place = curve->position(curve->arc_length_at({mesh.x[node], mesh.y[node]}));
-    mesh.x[node] = place.x;
-    mesh.y[node] = place.y;
+    const auto [x, y] = curve->position(curve->arc_length_at({mesh.x[node], mesh.y[node]}));
+    mesh.x[node] = x;
+    mesh.y[node] = y;
   };
   for (std::size_t i = 0; i <= mesh.columns; ++i) put(mesh.node(i, 0));
   for (std::size_t j = 1; j <= mesh.rows; ++j) put(mesh.node(mesh.columns, j));
@@ -109,11 +93,18 @@ Mesh layer_mesh(const Layer& layer) {
   require_positive("end - begin", layer.end - layer.begin);
   require_positive("depth", layer.depth);
   Mesh mesh = empty_mesh(layer.columns, layer.rows);
-  const std::vector<double> x = equal_columns(layer);
-  fill_columns(
-      mesh, x, [&](std::size_t) { return -layer.depth; },
-      [&](std::size_t i) { return layer.elevation ? layer.elevation(x[i]) : 0.0; });
-  mesh.sides = {vertical_wall(layer.begin), vertical_wall(layer.end), level_wall(-layer.depth), FreeSide{}};
+  const std::vector<double> x = column_ends(layer);
+  for (std::size_t i = 0; i <= layer.columns; ++i) {
+    const double low = layer.bottom ? layer.bottom->position(layer.bottom->arc_length_at({x[i], 0})).y : -layer.depth;
+    const double high = layer.elevation ? layer.elevation(x[i]) : 0.0;
+    for (std::size_t j = 0; j <= layer.rows; ++j) {
+      const std::size_t k = mesh.node(i, j);
+      mesh.x[k] = x[i];
+      mesh.y[k] = plan_lattice::equally_spaced(low, high, j, layer.rows);
+    }
+  }
+  mesh.sides = {vertical_wall(layer.begin), vertical_wall(layer.end),
+                layer.bottom ? Wall{layer.bottom} : level_wall(-layer.depth), FreeSide{}};
   return mesh;
 }
 
@@ -136,26 +127,6 @@ Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend, d
   const Point contact{toe.x + layer.depth * cot, 0};
   mesh.sides.right = Wall{std::make_shared<Line>(contact, Point{1, tan_slope})};
   if (rounding > 0) round_toe(mesh, toe, tan_slope, rounding);
-  return mesh;
-}
-
-Mesh layer_mesh_over(std::shared_ptr<const GraphCurve> bottom, double begin, double end, std::size_t columns,
-                     std::size_t rows, const std::function<double(double x)>& elevation) {
-  require_finite("begin", begin);
-  require_finite("end", end);
-  require_positive("end - begin", end - begin);
-  Mesh mesh = empty_mesh(columns, rows);
-  std::vector<double> x(columns + 1);
-  for (std::size_t i = 0; i <= columns; ++i) {
-    x[i] = begin + (end - begin) * (static_cast<double>(i) / static_cast<double>(columns));
-  }
-  fill_columns(
-      mesh, x,
-      [&](std::size_t i) {
-        return bottom->position(bottom->arc_length_at({x[i], 0})).y;
-      },
-      [&](std::size_t i) { return elevation ? elevation(x[i]) : 0.0; });
-  mesh.sides = {vertical_wall(begin), vertical_wall(end), Wall{std::move(bottom)}, FreeSide{}};
   return mesh;
 }
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -25,28 +25,21 @@ std::array<double, 4> corner_triangles(const Mesh& mesh, std::span<const double>
   return {j.c0, j.c1, j.c2, j.c3};
 }
 
-void require_on(std::string_view side, const Wall& wall, const Mesh& mesh, double size, std::size_t first,
-                std::size_t stride, std::size_t count) {
-  require_that(wall.curve != nullptr, "{} wall has no curve", side);
-  for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t k = first + n * stride;
-    const Point node{mesh.x[k], mesh.y[k]};
-    const Point foot = wall.curve->position(wall.curve->arc_length_at(node));
-    const double distance = std::hypot(node.x - foot.x, node.y - foot.y);
-    require_that(distance <= 1e-12 * size, "node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}", node.x,
-                 node.y, distance, side, 1e-12 * size);
-  }
-}
-
 void require_side(std::string_view name, const Side& side, const Mesh& mesh, double size, std::size_t first,
                   std::size_t stride, std::size_t count) {
-  if (const auto* wall = std::get_if<Wall>(&side)) {
-    require_on(name, *wall, mesh, size, first, stride, count);
-  } else if (const auto* moving = std::get_if<MovingWall>(&side)) {
+  if (const auto* moving = std::get_if<MovingWall>(&side)) {
     require_that(moving->place && moving->velocity, "{} moving wall needs place and velocity", name);
     require_that(stride != 1, "a moving wall at the {}; allowed: left or right", name);
   } else if (const auto* given = std::get_if<PrescribedSide>(&side)) {
     require_that(given->position && given->velocity, "{} prescribed side needs position and velocity", name);
+  }
+  const auto* wall = std::get_if<Wall>(&side);
+  require_that(wall == nullptr || wall->curve != nullptr, "{} wall has no curve", name);
+  for (std::size_t k = first; wall != nullptr && k < first + count * stride; k += stride) {
+    const Point node{mesh.x[k], mesh.y[k]};
+    const double off = distance(node, wall->curve->position(wall->curve->arc_length_at(node)));
+    require_that(off <= 1e-12 * size, "node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}", node.x,
+                 node.y, off, name, 1e-12 * size);
   }
 }
 
@@ -65,11 +58,6 @@ bool Mesh::on_joined_sides(std::size_t cell, std::size_t corner) const {
   return joined(i == 0 ? sides.left : sides.right, j == 0 ? sides.bottom : sides.top);
 }
 
-bool Mesh::has_joined_sides() const {
-  return joined(sides.left, sides.bottom) || joined(sides.bottom, sides.right) || joined(sides.right, sides.top) ||
-         joined(sides.top, sides.left);
-}
-
 Wall vertical_wall(double place) {
   return {std::make_shared<Line>(Point{place, 0}, Point{0, 1})};
 }
@@ -79,16 +67,9 @@ Wall level_wall(double level) {
 }
 
 void Mesh::require_valid() const {
-  require_at_least("columns", static_cast<long>(columns), 1);
-  require_at_least("rows", static_cast<long>(rows), 1);
-  require_that(x.size() == nodes() && y.size() == nodes(),
-               "{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)", x.size(), y.size(), nodes());
-  double size = 0;
-  for (std::size_t k = 0; k < nodes(); ++k) {
-    require_that(std::isfinite(x[k]) && std::isfinite(y[k]), "node {} is at ({:g}, {:g}); allowed: finite", k, x[k],
-                 y[k]);
-    size = std::max({size, std::abs(x[k]), std::abs(y[k])});
-  }
+  plan_lattice::require_places(*this, 1, 1, {{"x", x}, {"y", y}});
+  Largest size;
+  for (std::size_t k = 0; k < nodes(); ++k) size.add(std::max(std::abs(x[k]), std::abs(y[k])));
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     const auto triangles = corner_triangles(*this, x, y, cell);
     const auto worst = std::min_element(triangles.begin(), triangles.end());
@@ -98,10 +79,10 @@ void Mesh::require_valid() const {
                  "positive",
                  cell, cell % columns, cell / columns, x[at], y[at], 0.5 * *worst);
   }
-  require_side("left", sides.left, *this, size, 0, columns + 1, rows + 1);
-  require_side("right", sides.right, *this, size, columns, columns + 1, rows + 1);
-  require_side("bottom", sides.bottom, *this, size, 0, 1, columns + 1);
-  require_side("top", sides.top, *this, size, rows * (columns + 1), 1, columns + 1);
+  require_side("left", sides.left, *this, size.value(), 0, columns + 1, rows + 1);
+  require_side("right", sides.right, *this, size.value(), columns, columns + 1, rows + 1);
+  require_side("bottom", sides.bottom, *this, size.value(), 0, 1, columns + 1);
+  require_side("top", sides.top, *this, size.value(), rows * (columns + 1), 1, columns + 1);
 }
 
 double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {

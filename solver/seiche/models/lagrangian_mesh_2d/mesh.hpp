@@ -65,7 +65,6 @@ struct Mesh : plan_lattice::Shape {
 
   /// Whether a corner of a cell is one of the mesh, between joined sides.
   [[nodiscard]] bool on_joined_sides(std::size_t cell, std::size_t corner) const;
-  [[nodiscard]] bool has_joined_sides() const;
 
   /// Throws std::invalid_argument: no cells, arrays of other lengths, values that are not finite, a corner that is not
   /// convex (by cell), a node that is off its wall by more than 1e-12 of the mesh's size, missing functions.
@@ -84,10 +83,10 @@ double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<con
 struct Quadrilateral {
   static constexpr std::size_t axes = 2, corners = 4, stored = 4, mobilities = 2, momenta = 2, turns = 1;
 
-  template <std::size_t corner, std::size_t axis>
-  SEICHE_INLINE static double gradient(const double* s, std::ptrdiff_t stride, std::ptrdiff_t i) {
-    constexpr std::ptrdiff_t number = corner % 2 == 0 ? 3 - axis : 1 - axis;  // of ax, ay, bx, by
-    constexpr bool positive = (corner == 1 || corner == 2) == (axis == 0);
+  SEICHE_INLINE static double gradient(std::size_t corner, std::size_t axis, const double* s, std::ptrdiff_t stride,
+                                       std::ptrdiff_t i) {
+    const auto number = static_cast<std::ptrdiff_t>(corner % 2 == 0 ? 3 - axis : 1 - axis);  // of ax, ay, bx, by
+    const bool positive = (corner == 1 || corner == 2) == (axis == 0);
     return positive ? s[number * stride + i] : -s[number * stride + i];
   }
   SEICHE_INLINE static double rate(const double* s, std::ptrdiff_t stride, const auto& u, std::ptrdiff_t i) {

@@ -19,12 +19,6 @@ namespace seiche::lagrangian_mesh_2d {
 
 namespace {
 
-lattice::Cells valid_cells(const Mesh& mesh, const Settings& settings) {
-  mesh.require_valid();
-  require_ranges(settings);
-  return {mesh.columns, mesh.rows};
-}
-
 std::vector<double> areas_of(const Mesh& mesh) {
   std::vector<double> areas(mesh.cells());
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) areas[cell] = cell_area(mesh, mesh.x, mesh.y, cell);
@@ -36,9 +30,8 @@ double speed_along(Point direction, Point velocity) {
   return dot(direction, velocity) / dot(direction, direction);
 }
 
-double mean_area(const Mesh& mesh) {
-  const std::vector<double> areas = areas_of(mesh);
-  return std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
+double sum(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 /// The undeformed lattice nearest to a mesh, which preconditions its large systems: columns of the mesh's mean width,
@@ -65,19 +58,20 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
 }  // namespace
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
-    : Water{valid_cells(mesh, settings),
+    : Water{lattice::valid_cells(mesh, settings, {mesh.columns, mesh.rows}),
+            areas_of(mesh),
             {mesh.columns, mesh.rows, settings.solver, undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
       mesh_(std::move(mesh)),
       settings_(settings),
       forcing_(std::move(forcing)),
-      nodes_(mesh_, areas_of(mesh_), settings.density, settings.tuned_surface_inertia),
+      nodes_(mesh_, volume_, settings.density, settings.tuned_surface_inertia),
       edges_(mesh_),
-      hourglass_(mesh_, settings.hourglass * settings.density * settings.gravity * std::sqrt(mean_area(mesh_))),
+      hourglass_(mesh_, settings.hourglass * settings.density * settings.gravity *
+                            std::sqrt(sum(volume_) / static_cast<double>(mesh_.cells()))),
       barrier_(settings.corner_barrier * settings.density * settings.gravity) {
   require_that(!edges_.empty(), "the mesh has no free side; allowed: at least one");
   require_that(settings.lowest_corner < 1, "lowest_corner = {:g}; allowed: below 1", settings.lowest_corner);
-  volume_ = areas_of(mesh_);
   lowest_triangle_ = settings.lowest_corner * std::ranges::max(volume_);
   const bool everywhere = hourglass_.active() || barrier_.active() || forcing_.body_force;
   first_pushed_row_ = everywhere ? 0 : edges_.first_node() / (mesh_.columns + 1);
@@ -96,7 +90,7 @@ mechanics::State Model::state(const InitialVelocity& velocity, double time) cons
     state.u[n_ + k] = nodes_.wy()[k] > 0 ? given[k].y : 0.0;
   }
   for (const Slide& slide : nodes_.slides()) {
-    const double s = slide.curve->arc_length_at(nodes_.label(slide.node));
+    const double s = slide.curve->arc_length_at({mesh_.x[slide.node], mesh_.y[slide.node]});
     const Point tangent = slide.curve->tangent(s);
     put_point(dot(tangent, given[slide.node]) * tangent, state.u, n_, slide.node);
     // On the curve to the last bit, where it will be put after every step.
@@ -127,7 +121,7 @@ void Model::gather(Input q0, Input q1, Input middle, int /*sweep*/) {
   if (!instant) gather_forces(q1, 1.0 / 6);
   if (forcing_.body_force) {
     push_bodies([&](std::size_t k) {
-      const Point force = forcing_.body_force(nodes_.label(k), when_.middle());
+      const Point force = forcing_.body_force({mesh_.x[k], mesh_.y[k]}, when_.middle());
       return std::array{force.x, force.y};
     });
   }
@@ -161,9 +155,7 @@ void Model::measure(Input at) {
     if (measure_row(mesh_.columns, around(j, at), gradients_.row(j)) <= lowest_triangle_) low = true;
   });
   // A flat corner between joined sides is none that counts.
-  if (low && !(mesh_.has_joined_sides() && worst_corner(at).shape > settings_.lowest_corner)) {
-    throw_tangled(at, settings_.lowest_corner);
-  }
+  if (low && !(worst_corner(at).shape > settings_.lowest_corner)) throw_tangled(at, settings_.lowest_corner);
 }
 
 void Model::gather_forces(Input at, double weight) {
@@ -207,21 +199,10 @@ void Model::settle(Interval when, Output q, Output u) const {
   }
 }
 
-namespace {
-
-/// (v_2 - v_0) x (w_3 - w_1) and the like, symmetric in v and w: the second derivative of a cell's area along them.
-double bilinear(const std::array<std::size_t, 4>& r, const double* vx, const double* vy, const double* wx,
-                const double* wy) {
-  const auto along = [](const double* z, std::size_t from, std::size_t to) { return z[to] - z[from]; };
-  return 0.5 * (along(vx, r[0], r[2]) * along(wy, r[1], r[3]) + along(wx, r[0], r[2]) * along(vy, r[1], r[3]) -
-                along(vx, r[1], r[3]) * along(wy, r[0], r[2]) - along(wx, r[1], r[3]) * along(vy, r[0], r[2]));
-}
-
-}  // namespace
-
 void Model::curvature(Input u, Input v, Output b) const {
+  // Areas are bilinear in x and y: their second derivative along u and v.
   for (std::size_t cell = 0; cell < mesh_.cells(); ++cell) {
-    b[cell] = bilinear(mesh_.corners(cell), u.data(), u.data() + n_, v.data(), v.data() + n_);
+    b[cell] = cell_area(mesh_, u, v.subspan(n_), cell) + cell_area(mesh_, v, u.subspan(n_), cell);
   }
   for (const Slide& slide : nodes_.slides()) {
     const auto speed = [&](Input rates) { return dot(slide.direction, point_at(rates, n_, slide.node)); };
@@ -247,8 +228,7 @@ double Model::potential_energy(Input q) const {
 double longest_stable_step(const Model& model) {
   const Mesh& mesh = model.mesh();
   const Settings& settings = model.settings();
-  const auto areas = model.first_volumes();
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double area = sum(model.first_volumes());
   const double width = mesh.x[mesh.node(mesh.columns, 0)] - mesh.x[mesh.node(0, 0)];
   const bool layer = !std::holds_alternative<FreeSide>(mesh.sides.bottom) && width > 0;
   double gravity_square = 0;

@@ -67,8 +67,8 @@ struct Settings {
   bool tuned_surface_inertia = false;
   /// Stiffness of a repulsion between the sides of a corner that is about to invert (nodes.hpp); 0: none.
   double corner_barrier = 0;
-  /// Shape of a corner (mesh.hpp) at which the mesh counts as inverted, for the largest cell. Areas stay positive, and
-  /// the equations solvable, beyond a tangle: minus infinity goes on as in the source.
+  /// Shape of a corner (mesh.hpp) at which the mesh counts as inverted. Areas stay positive, and the equations
+  /// solvable, beyond a tangle: minus infinity goes on as in the source.
   double lowest_corner = 0;
   linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured

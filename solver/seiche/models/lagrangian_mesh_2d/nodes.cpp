@@ -14,14 +14,10 @@ namespace seiche::lagrangian_mesh_2d {
 
 namespace {
 
-bool vertical(const Wall& wall) {
+/// Of a straight wall; of a curve one that is along no axis.
+Point direction(const Wall& wall) {
   const auto* line = dynamic_cast<const Line*>(wall.curve.get());
-  return line != nullptr && line->tangent(0).x == 0;
-}
-
-bool level(const Wall& wall) {
-  const auto* line = dynamic_cast<const Line*>(wall.curve.get());
-  return line != nullptr && line->tangent(0).y == 0;
+  return line != nullptr ? line->tangent(0) : Point{1, 1};
 }
 
 /// Level and unbent to rounding: a node that is driven along x does not leave the curve then.
@@ -48,18 +44,13 @@ Nodes::Nodes(const Mesh& mesh, std::span<const double> areas, double density, bo
     }
   }
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-    labels_.push_back({mesh.x[k], mesh.y[k]});
     wx_.push_back(1 / mass_[k]);
     wy_.push_back(1 / inertia_y_[k]);
   }
-  const Sides& sides = *sides_;
-  for (std::size_t i = 1; i < mesh.columns; ++i) {
-    hold(mesh.node(i, 0), {&sides.bottom});
-    hold(mesh.node(i, mesh.rows), {&sides.top});
-  }
-  for (std::size_t j = 1; j < mesh.rows; ++j) {
-    hold(mesh.node(0, j), {&sides.left});
-    hold(mesh.node(mesh.columns, j), {&sides.right});
+  const auto walks = plan_lattice::nodes_around(mesh);
+  const std::array sides{&sides_->bottom, &sides_->right, &sides_->top, &sides_->left};
+  for (std::size_t s = 0; s < walks.size(); ++s) {
+    for (std::size_t k = 1; k + 1 < walks[s].size(); ++k) hold(mesh, walks[s][k], {sides[s]});
   }
   for (const std::size_t i : {std::size_t{0}, mesh.columns}) {
     for (const std::size_t j : {std::size_t{0}, mesh.rows}) hold_corner(mesh, i, j);
@@ -72,18 +63,18 @@ void Nodes::hold_corner(const Mesh& mesh, std::size_t i, std::size_t j) {
   const std::size_t node = mesh.node(i, j);
   const auto* wall = std::get_if<Wall>(&beside);
   const bool contact = wall != nullptr && std::holds_alternative<FreeSide>(across);
-  require_that(!contact || !level(*wall),
+  require_that(!contact || direction(*wall).y != 0,
                "the free side ends at a level wall, at ({:g}, {:g}); allowed: walls with a slope", mesh.x[node],
                mesh.y[node]);
-  hold(node, {&beside, &across});
+  hold(mesh, node, {&beside, &across});
   if (contact && !slides_.empty() && slides_.back().node == node) {
     // Pi = ... + W at the left end of the surface, - W at its right end; reversed at a free bottom.
     slides_.back().contact_sign = (i == 0) == (j != 0) ? 1 : -1;
   }
 }
 
-void Nodes::hold(std::size_t node, const std::vector<const Side*>& sides) {
-  const Point first = label(node);
+void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Side*>& sides) {
+  const Point first{mesh.x[node], mesh.y[node]};
   const MovingWall* moving = nullptr;
   const PrescribedSide* path = nullptr;
   std::vector<const Wall*> walls;
@@ -94,32 +85,24 @@ void Nodes::hold(std::size_t node, const std::vector<const Side*>& sides) {
   }
   if (path != nullptr) {
     wx_[node] = wy_[node] = 0;
-    driven_.push_back({.node = node,
-                       .both = true,
-                       .place = [path, first](double time) { return path->position(first, time); },
-                       .velocity = [path, first](double time) { return path->velocity(first, time); }});
+    driven_.push_back({node, true, [path, first](double time) { return path->position(first, time); },
+                       [path, first](double time) { return path->velocity(first, time); }});
   } else if (moving != nullptr) {
     require_that(walls.empty() || level_at(*walls.front(), first),
                  "a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there", first.x,
                  first.y);
     wx_[node] = 0;
     if (!walls.empty()) wy_[node] = 0;
-    driven_.push_back({.node = node,
-                       .both = false,
-                       .place =
-                           [moving, first](double time) {
-                             return Point{moving->place(time), first.y};
-                           },
-                       .velocity =
-                           [moving](double time) {
-                             return Point{moving->velocity(time), 0};
-                           }});
+    const auto level_with = [](const std::function<double(double)>* along, double y) {
+      return [along, y](double time) { return Point{(*along)(time), y}; };
+    };
+    driven_.push_back({node, false, level_with(&moving->place, first.y), level_with(&moving->velocity, 0)});
   } else if (walls.size() == 2 && !joined(*sides[0], *sides[1])) {
     wx_[node] = wy_[node] = 0;
   } else if (!walls.empty()) {
-    if (vertical(*walls.front())) {
+    if (direction(*walls.front()).x == 0) {
       wx_[node] = 0;
-    } else if (level(*walls.front())) {
+    } else if (direction(*walls.front()).y == 0) {
       wy_[node] = 0;
     } else {
       const Curve& curve = *walls.front()->curve;

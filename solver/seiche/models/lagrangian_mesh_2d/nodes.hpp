@@ -70,15 +70,11 @@ class Nodes {
   [[nodiscard]] std::span<Slide> slides() { return slides_; }
   [[nodiscard]] std::span<const Driven> driven() const { return driven_; }
 
-  /// Where it was at first.
-  [[nodiscard]] Point label(std::size_t node) const { return labels_[node]; }
-
  private:
-  void hold(std::size_t node, const std::vector<const Side*>& sides);
+  void hold(const Mesh& mesh, std::size_t node, const std::vector<const Side*>& sides);
   void hold_corner(const Mesh& mesh, std::size_t i, std::size_t j);
 
   std::shared_ptr<const Sides> sides_;  // what slides and driven nodes point to, in copies too
-  std::vector<Point> labels_;
   std::vector<double> mass_, inertia_y_, wx_, wy_;
   std::vector<Slide> slides_;
   std::vector<Driven> driven_;

@@ -42,7 +42,7 @@ UprightColumns::UprightColumns(const Mesh& first) : shape_(first) {
   require_straight_wall("left", first.sides.left);
   require_straight_wall("right", first.sides.right);
   require_that(std::holds_alternative<Wall>(first.sides.bottom) && std::holds_alternative<FreeSide>(first.sides.top) &&
-                   !first.has_joined_sides(),
+                   !joined(first.sides.left, first.sides.bottom) && !joined(first.sides.bottom, first.sides.right),
                "a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
                "on into, under a free surface");
   require_at_least("columns", static_cast<long>(shape_.columns), 3);

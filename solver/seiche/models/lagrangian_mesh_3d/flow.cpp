@@ -22,70 +22,10 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
                 surely_stable_step(*model), smooth_start && model->nodes().driven().empty());
 }
 
-namespace {
-
-/// int N_a dr x dr of the corners of a patch.
-std::array<Vector, 4> corner_areas(const std::array<Vector, 4>& r) {
-  std::array<Vector, 4> normal{};
-  for (std::size_t a = 0; a < 4; ++a) {
-    normal[a] = cross(r[(a + 1) % 4] - r[a], r[(a + 3) % 4] - r[a]);
-  }
-  std::array<Vector, 4> area{};
-  for (std::size_t a = 0; a < 4; ++a) {
-    area[a] = (4 * normal[a] + 2 * (normal[(a + 1) % 4] + normal[(a + 3) % 4]) + normal[(a + 2) % 4]) / 36;
-  }
-  return area;
-}
-
-}  // namespace
-
-std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double(double x, double y)>& potential) {
-  Model model(mesh, {.gravity = 0, .tolerance = 1e-13});
-  const std::size_t n = mesh.nodes();
-  std::vector<Vector> impulse(n);
-  const std::size_t top = mesh.layers * mesh.plan.nodes();
-  for (std::size_t cell = 0; cell < mesh.plan.cells(); ++cell) {
-    auto nodes = mesh.plan.corners(cell);
-    std::array<Vector, 4> r{};
-    double x = 0;
-    double y = 0;
-    for (std::size_t a = 0; a < 4; ++a) {
-      nodes[a] += top;
-      r[a] = {mesh.x[nodes[a]], mesh.y[nodes[a]], mesh.z[nodes[a]]};
-      x += r[a].x / 4;
-      y += r[a].y / 4;
-    }
-    const double phi = potential(x, y);
-    const auto area = corner_areas(r);
-    for (std::size_t a = 0; a < 4; ++a) {
-      impulse[nodes[a]] = impulse[nodes[a]] + phi * area[a];
-    }
-  }
-  const std::vector<double>& mass = model.nodes().mass();
-  std::vector<Vector> velocities(n);
-  for (std::size_t k = top; k < n; ++k) {
-    velocities[k] = impulse[k] / mass[k];
-  }
-  mechanics::State state = model.state(velocities);
-  mechanics::Start(model).project(state);
-  for (std::size_t k = 0; k < n; ++k) velocities[k] = vector_at(state.u, k);
-  return velocities;
-}
-
-namespace {
-
-void require_ascending(const char* first, double begin, const char* last, double end) {
-  require_finite(first, begin);
-  require_finite(last, end);
-  require_that(end > begin, "{} = {:g}; allowed: above {} = {:g}", last, end, first, begin);
-}
-
-}  // namespace
-
 Mesh layer_mesh(const Layer& layer) {
   using plan_lattice::equally_spaced;
-  require_ascending("begin", layer.begin, "end", layer.end);
-  if (!layer.south_wall) require_ascending("south", layer.south, "north", layer.north);
+  plan_lattice::require_ascending("begin", layer.begin, "end", layer.end);
+  if (!layer.south_wall) plan_lattice::require_ascending("south", layer.south, "north", layer.north);
   require_positive("depth", layer.depth);
   Mesh mesh{.plan = {layer.columns, layer.rows},
             .layers = layer.layers,

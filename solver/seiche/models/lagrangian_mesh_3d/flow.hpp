@@ -62,22 +62,6 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   [[nodiscard]] std::span<const double> surface_z() const { return z().last(shape().nodes()); }
 };
 
-/// First velocities of a mesh of water in potential flow, from the potential on its surface.
-///
-/// An impulsive pressure -rho phi on the free surface sets water at rest into the potential flow with phi there. On the
-/// mesh it gives velocities that the mesh itself could have got from rest. Velocities of the exact flow, sampled at the
-/// nodes, are not such ones: they hold vorticity of the mesh, levels slide over each other for ever, and cells are
-/// sheared until they tangle.
-///
-/// The force of a pressure on a bilinear patch is shared among its corners by p int N_a dr x dr, N_a the corner's
-/// bilinear function: with n_a = (r_{a+1} - r_a) x (r_{a-1} - r_a), p (4 n_a + 2 n_{a+1} + 2 n_{a-1} + n_{a+2})/36.
-///
-/// Reference: Lamb, Hydrodynamics, 6th ed. (1932), art. 11, on impulsive pressures.
-///
-/// Velocities of the nodes of a mesh, for Flow and Model::state. Nodes of driven sides have their side's.
-/// @param potential  on the surface, at place x, y [m^2/s]
-std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double(double x, double y)>& potential);
-
 }  // namespace seiche::lagrangian_mesh_3d
 
 /// Compiled once, in flow.cpp.

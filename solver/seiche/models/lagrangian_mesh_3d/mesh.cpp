@@ -31,13 +31,10 @@ constexpr std::array<std::array<std::size_t, 3>, 8> edges{
 
 using V3 = Vector3;
 
-/// Row and place in it of a corner: 0, 3, 4, 7 on the west side of the cell, 1, 2, 5, 6 on the east side.
-constexpr std::array<std::size_t, 8> row_of{0, 0, 1, 1, 2, 2, 3, 3};
-constexpr std::array<std::size_t, 8> east{0, 1, 1, 0, 0, 1, 1, 0};
-
 SEICHE_INLINE V3 at(const NodeVectors& r, std::size_t corner, std::size_t i) {
-  const std::size_t row = row_of[corner];
-  const std::size_t k = i + east[corner];
+  const auto [east, north, above] = lattice::place_of[corner];
+  const auto row = static_cast<std::size_t>(north + 2 * above);
+  const std::size_t k = i + static_cast<std::size_t>(east);
   return {r[0][row][k], r[1][row][k], r[2][row][k]};
 }
 
@@ -107,15 +104,8 @@ std::array<std::size_t, 8> Mesh::corners(std::size_t cell) const {
 }
 
 void Mesh::require_valid() const {
-  require_at_least("columns", static_cast<long>(plan.columns), 1);
-  require_at_least("rows", static_cast<long>(plan.rows), 1);
   require_at_least("layers", static_cast<long>(layers), 1);
-  require_that(x.size() == nodes() && y.size() == nodes() && z.size() == nodes(),
-               "coordinates of {}, {}, {} nodes; allowed: {} each", x.size(), y.size(), z.size(), nodes());
-  for (std::size_t k = 0; k < nodes(); ++k) {
-    require_that(std::isfinite(x[k]) && std::isfinite(y[k]) && std::isfinite(z[k]),
-                 "node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]);
-  }
+  plan_lattice::require_places(plan, 1, layers + 1, {{"x", x}, {"y", y}, {"z", z}});
   require_bottom();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     const CellCorners r = corners_of(*this, x, y, z, cell);

@@ -15,12 +15,6 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
-lattice::Cells valid_cells(const Mesh& mesh, const Settings& settings) {
-  mesh.require_valid();
-  require_ranges(settings);
-  return {mesh.plan.columns, mesh.plan.rows, mesh.layers};
-}
-
 std::vector<double> volumes_of(const Mesh& mesh) {
   std::vector<double> volumes(mesh.cells());
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
@@ -65,17 +59,16 @@ linear::UndeformedLattice undeformed_lattice(const Mesh& mesh, double density) {
 }  // namespace
 
 Model::Model(Mesh mesh, Settings settings, Forcing forcing)
-    : Water{valid_cells(mesh, settings),
+    : Water{lattice::valid_cells(mesh, settings, {mesh.plan.columns, mesh.plan.rows, mesh.layers}),
+            volumes_of(mesh),
             {undeformed_lattice(mesh, settings.density), settings.tolerance},
             settings.tolerance},
       mesh_(std::move(mesh)),
       settings_(settings),
       east_width_(mesh_.x[mesh_.plan.columns] - mesh_.x[mesh_.plan.columns - 1]),
-      nodes_(mesh_, volumes_of(mesh_), settings.density),
-      bottom_(mesh_.bottom, nodes_.on_bottom()),
+      nodes_(mesh_, volume_, settings.density),
       surface_(mesh_.plan.columns, mesh_.plan.rows, n_),
       forcing_(std::move(forcing)) {
-  volume_ = volumes_of(mesh_);
   first_pushed_row_ = forcing_.body_force ? 0 : (mesh_.plan.rows + 1) * mesh_.layers;
 }
 
@@ -85,19 +78,17 @@ mechanics::State Model::state(const Velocity& velocity, double time) const {
   const auto given = lattice::nodal(velocity, n_, [&](const VelocityAt& at, std::size_t k) {
     return at({mesh_.x[k], mesh_.y[k], mesh_.z[k]});
   });
-  Bottom bottom = bottom_;
-  bottom.turn(mesh_.x, mesh_.y, mesh_.x, mesh_.y);
-  for (std::size_t k = 0; k < n_; ++k) {
-    put_vector(k < bottom.nodes() ? given[k] : nodes_.allowed(k, given[k]), k, state.u);
-  }
-  bottom.project(state.u);
+  for (std::size_t k = 0; k < n_; ++k) put_vector(given[k], k, state.u);
+  Nodes nodes = nodes_;
+  nodes.turn(state.q, state.q);
+  nodes.project(n_, state.u);
   settle({time, 0}, state.q, state.u);
   return state;
 }
 
 void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
   const bool instant = q0.data() == q1.data();
-  bottom_.turn(q0.first(n_), q0.subspan(n_, n_), q1.first(n_), q1.subspan(n_, n_));
+  nodes_.turn(q0, q1);
   measure(at);
   // Simpson's mean of the gradient of a quartic, which is cubic, is exact.
   const double weight = settings_.density * settings_.gravity;
@@ -121,7 +112,7 @@ void Model::gather(Input q0, Input q1, Input at, int /*sweep*/) {
 }
 
 void Model::measure(Input q) {
-  driven_place_ = driven_places(q);
+  if (!nodes_.driven().empty()) driven_from_.assign(q.begin(), q.end());
   std::atomic<bool> tangled = false;
   each_row([&](std::size_t row) {
     const NodeVectors r = around(row, q);
@@ -133,36 +124,24 @@ void Model::measure(Input q) {
 
 void Model::hold() {
   held_.clear();
-  for (const auto& [node, t] : nodes_.slides()) {
-    held_.push_back({.node = node, .w = {t.x * t.x, t.y * t.y, 0, t.x * t.y, 0, 0}});
-  }
-  for (std::size_t k = 0; k < bottom_.nodes(); ++k) held_.push_back({.node = k, .w = bottom_.left(k)});
-  for (Held& held : held_) {
-    for (double& w : held.w) w /= nodes_.mass()[held.node];
+  for (const std::size_t k : nodes_.slanted()) {
+    held_.push_back({.node = k, .w = nodes_.left(k)});
+    for (double& w : held_.back().w) w /= nodes_.mass()[k];
   }
 }
 
 void Model::kick(double h, Output u) const {
   Water::kick(h, u);
-  bottom_.project(u);  // it takes what would go through it
+  nodes_.project(nodes_.on_bottom(), u);  // the bottom takes what would go through it
 }
 
-void Model::drive(double time, std::span<const Place> places, Output u) const {
-  for (std::size_t d = 0; d < places.size(); ++d) {
-    const Driven& driven = nodes_.driven()[d];
-    const Point v = driven.side->velocity(places[d], time);
+void Model::drive(double time, Input q, Output u) const {
+  for (const Driven& driven : nodes_.driven()) {
+    const Point v = driven.side->velocity(vector_at(q, driven.node), time);
     const double into_wall = dot(v, driven.wall);
     u[driven.node] = v.x - into_wall * driven.wall.x;
     u[n_ + driven.node] = v.y - into_wall * driven.wall.y;
   }
-}
-
-std::vector<Place> Model::driven_places(Input q) const {
-  std::vector<Place> places;
-  for (const Driven& driven : nodes_.driven()) {
-    places.push_back({q[driven.node], q[n_ + driven.node], q[2 * n_ + driven.node]});
-  }
-  return places;
 }
 
 void Model::shift_east(mechanics::State& state) {
@@ -182,7 +161,9 @@ void Model::shift_east(mechanics::State& state) {
       state.q[west] = mean.x;
       state.q[n_ + west] = mean.y;
       state.q[2 * n_ + mesh_.node(columns, j, l)] = bottom * static_cast<double>(mesh_.layers - l) / layers;
-      put_vector(nodes_.allowed(west, vector_at(state.u, west)), west, state.u);
+      const auto [u, v, w] = vector_at(state.u, west);
+      const auto kept = lattice::times(nodes_.left(west), {u, v, w});
+      put_vector({kept[0], kept[1], kept[2]}, west, state.u);
     }
   }
   // The new cells, and those whose west faces were straightened.

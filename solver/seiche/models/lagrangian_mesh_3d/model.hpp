@@ -96,8 +96,8 @@ class Model : public lattice::Water<Hexahedron, Model> {
 
   // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
   void kick(double h, Output u) const;
-  void enter(Input, Output u) const { drive(when_.middle(), driven_place_, u); }
-  void settle(Interval when, Output q, Output u) const { drive(when.end(), driven_places(q), u); }
+  void enter(Input, Output u) const { drive(when_.middle(), driven_from_, u); }
+  void settle(Interval when, Output q, Output u) const { drive(when.end(), q, u); }
   [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % n_]; }
 
   /// [J], zero for still water. @param counted  marks the columns of cells whose water counts; empty: all
@@ -130,7 +130,7 @@ class Model : public lattice::Water<Hexahedron, Model> {
   // What lattice::Water asks for.
   void gather(Input q0, Input q1, Input at, int sweep);
   [[nodiscard]] std::array<const double*, 3> mobility() const {
-    return {nodes_.wx().data(), nodes_.wy().data(), nodes_.wz().data()};
+    return {nodes_.w(0).data(), nodes_.w(1).data(), nodes_.w(2).data()};
   }
   [[nodiscard]] std::span<const double> node_masses() const { return nodes_.mass(); }
   [[nodiscard]] std::array<double, 3> momentum_of(std::size_t k, Input u) const {
@@ -149,19 +149,17 @@ class Model : public lattice::Water<Hexahedron, Model> {
   void measure(Input q);
   /// What each node is held to moves by, besides the axes.
   void hold();
-  [[nodiscard]] std::vector<Place> driven_places(Input q) const;
-  /// Velocities of driven nodes at these places.
-  void drive(double time, std::span<const Place> places, Output u) const;
+  /// Velocities of driven nodes where they are at q.
+  void drive(double time, Input q, Output u) const;
 
   Mesh mesh_;
   Settings settings_;
   double east_width_;
   Nodes nodes_;
-  Bottom bottom_;
   lattice::SurfacePatches surface_;
   Forcing forcing_;
   std::vector<double> delta_;
-  std::vector<Place> driven_place_;  // at the linearised configuration
+  std::vector<double> driven_from_;  // the linearised configuration, if nodes are driven
 };
 
 /// Longest step of the one-step scheme that is surely stable on a mesh.
