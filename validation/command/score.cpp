@@ -437,6 +437,8 @@ int score(const ScoreOptions& options) {
     wanted = {alone};
   }
   std::vector<Read> all = read_all(options, wanted, renamed);
+  const std::vector<WantedTable> asked = wanted;
+  for (const Read& one : all) wanted = validation::given_of(wanted, one.submitted);
   const std::optional<validation::Ladder> ladder = ladder_of(options, wanted, all);
   if (ladder) validation::add_numerical(*ladder, uncertainty);
   const std::optional<validation::Repeats> repeats = repeats_of(options, all);
@@ -447,7 +449,7 @@ int score(const ScoreOptions& options) {
   validation::FirstLook look;
   const validation::SolverFacts facts = facts_of(options, uncertainty);
   try {
-    validation::score(wanted, judged.submitted, uncertainty, record);
+    validation::score(asked, judged.submitted, uncertainty, record);
     if (one.submission.judge) one.submission.judge(values, judged.submitted, facts, record);
     validation::judge_history(one.phenomenon, judged.history, record);
     const bool shift_fitted = record.measurements().contains("time_shift");

@@ -25,6 +25,8 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
   const double cell = judged_cell(submitted, states.length(), cells, facts);
   const ProfilePoints points = submitted_points(submitted, start, end, cell);
   const RiemannErrors errors = riemann_errors(solution, since, points);
+  const bool depth = submitted.at("profile").front().values.contains("h");
+  const bool both = depth && submitted.at("profile").front().values.contains("u");
   record.measure("l1_h", errors.depth);
   record.measure("l1_u", errors.velocity);
   record.measure("points", static_cast<double>(points.x.size()));
@@ -35,6 +37,11 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
 
   const std::string resolution = resolution_of(points, cell, facts);
   for (const RiemannRequirement& one : riemann_requirements(solution, since, start, end, cell, points.apart())) {
+    const bool of_flow = one.error == &RiemannErrors::discharge || one.error == &RiemannErrors::momentum;
+    if (!(of_flow ? both : depth)) {
+      record.leave_out({claim_of(one), of_flow ? "needs depth and velocity" : "needs the depth"});
+      continue;
+    }
     if (one.id == "front" && !points.cover(judged.front.position)) {
       record.leave_out({claim_of(one), "the points do not reach the front"});
       continue;
