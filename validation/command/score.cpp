@@ -153,6 +153,7 @@ int print_power(const Case& one, const Values& values, const std::vector<WantedT
 std::string error_text(const evidence::JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
   const double error = j.measured - j.expected;
+  if (!std::isfinite(error)) return "not measured";
   if (j.limit < std::abs(j.expected)) {
     return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / std::abs(j.expected),
                        100 * j.limit / std::abs(j.expected));

@@ -1,5 +1,7 @@
 #include "validation/studies/shallow_water/judged_states.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace seiche::validation {
@@ -35,6 +37,7 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
   record.measure("front_position_exact", judged.front.position);
   if (judged.is_jump) record.measure("front_width", front_width(points.cells(), judged.front));
 
+  const std::vector<double> waves = solution.breakpoints(since);
   const std::string resolution = resolution_of(points, cell, facts);
   for (const RiemannRequirement& one : riemann_requirements(solution, since, start, end, cell, points.apart())) {
     const bool of_flow = one.error == &RiemannErrors::discharge || one.error == &RiemannErrors::momentum;
@@ -44,6 +47,10 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
     }
     if (one.id == "front" && !points.cover(judged.front.position)) {
       record.leave_out({claim_of(one), "the points do not reach the front"});
+      continue;
+    }
+    if (one.id == "celerity" && std::ranges::none_of(waves, [&](double place) { return points.cover(place); })) {
+      record.leave_out({claim_of(one), "the points do not reach a wave"});
       continue;
     }
     record.check(claim_of(one), {.value = errors.*one.error, .resolution = resolution}, one.bound);
