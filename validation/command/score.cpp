@@ -439,7 +439,7 @@ int score(const ScoreOptions& options) {
   }
   std::vector<Read> all = read_all(options, wanted, renamed);
   const std::vector<WantedTable> asked = wanted;
-  for (const Read& one : all) wanted = validation::given_of(wanted, one.submitted);
+  for (const Read& read : all) wanted = validation::given_of(wanted, read.submitted);
   const std::optional<validation::Ladder> ladder = ladder_of(options, wanted, all);
   if (ladder) validation::add_numerical(*ladder, uncertainty);
   const std::optional<validation::Repeats> repeats = repeats_of(options, all);
