@@ -210,9 +210,10 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
 }
 
 TEST_CASE("a step's penalty takes its integral from the energy", "[manufactured]") {
-  Check check("gauss_particles_penalty_step", "Gauss-principle particles: what the penalty takes in a step",
-              "A block of 2 by 1 with the velocity (y^2/2, 0), whose vorticity has the gradient 1, falls freely for one "
-              "short step: the penalty takes tau C h^(7/2) g^(1/2) rho times the area from its energy.");
+  Check check(
+      "gauss_particles_penalty_step", "Gauss-principle particles: what the penalty takes in a step",
+      "A block of 2 by 1 with the velocity (y^2/2, 0), whose vorticity has the gradient 1, falls freely for one "
+      "short step: the penalty takes tau C h^(7/2) g^(1/2) rho times the area from its energy.");
   constexpr double density = 3, gravity = 4, coefficient = 0.5, tau = 1e-6;
   for (const int cells : {4, 8}) {
     const double h = 1.0 / cells;
