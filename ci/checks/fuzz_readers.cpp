@@ -16,6 +16,7 @@
 #include "validation/scoring/geoclaw_grids.hpp"
 #include "validation/scoring/openfoam_files.hpp"
 #include "validation/scoring/submitted.hpp"
+#include "validation/scoring/tecplot_files.hpp"
 
 using namespace seiche;
 
@@ -126,6 +127,24 @@ std::string measuretool(Choices& choose) {
   return rows(choose, text + "\n", separator);
 }
 
+std::string tecplot(Choices& choose) {
+  std::string text = choose.one({"", "TITLE = \"a, b\"\n"}) + "VARIABLES = ";
+  for (std::size_t k = choose.below(4); k > 0; --k) {
+    text += choose.one({"\"t\"", "\"X, m\"", "\"eta [m]\"", "h, ", "\"\"", "\"[", " u\n", ",", "\n\"x\""});
+  }
+  while (choose.more()) {
+    text += "\nZONE ";
+    for (std::size_t k = choose.below(5); k > 0; --k) {
+      text += choose.one({"T=\"zone 1\"", "I=", "J = ", "F=POINT", "F=BLOCK", "DATAPACKING=BLOCK",
+                          "SOLUTIONTIME=", "\n", "ZONETYPE=FEQUAD", "N=", "="}) +
+              choose.one({"", ",", " 1 ", " 2, ", choose.number()});
+    }
+    text += "\n";
+    for (std::size_t k = choose.below(6); k > 0; --k) text += choose.row(1 + choose.below(4), " ");
+  }
+  return text;
+}
+
 io::Text text_of(const std::string& content, const std::string& name) {
   std::istringstream in(content);
   return io::text_of(in, name);
@@ -159,6 +178,7 @@ io::Table read(const std::string& format, Choices& choose) {
   if (format == "geoclaw") return validation::read_geoclaw(text_of(geoclaw_gauge(choose), "gauge00001.txt"));
   if (format == "reef3d") return validation::read_reef3d(text_of(reef3d(choose), "WSF.dat"));
   if (format == "measuretool") return validation::read_measuretool(text_of(measuretool(choose), "m.csv"));
+  if (format == "tecplot") return validation::read_tecplot(text_of(tecplot(choose), "t.dat"));
   if (format == "table") return io::read_text_table(text_of(table(choose), "table.csv"));
   // Readers of files, whose names tell something.
   const std::filesystem::path folder = std::getenv("SEICHE_FUZZ_FOLDER");  // NOLINT(concurrency-mt-unsafe)

@@ -309,6 +309,14 @@ class Command(Scratch):
         self.assertIn("x [m], h [m], u [m/s]", listed)
         self.assertIn("seiche score thacker --template --table gauges", listed)
 
+    def test_claims_are_listed_as_json(self):
+        claims = json.loads(seiche("list", "moving_bore", "--json").stdout)
+        shown = seiche("list", "moving_bore").stdout
+        self.assertEqual([line for line in shown.splitlines() if not line.startswith(" ")], [one["id"] for one in claims])
+        for one in claims:
+            self.assertTrue(all(one[key] for key in ("text", "quantity", "unit", "criterion", "reason")), one)
+        self.refused(seiche("list", "--scores", "--json"), "--json")
+
     def test_lists_solve_nothing(self):
         def least(*words):
             spent = []

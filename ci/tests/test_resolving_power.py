@@ -54,6 +54,9 @@ class ResolvingPower(unittest.TestCase):
         self.none(lambda exact, row: row["change"] in RIGHT and row["by"]
                   and not (row["change"] == "half density" and (not exact or row["case"] == "overturning_wave")))
 
+    def test_a_part_of_a_right_result_is_judged(self):
+        self.none(lambda _, row: row["change"].startswith("part: "))
+
     def test_a_twentieth_of_the_amplitude_is_detected_beside_every_exact_solution(self):
         self.none(lambda exact, row: exact and row["change"] == "amplitude"
                   and not (row["by"] and float(row["smallest"]) <= 0.05))

@@ -172,6 +172,27 @@ class SolverFiles(Scoring):
         (output / "fort.t0001").write_text("6.0 time\n")
         self.refused(self.score("riemann", "--data", output), "fort.q0001", "line 8", "ends 1 cells before the patch")
 
+    def test_tecplot_points(self):
+        head = 'TITLE = "flume, run 3"\nVARIABLES = "Time, s"\n"eta [cm]" "u, m/s"\nZONE T="gauge, 1", I=9, F=POINT\n'
+        rows = "".join(f" {t!r} {100 * eta!r} 0\n" for t, eta in zip(*(values.tolist() for values in self.wave())))
+        said = self.passes("--data", self.write(head + rows, "gauge.dat"), case="wavemaker_start")
+        self.assertIn("tecplot, columns Time, eta, u", said)
+        self.assertIn("cm became m", said)
+        surface = self.reference("solitary_wave", "surface")
+        zones = "variables=x,eta\n"
+        for time in dict.fromkeys(surface["t"].tolist()):
+            here = surface["t"] == time
+            zones += f"zone solutiontime = {time!r}, i = {here.sum()}\n" + "".join(
+                f"{x!r} {eta!r}\n" for x, eta in zip(surface["x"][here].tolist(), surface["eta"][here].tolist()))
+        self.accepted(self.score("solitary_wave", "--data", self.write(zones, "surface.dat"), "--table", "surface"))
+        for path in self.out.glob("*"):
+            path.unlink()
+        for wrong, *said in ((head.replace("F=POINT", "DATAPACKING=BLOCK") + rows, "line 4", "POINT form"),
+                             (head.replace("F=POINT", "ZONETYPE=FEQUAD") + rows, "line 4", "POINT form"),
+                             (zones.replace("solutiontime", "strandid"), "a second zone", "SOLUTIONTIME"),
+                             (head.replace('"u, m/s"', "") + rows, "line 5", "3 columns")):
+            self.refused(self.score("solitary_wave", "--data", self.write(wrong, "w.dat"), "--table", "surface"), *said)
+
     def test_gauges_beside_each_other(self):
         places, times, depths = self.bowl()
         wide = "t,WG1,WG2,WG3\n" + "".join(f"{t!r}," + ",".join(map(repr, row)) + "\n"
@@ -358,155 +379,6 @@ class AsPeopleWrite(Scoring):
         self.refused(scored(columns["h"] < 0.05), "no value where the depth is")
         cut = {**columns, "h": np.where(columns["h"] < 0.05, 0, columns["h"])}
         self.accepted(self.score("riemann", *words, "--data", self.table(cut)), 1)
-
-    def test_some_gauges_are_judged_and_the_others_named(self):
-        pulse = lambda t: 0.01 * np.exp(-((t - 30) ** 2))
-        t = np.arange(25, 36, 0.1)
-        folder = self.folder / "stations"
-        folder.mkdir()
-        for gauge in (6, 9, 16, 22):
-            (folder / f"sta_{gauge:04d}").write_text("".join(f" {a:.6E} {b:.6E} 0 0\n" for a, b in zip(t, pulse(t))))
-        wide = "".join(",".join([f"{a}", *[repr(pulse(a))] * 4]) + "\n" for a in t)
-        places = [(9.36, 13.8), (10.36, 13.8), (12.96, 11.22), (15.56, 13.8)]
-        long = "x,y,t,eta\n" + "".join(f"{x},{y},{a},{pulse(a)}\n" for x, y in places for a in t)
-        named = "t,A,B,C,D\n" + wide
-        for words in (["--data", folder], ["--data", self.write(wide, "wide.txt"), "--columns", "t,6,9,16,22"],
-                      ["--data", self.write("t,6,9,16,22\n" + wide)], ["--data", self.write(long, "long.csv")],
-                      ["--data", self.write(named, "named.csv"), "--gauges", "A=6,B=9,C=12.96:11.22,D=22"]):
-            with self.subTest(words):
-                scored = self.score("island_gauges", *words, "--table", "gauges")
-                self.accepted(scored, 1)
-                self.assertIn("4 of 8 given, without gauge = 1, 2, 3, 4", scored.stdout)
-                self.assertIn(self.verdicts("island_gauges.mine")["agreement"], ("fail", "inconclusive"))
-        for path in self.out.glob("*"):
-            path.unlink()
-        self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "E=6"), "--gauges E=6", "is called E")
-        self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "A=7"), "--gauges A=7", "6, 9, 16")
-        # Numbers in names count where nobody says what the columns hold.
-        twice = self.write("t,P1,P2,P6,Q1\n" + wide)
-        self.refused(self.score("island_gauges", "--data", twice), "gauge = 1, which another of its columns holds")
-        numbered = self.write("t,P1,P2,P6,total\n" + wide)
-        for words, given in ((("--gauges", "P1=9,P2=1"), "2 of 8 given, without gauge = 2, 3, 4, 6, 16, 22"),
-                             ((), "3 of 8 given, without gauge = 3, 4, 9, 16, 22")):
-            scored = self.score("island_gauges", "--data", numbered, "--table", "gauges", *words)
-            self.assertIn(given, scored.stdout, scored.stderr)
-            self.assertEqual("column P6 is taken for gauge = 6" in scored.stdout, not words)
-        for path in self.out.glob("*"):
-            path.unlink()
-        self.refused(self.score("isolated_building", "--data", self.write("t,1,2,3,4\n" + wide)),
-                     "fits the tables depths and velocity: add --table")
-
-    def test_what_the_record_does_not_hold_is_named(self):
-        water = "T,p\n" + "".join(f"{k / 20},0.01\n" for k in range(201))
-        scored = self.score("dam_break_wall_pressure", "--data", self.write(water))
-        self.accepted(scored, 1)
-        self.assertEqual(self.verdicts("dam_break_wall_pressure.mine")["agreement"], "fail")  # nothing sets its clock
-        names, rows = rows_of(seiche("score", "composite_beach", "--template", "--table", "gauges").stdout)
-        still = ",".join(names) + "\n" + "".join(f"{gauge},{t},0\n" for gauge, t, _ in rows)
-        scored = self.score("composite_beach", "--data", self.write(still), "--table", "gauges")
-        self.accepted(scored, 1)
-        self.assertIn("readings, u_num not stated, without gauges-arrival-", scored.stdout)
-        self.assertIn("it does not hold what is measured", scored.stdout)
-        self.assertNotIn("error nan %", scored.stdout)
-        names, rows = rows_of(seiche("score", "breaking_on_slope", "--template", "--table", "levels").stdout)
-        wrong = ",".join(names) + "\n" + "".join(f"{case},{x},0.02\n" for case, x, _ in rows)
-        scored = self.score("breaking_on_slope", "--data", self.write(wrong), "--table", "levels")
-        self.accepted(scored, 1)  # a level alone is compared with nothing
-        self.assertIn("no amplitude was submitted", scored.stdout)
-
-    def test_a_part_of_an_experiment_is_no_full_pass(self):
-        """The data themselves, but for one gauge, or the end of the record."""
-        data = (SOURCE / "reference_data/matsuyama_tanaka_2001_monai_valley/table.csv").read_text().splitlines()
-        head = [k for k, line in enumerate(data) if line.startswith("gauge")][0]
-        rows = [line.split(",") for line in data[head + 1:]]
-        words = ("--table", "gauges", "--uncertainty", "eta=0.0001,t=0.01")
-        for keep, status in ((lambda row: True, 0), (lambda row: row[0] != "7", 1), (lambda row: float(row[1]) < 17, 1)):
-            text = "\n".join([data[head], *(",".join(row) for row in rows if keep(row))])
-            self.accepted(self.score("monai_valley", "--data", self.write(text), *words), status)
-            verdicts = self.verdicts("monai_valley.mine")
-            self.assertNotIn("error", verdicts.values())
-            missed = {name for name, verdict in verdicts.items() if verdict != "pass"}
-            self.assertTrue(all(name.endswith(("-given", "-coverage")) for name in missed), missed)
-        # Gauges that differ in y alone.
-        places = {"5": "4.521,1.196", "7": "4.521,1.696", "9": "4.521,2.196"}
-        text = "x,y,t,eta\n" + "\n".join(",".join([places[gauge], *rest]) for gauge, *rest in rows)
-        self.accepted(self.score("monai_valley", "--data", self.write(text), *words), 0)
-
-    def agreement(self, case, text, *words):
-        """Verdict and resolution of the comparison with the data; what is there is no full pass."""
-        scored = self.score(case, "--data", self.write(text), *words)
-        self.accepted(scored, 1)
-        claim, = (one for one in self.record(f"{case}.mine")["claims"] if one["id"] == "agreement")
-        return claim["verdict"], claim["resolution"], scored.stdout
-
-    def test_one_gauge_is_known_by_the_name_of_its_column_under_any_header(self):
-        data = (SOURCE / "reference_data/briggs_1995_conical_island_a/table.csv").read_text().splitlines()
-        rows = [line.split(",")[1:] for line in data if line.startswith("6,")]
-        plain, cm = ("".join(f"{t},{float(eta) * per}\n" for t, eta in rows) for per in (1, 100))
-        measured = set()
-        for text in ("t,6\n" + plain, "# my data\nt,WG6\n" + plain, "# t,WG6\n# s,m\n" + plain, "t,WG6\ns,cm\n" + cm,
-                     "t,WG6\n[s],[cm]\n" + cm):
-            told = self.agreement("island_gauges", text, "--table", "gauges", "--uncertainty", "eta=0.0001,t=0.001")
-            self.assertIn("1 of 8 given, without gauge = 1, 2, 3, 4, 9, 16, 22", told[2])
-            claim, = (one for one in self.record("island_gauges.mine")["claims"] if one["id"] == "agreement")
-            measured.add(round(claim["measured"], 9))
-        self.assertEqual(len(measured), 1, measured)
-        self.accepted(self.score("island_gauges", "--data", self.write("t,WG7\n" + plain), "--table", "gauges"), 2)
-
-    def test_a_record_that_ends_before_the_clocks_window_does_is_judged_by_what_it_holds(self):
-        data = (SOURCE / "reference_data/briggs_1995_conical_island_a/table.csv").read_text().splitlines()
-        rows = [line.split(",") for line in data if line[0].isdigit()]
-        for end, late, factor, verdict in ((30, 0, 1, "pass"), (30, 0.5, 1, "pass"), (30, 0, 1.4, "fail"), (21, 0, 1, "error")):
-            text = "gauge,t,eta\n" + "".join(f"{gauge},{float(t) + late},{factor * float(eta)}\n" for gauge, t, eta in rows
-                                             if float(t) <= end)
-            told = self.agreement("island_gauges", text, "--table", "gauges", "--uncertainty", "eta=0.0001,t=0.001")
-            self.assertEqual(told[0], verdict, told)
-            self.assertEqual("too short to set its clock" in told[1], verdict == "error", told)
-
-    def test_what_is_given_of_a_wave_on_a_beach_is_judged(self):
-        """Seven of eight instants, or one gauge: as good as the whole, and named."""
-        for table, column, missing in (("profiles", "eta_over_d", "t"), ("gauges", "gauge_over_d", "x_over_d")):
-            data = (SOURCE / f"reference_data/synolakis_1987_analytic_{'series' if table == 'gauges' else table}/table.csv"
-                    ).read_text().splitlines()
-            names = [name.split(" ")[0] for name in next(line for line in data if "eta" in line and line[0] != "#").split(",")]
-            rows = [dict(zip(names, line.split(","))) for line in data if line[0] in "-0123456789"]
-            left = min(float(row[missing]) for row in rows)
-            for factor, verdict in ((1, "pass"), (1.2, "fail")):
-                text = f"t,x_over_d,{column}\n" + "".join(
-                    f"{row['t']},{row['x_over_d']},{factor * float(row['eta_over_d'])}\n" for row in rows
-                    if float(row[missing]) != left)
-                scored = self.score("synolakis_beach", "--data", self.write(text), "--table", table)
-                self.accepted(scored, 1)
-                self.assertIn(f"given, without {missing} = {left:g}", scored.stdout)
-                verdicts = self.verdicts("synolakis_beach.mine")
-                judged = {verdicts[one] for one in verdicts if not one.endswith(("-given", "-coverage"))}
-                self.assertEqual(judged, {verdict})
-
-    def test_some_of_several_run_ups_are_judged_and_the_others_named(self):
-        means = {1: 0.5375 / 6, 2: 0.3625 / 6, 3: 0.3350 / 6}
-        words = ("--table", "runup", "--uncertainty", "R=0.001")
-        self.refused(self.score("island_gauges", "--data", self.write("angle,R\n80,0.03\n"), *words), "at least two")
-        for places, named in (((1,), "1 of 3 given, without place = 2, 3"), ((1, 3), "2 of 3 given, without place = 2")):
-            for factor, verdict in ((1, "pass"), (1.3, "fail")):
-                text = "place,R\n" + "".join(f"{place},{factor * means[place]}\n" for place in places)
-                told = self.agreement("monai_valley", text, *words)
-                self.assertEqual(told[:2], (verdict, f"{len(places)} readings"))
-                self.assertIn(named, told[2])
-        for factor, verdict in ((1, "inconclusive"), (1.5, "fail")):  # one run-up is known to a fifth
-            told = self.agreement("island_gauges", f"angle,R\n90,{0.02659 * factor}\n", *words)
-            self.assertEqual(told[:2], (verdict, "1 readings"))
-            self.assertIn("1 point, 1 of 9 reference points", told[2].splitlines()[0])
-
-    def test_a_gauge_sets_the_clock_where_that_of_the_clock_is_missing(self):
-        data = (SOURCE / "reference_data/luth_1994_bar_a/table.csv").read_text().splitlines()
-        rows = [line.split(",") for line in data if line.startswith("17.3,")]
-        for late, factor, verdict in ((0, 1, "pass"), (0.6, 1, "pass"), (0.6, 1.4, "fail")):
-            text = "x,t,eta\n" + "".join(f"{x},{float(t) + late},{factor * float(eta)}\n" for x, t, eta in rows)
-            told = self.agreement("luth_bar", text, "--uncertainty", "eta=0.0001")
-            self.assertIn(", clock set at x = 17.3", told[1])
-            self.assertEqual(told[0], verdict)
-            self.assertAlmostEqual(self.record("luth_bar.mine")["measurements"]["gauges_time_shift"], late,
-                                   delta=0.05)  # points are 0.1 s apart
 
 
 class Published(Scoring):

@@ -88,9 +88,11 @@ def unit(text):
 
 
 def duration(seconds):
-    """1.24 s, 4 min 12 s, 2 h 05 min."""
+    """1.24 s, 4 min 12 s, 2 h 05 min; 0 of a run of others that does not say."""
     if seconds is None:
         return "—"
+    if seconds == 0:
+        return "not stated"
     if seconds < 0.001:
         return "< 1 ms"
     if seconds < 0.9995:

@@ -238,10 +238,8 @@ PYBIND11_MODULE(_seiche, m) {
   m.attr("solutions") = names;
   m.attr("__version__") = SEICHE_VERSION;
   m.def("describe", [](const std::string& name) { return described(exact::find_solution(name)); });
-  m.def("read_table", read_table,
-        "Columns of a text or HDF5 file of numbers, by name; NaN for no value. ValueError in one line.");
-  m.def(
-      "exact",
-      [](const std::string& name, const py::kwargs& arguments) { return make(exact::find_solution(name), arguments); },
-      py::arg("name"), "The solution of that name: seiche.exact('solitary', amplitude=0.3).");
+  m.def("read_table", read_table);
+  m.def("exact", [](const std::string& name, const py::kwargs& parameters) {
+    return make(exact::find_solution(name), parameters);
+  });
 }

@@ -121,7 +121,6 @@ struct WantedTable {
   /// Where the numbered groups are, x and y [m]: a file may say that instead of the number.
   Lazy<std::map<double, std::pair<double, double>>> places = {};
   Lazy<std::vector<std::string>> exact = {};              ///< commands that print the reference; a template shows them
-  double arrival_fraction = 0.1;                          ///< see Arrival in validation/instruments/agreement.hpp
   evidence::Role reference_role = evidence::Role::exact;  ///< Role::data where it was measured
 };
 

@@ -274,8 +274,20 @@ void print_claims(const ListOptions& options) {
   const Case& one = validation::find_case(options.claims);
   const validation::Values values =
       values_for(one, tier_from(options.tier.empty() ? "quick" : options.tier), {}, options.settings);
+  Json all = Json::array();
   for (const validation::DeclaredClaim& declared : one.study.claims(values)) {
     const evidence::Claim& claim = declared.claim;
+    if (options.json) {
+      all.push_back({{"id", claim.id},
+                     {"text", claim.text},
+                     {"quantity", claim.quantity},
+                     {"unit", claim.unit},
+                     {"criterion", text_of(declared.criterion)},
+                     {"reason", reason_of(declared.criterion)},
+                     {"fails", declared.known_failure ? declared.known_failure->reason : ""},
+                     {"left_out", declared.left_out}});
+      continue;
+    }
     fmt::print("{}\n  {}\n  {} [{}]: {}\n  because {}\n", claim.id, claim.text, claim.quantity, claim.unit,
                text_of(declared.criterion), reason_of(declared.criterion));
     if (declared.known_failure) {
@@ -284,6 +296,7 @@ void print_claims(const ListOptions& options) {
     }
     if (!declared.left_out.empty()) fmt::print("  does not apply: {}\n", declared.left_out);
   }
+  if (options.json) fmt::print("{}\n", all.dump(2));
 }
 
 }  // namespace
@@ -291,6 +304,9 @@ void print_claims(const ListOptions& options) {
 int list(const ListOptions& options) {
   if (options.claims.empty() && !(options.settings.empty() && options.tier.empty())) {
     throw std::invalid_argument("list: --tier and --set belong to --claims CASE");
+  }
+  if (options.json && (options.scores || options.published)) {
+    throw std::invalid_argument("list: --json lists everything: leave out --scores or --published");
   }
   if (!options.ctest.empty()) {
     write_ctest(options);

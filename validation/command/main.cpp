@@ -56,7 +56,7 @@ void add_list(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("list", "List cases, scored cases and as-published parameter sets");
   command->group("Run and report");
   command->add_option("CASE", options->claims, "Case whose claims are listed, as --claims");
-  command->add_flag("--json", options->json, "Print JSON, with every parameter");
+  command->add_flag("--json", options->json, "Print JSON, with every parameter, or of CASE its claims");
   command->add_flag("--scores", options->scores,
                     "List cases that accept external results, with their tables and columns");
   command->add_flag("--published", options->published,

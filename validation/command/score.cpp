@@ -153,6 +153,7 @@ int print_power(const Case& one, const Values& values, const std::vector<WantedT
 std::string error_text(const evidence::JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
   const double error = j.measured - j.expected;
+  if (!std::isfinite(error)) return "not measured";
   if (j.limit < std::abs(j.expected)) {
     return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / std::abs(j.expected),
                        100 * j.limit / std::abs(j.expected));
@@ -437,6 +438,8 @@ int score(const ScoreOptions& options) {
     wanted = {alone};
   }
   std::vector<Read> all = read_all(options, wanted, renamed);
+  const std::vector<WantedTable> asked = wanted;
+  for (const Read& read : all) wanted = validation::given_of(wanted, read.submitted);
   const std::optional<validation::Ladder> ladder = ladder_of(options, wanted, all);
   if (ladder) validation::add_numerical(*ladder, uncertainty);
   const std::optional<validation::Repeats> repeats = repeats_of(options, all);
@@ -447,7 +450,7 @@ int score(const ScoreOptions& options) {
   validation::FirstLook look;
   const validation::SolverFacts facts = facts_of(options, uncertainty);
   try {
-    validation::score(wanted, judged.submitted, uncertainty, record);
+    validation::score(asked, judged.submitted, uncertainty, record);
     if (one.submission.judge) one.submission.judge(values, judged.submitted, facts, record);
     validation::judge_history(one.phenomenon, judged.history, record);
     const bool shift_fitted = record.measurements().contains("time_shift");

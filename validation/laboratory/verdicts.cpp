@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <Eigen/Cholesky>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/tools/minima.hpp>
 
 #include "seiche/samples.hpp"
 #include "validation/case/claims.hpp"
@@ -53,11 +54,17 @@ std::optional<Clock> clock_of(const Submitted& computed, const Series& part) {
   return Clock{.group = other->group, .range = part.clock->range, .window = other->window};
 }
 
+/// Whether no reading with a sign tells an amplitude, so that misfits alone do.
+bool by_misfits_alone(const std::vector<Question>& all) {
+  return std::ranges::none_of(all, [](const Question& one) { return one.size() != 0 && !one.reading().misfit(); });
+}
+
 /// Names of the parts that a factor changes.
 std::vector<std::string> scaled_parts(const std::vector<Question>& all) {
+  const bool misfits = by_misfits_alone(all);
   std::set<std::string> names;
   for (const Question& one : all) {
-    if (one.size() != 0 && !one.reading().misfit()) names.insert(one.part().name);
+    if (one.size() != 0 && (misfits || !one.reading().misfit())) names.insert(one.part().name);
   }
   return {names.begin(), names.end()};
 }
@@ -140,6 +147,15 @@ std::optional<Question> Question::within(const SubmittedGroup& record) const {
   const std::vector<double>& x = measured_->x;
   const auto inside = [&](double at) { return at >= part.window.from && at <= part.window.to; };
   if (std::ranges::none_of(x, inside) || std::isnan(part.of(measured_->curve(), *measured_))) return {};
+  const Curve given{record.abscissa, record.values.at(part_.quantity.name)};
+  std::vector<double> held, between;
+  for (const double at : x) {
+    if (!inside(at)) continue;
+    held.push_back(at);
+    between.push_back(linear_at(given, at));
+  }
+  const bool sparse = std::isnan(part.of(given, *measured_)) && !std::isnan(part.of({held, between}, *measured_));
+  if (sparse) return {};
   if (std::ranges::count_if(x, inside) ==
       std::ranges::count_if(x, [&](double at) { return at >= reading_.window.from && at <= reading_.window.to; })) {
     return *this;
@@ -205,10 +221,11 @@ double Metric::noticed() const {
 }
 
 Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources) {
+  const bool misfits_alone = by_misfits_alone(all);
   std::vector<const Question*> of;
   std::vector<std::size_t> index;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].reading().misfit()) continue;
+    if (all[k].reading().misfit() && !misfits_alone) continue;
     of.push_back(&all[k]);
     index.push_back(k);
   }
@@ -227,7 +244,8 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   }
   const Eigen::VectorXd size = sizes.rowwise().sum();
   const Eigen::VectorXd incident = gather(input);
-  const Eigen::VectorXd error = gather([&](std::size_t k) { return all[k].answer(computed) - all[k].expected(); });
+  const Eigen::VectorXd error = gather(
+      [&](std::size_t k) { return all[k].reading().misfit() ? 0 : all[k].answer(computed) - all[k].expected(); });
   Eigen::MatrixXd v = covariance(of);
   // Of a common factor, from the readings as well as these covariances let it be told.
   const auto of_factor = [&] { return 1 / std::sqrt(size.dot(v.llt().solve(size))); };
@@ -260,20 +278,38 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   const Eigen::VectorXd weighted = factors.solve(error);
   const Eigen::VectorXd pull = sizes.transpose() * weighted;
   const double by_factors = pull.dot((sizes.transpose() * factors.solve(sizes)).llt().solve(pull));
-  const double explained = incident.dot(weighted);  // of the incident amplitude, in its standard uncertainties
-  double rest = error.dot(weighted) - by_factors;
+  const auto own_uncertainty = [&](std::size_t k) {
+    double u = std::hypot(all[k].data_uncertainty(), numerical(k));
+    for (const auto& changes : sources.shared) u = std::hypot(u, changes[k]);
+    return u;
+  };
+  const auto misfit = [&](std::size_t k, double amplitude) {
+    return all[k].answer(computed, 1 + amplitude * all[k].part().input) / own_uncertainty(k);
+  };
+  const auto left_by = [&](double amplitude) {
+    double sum = amplitude * amplitude;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].reading().misfit()) sum += std::pow(misfit(k, amplitude), 2);
+    }
+    return sum;
+  };
+  // Of the incident amplitude, in its standard uncertainties.
+  double explained = incident.dot(weighted);
+  if (misfits_alone && incident.squaredNorm() > 0) {
+    constexpr int digits = 20;
+    explained = boost::math::tools::brent_find_minima(left_by, -3.0, 3.0, digits).first;
+  }
+  double rest = error.dot(weighted) - by_factors + (misfits_alone ? explained * explained : 0);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
-    double u = std::hypot(one.data_uncertainty(), numerical(k));
-    for (const auto& changes : sources.shared) u = std::hypot(u, changes[k]);
     if (one.reading().misfit()) {
-      result.scores.push_back(one.answer(computed, 1 + explained * one.part().input) / u);
+      result.scores.push_back(misfit(k, explained));
       rest += std::pow(result.scores.back(), 2);
     } else {
-      result.scores.push_back((one.answer(computed) - one.expected()) / std::hypot(u, input(k)));
+      result.scores.push_back((one.answer(computed) - one.expected()) / std::hypot(own_uncertainty(k), input(k)));
     }
   }
-  const std::size_t left = all.size() - parts.size();
+  const std::size_t left = all.size() - (misfits_alone ? 0 : parts.size());
   const double beyond = left > 0 ? std::sqrt(std::max(rest, 0.0) / chi_squared(left)) : 0;
   const double off = std::max(std::sqrt(by_factors) / result.coverage, beyond);
   result.difference = std::isnan(rest) ? nan : off * result.noticed();
@@ -375,7 +411,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
                          .source = experiment.source},
                         group == nullptr ? "no record was submitted"
                         : by_clock       ? "on the measured clock the record does not hold it: submit a longer one"
-                                         : "the record does not hold it"});
+                                         : "the record does not hold it, or too few points of it"});
       continue;
     }
     const std::optional<double> u = asked->stated(facts.uncertainty);
@@ -384,11 +420,15 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     sources.numerical.push_back(u.value_or(0));
   }
   const bool no_clock = std::ranges::any_of(shifts, [](const auto& one) { return std::isnan(one.second); });
-  if (no_clock ||
-      std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
-    const char* why = no_clock ? "the record is too short to set its clock" : "no amplitude was submitted";
-    record.check(claim_of(experiment), {.value = nan, .resolution = why},
-                 criterion_of(experiment, 0, 0, coverage(questions(experiment, values))));
+  if (no_clock || std::ranges::all_of(present, [](const Question& one) { return one.size() == 0; })) {
+    record.keep({claim_of(experiment),
+                 criterion_of(experiment, 0, 0, coverage(questions(experiment, values))),
+                 {.verdict = evidence::Verdict::inconclusive,
+                  .measured = nan,
+                  .resolution = no_clock          ? "the record is too short to set its clock"
+                                : present.empty() ? "no reading is taken of what was submitted"
+                                                  : "no amplitude was submitted",
+                  .note = "nothing could be compared"}});
     return;
   }
   std::vector<std::string> lost;

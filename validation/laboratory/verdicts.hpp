@@ -16,7 +16,9 @@
 /// a run-up as wrong as that beside thirty readings of gauges.
 ///
 /// The misfit of a record has no sign and no covariance with others: it adds (misfit/u)^2, whose mean is 1, after the
-/// computed record has been divided by the common factor that the incident amplitude explains.
+/// computed record has been divided by the common factor that the incident amplitude explains. Where misfits alone are
+/// judged, that factor is what leaves least of them and of itself, and a common factor is told as well as misfits, each
+/// by itself, would tell it.
 #pragma once
 
 #include <map>
@@ -49,7 +51,8 @@ class Question {
   /// Standard, from what is stated of the columns; none where nothing is, or where it leaves no arrival.
   [[nodiscard]] std::optional<double> stated(const std::map<std::string, StatedUncertainty>& uncertainty) const;
   [[nodiscard]] const Measured& measured() const { return *measured_; }
-  /// The same of that part of the window for which a record is there; none where no measured point is in it.
+  /// The same of that part of the window for which a record is there; none where no measured point is in it, or where
+  /// the record has too few points in it for what could be read between them.
   [[nodiscard]] std::optional<Question> within(const SubmittedGroup& record) const;
 
  private:

@@ -57,9 +57,9 @@ std::string one_line(const JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
   const std::string unit = after_number(claim.claim.unit);
   const double off = j.measured - j.expected;
-  return fmt::format("{} {} ({}: {}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict), claim.claim.id,
-                     std::isfinite(off) ? fmt::format("error {:.3g}{}", off, unit) : "not found in the result", j.limit,
-                     unit);
+  return fmt::format("{} {} ({}: {})", claim.claim.text, evidence::name(j.verdict), claim.claim.id,
+                     std::isfinite(off) ? fmt::format("error {:.3g}{}, limit {:.3g}{}", off, unit, j.limit, unit)
+                                        : "not found in the result");
 }
 
 /// The curve that misses its reference by most, over the reference.
@@ -155,7 +155,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
                   : "run three or more cell sizes (--sizes) to obtain the order of accuracy and the cost of 1 % error";
   }
   for (const JudgedClaim& one : record.claims()) {
-    if (one.claim.id.ends_with("-coverage") && one.judgement.verdict == Verdict::fail) {
+    const bool of_part = one.claim.id.ends_with("-coverage") || one.claim.id.ends_with("-given");
+    if (of_part && one.judgement.verdict == Verdict::fail) {
       return fmt::format("submit the rest: {} ({})", one.claim.id, one.judgement.resolution);
     }
   }

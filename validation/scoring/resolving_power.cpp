@@ -149,6 +149,7 @@ class Battery {
     for (const WantedTable& table : tables_) {
       for (const WantedQuantity& quantity : table.quantities) sizes_of(table, quantity.column);
       shapes_of(table);
+      parts_of(table);
     }
     gravity();
     return std::move(rows_);
@@ -159,19 +160,68 @@ class Battery {
   using Change = std::function<double(const SubmittedGroup& fine, double x)>;
   using OfSize = std::function<Submitted(double size)>;
 
-  /// What notices; empty: nothing does.
-  [[nodiscard]] std::string noticed(const Submitted& submitted) const {
+  /// The first claim like that, or "rejected"; empty: none is.
+  template <class Like>
+  [[nodiscard]] std::string judged(const std::vector<WantedTable>& tables, const Submitted& submitted,
+                                   const Like& like) const {
     evidence::Record record;
     record.solver = "changed";
     try {
-      score(tables_, submitted, facts_.uncertainty, record);
+      score(tables, submitted, facts_.uncertainty, record);
       if (case_.submission.judge) case_.submission.judge(values_, submitted, facts_, record);
     } catch (const std::invalid_argument&) {
       return "rejected";
     }
-    const auto& claims = record.claims();
-    const auto found = std::ranges::find_if(claims, [](const auto& claim) { return !claim.as_declared(); });
-    return found == claims.end() ? std::string() : found->claim.id;
+    const auto found = std::ranges::find_if(record.claims(), like);
+    return found == record.claims().end() ? std::string() : found->claim.id;
+  }
+
+  /// What notices; empty: nothing does.
+  [[nodiscard]] std::string noticed(const Submitted& submitted) const {
+    return judged(tables_, submitted, [](const evidence::JudgedClaim& claim) { return !claim.as_declared(); });
+  }
+
+  /// A row where a part of the truth is no result: rejected, or a claim in error.
+  void part(const WantedTable& table, const std::string& what,
+            const std::function<void(std::vector<SubmittedGroup>&)>& cut) {
+    Submitted left{{table.name, truth_.at(table.name)}};
+    cut(left.begin()->second);
+    const std::string by = judged({table}, left, [](const evidence::JudgedClaim& claim) {
+      return claim.judgement.verdict == evidence::Verdict::error;
+    });
+    if (!by.empty()) rows_.push_back({.table = table.name, .quantity = {}, .change = "part: " + what, .by = by});
+  }
+
+  void parts_of(const WantedTable& table) {
+    const auto points = [&](const std::string& what, const std::function<bool(std::size_t k, std::size_t n)>& stays) {
+      part(table, what, [&](std::vector<SubmittedGroup>& groups) {
+        for (SubmittedGroup& group : groups) {
+          const SubmittedGroup all = std::exchange(group, {.value = group.value});
+          for (std::size_t k = 0; k < all.abscissa.size(); ++k) {
+            if (!stays(k, all.abscissa.size())) continue;
+            group.abscissa.push_back(all.abscissa[k]);
+            for (const auto& [name, y] : all.values) group.values[name].push_back(y[k]);
+          }
+        }
+      });
+    };
+    if (table.abscissa) {
+      points("every second point", [](std::size_t k, std::size_t n) { return k % 2 == 0 || n < 3; });
+      points("first points", [](std::size_t k, std::size_t n) {
+        return k < 2 || static_cast<double>(k) < kept_of_truncated * static_cast<double>(n);
+      });
+    }
+    for (const double value : truth_.at(table.name).size() > 1 ? groups_of(table) : std::vector<double>{}) {
+      part(table, fmt::format("{} = {:g}", table.group->name, value), [&](std::vector<SubmittedGroup>& groups) {
+        std::erase_if(groups, [&](const SubmittedGroup& group) { return group.value != value; });
+      });
+    }
+    for (const WantedQuantity& quantity : table.quantities) {
+      part(table, quantity.column.name, [&](std::vector<SubmittedGroup>& groups) {
+        for (SubmittedGroup& group : groups)
+          std::erase_if(group.values, [&](const auto& one) { return one.first != quantity.column.name; });
+      });
+    }
   }
 
   void passes(const std::string& change, const std::function<Submitted()>& submitted) {

@@ -14,6 +14,9 @@
 /// stands still), still (everything does). The truth itself, printed at half and at double density, and with NaN where
 /// it is dry, has to pass.
 ///
+/// A part of the truth by itself (every second point, the first 60 %, one group, one quantity) has a row where it is
+/// rejected or makes a claim an error: it has to be judged by what is there.
+///
 /// Noticed is what makes a claim anything but met, and what is rejected.
 #pragma once
 

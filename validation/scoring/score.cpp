@@ -252,7 +252,8 @@ class QuantityScore {
                  {Measure::skill, {a.skill, 0}}};
     // A series that begins in the upper half of its range has nothing that arrives.
     if (table_.kind == WantedTable::Kind::series && a.reference.front() < 0.5 * (*lowest + *highest)) {
-      const double level = a.reference.front() + table_.arrival_fraction * (*highest - a.reference.front());
+      constexpr double arrived = 0.1;  // of the reference's rise
+      const double level = a.reference.front() + arrived * (*highest - a.reference.front());
       const double arrival = first_crossing(submitted, level);
       measures_[Measure::arrival_error] = {arrival - first_crossing({a.x, a.reference}, level), u_x};
     }
@@ -353,7 +354,17 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
   leave_out(table, "the table was not submitted", record);
 }
 
-/// Groups of which nothing was submitted are named, and the score is not that of the whole case.
+/// What was not submitted of a table is named, and the score is not that of the whole case.
+/// @param id  of the claim, after the table's name. @param all, missing  "values of t", "t = 1, 2"
+void claim_given(const WantedTable& table, const std::string& id, const std::string& all, std::size_t asked,
+                 std::size_t absent, const std::string& missing, evidence::Record& record) {
+  record.check({table.name + id, fmt::format("All {} {} in the table {} are submitted.", asked, all, table.name),
+                "share that was submitted", "1", "what the case asks for"},
+               {.value = static_cast<double>(asked - absent) / static_cast<double>(asked),
+                .resolution = fmt::format("{} of {} given, without {}", asked - absent, asked, missing)},
+               evidence::Bound{.limit = 0, .reason = "a part does not stand for the whole", .expected = 1});
+}
+
 void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& given, evidence::Record& record) {
   if (!table.group || given.size() == table.groups->size()) return;
   std::vector<double> missing;
@@ -361,14 +372,25 @@ void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& g
     if (std::ranges::find(given, group, &SubmittedGroup::value) == given.end()) missing.push_back(group);
   }
   const std::string& name = table.group->name;
-  record.check(
-      {table.name + "-given",
-       fmt::format("All {} values of {} in the table {} are submitted.", table.groups->size(), name, table.name),
-       "share of the groups that were submitted", "1", "what the case asks for"},
-      {.value = static_cast<double>(given.size()) / static_cast<double>(table.groups->size()),
-       .resolution = fmt::format("{} of {} given, without {} = {}", given.size(), table.groups->size(), name,
-                                 fmt::join(missing, ", "))},
-      evidence::Bound{.limit = 0, .reason = "a part of the experiment does not stand for the whole", .expected = 1});
+  claim_given(table, "-given", "values of " + name, table.groups->size(), missing.size(),
+              fmt::format("{} = {}", name, fmt::join(missing, ", ")), record);
+}
+
+/// The table's quantities that were submitted.
+WantedTable claim_quantities(const WantedTable& table, const Submitted& submitted, evidence::Record& record) {
+  const WantedTable given = given_of({table}, submitted).front();
+  WantedTable absent = table;
+  std::erase_if(absent.quantities, [&](const WantedQuantity& q) {
+    return std::ranges::find(given.quantities, q.column.name, [](const auto& one) { return one.column.name; }) !=
+           given.quantities.end();
+  });
+  if (absent.quantities.empty()) return given;
+  std::string names;
+  for (const WantedQuantity& q : absent.quantities) names += (names.empty() ? "" : ", ") + q.column.name;
+  claim_given(table, "-quantities-given", "quantities", table.quantities.size(), absent.quantities.size(), names,
+              record);
+  leave_out(absent, "the quantity was not submitted", record);
+  return given;
 }
 
 }  // namespace
@@ -403,17 +425,18 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
       continue;
     }
     claim_groups(table, found->second, record);
-    evidence::Table summary = blank_table(table);
-    for (const WantedQuantity& quantity : table.quantities) {
+    const WantedTable given = claim_quantities(table, submitted, record);
+    evidence::Table summary = blank_table(given);
+    for (const WantedQuantity& quantity : given.quantities) {
       for (const SubmittedGroup& group : found->second) {
-        const QuantityScore one(table, quantity, group, uncertainty);
+        const QuantityScore one(given, quantity, group, uncertainty);
         one.measure(record);
         one.claim(record);
         summary.rows.push_back(one.row());
       }
     }
     record.table(std::move(summary));
-    if (table.kind != WantedTable::Kind::scalars) draw_submitted(table, found->second, record);
+    if (table.kind != WantedTable::Kind::scalars) draw_submitted(given, found->second, record);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "validation/scoring/gauge_files.hpp"
 #include "validation/scoring/geoclaw_grids.hpp"
 #include "validation/scoring/openfoam_files.hpp"
+#include "validation/scoring/tecplot_files.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -29,6 +30,7 @@ std::string recognised(const io::Text& text) {
   if (first.starts_with("number of gauges:")) return "reef3d";
   if (first.find("PosX [m]:") != std::string::npos) return "dualsphysics";
   if (first.starts_with("# 1:t ")) return "gerris";
+  if (std::ranges::any_of(text.lines, names_tecplot_variables)) return "tecplot";
   const auto by_swash = [](const std::string& line) {
     return line.starts_with('%') && line.find("SWASH") != line.npos;
   };
@@ -52,6 +54,7 @@ io::Table read_text(const std::filesystem::path& file, const std::string& format
   if (format == "geoclaw") return read_geoclaw(text);
   if (format == "reef3d") return read_reef3d(text);
   if (format == "dualsphysics") return read_measuretool(text);
+  if (format == "tecplot") return read_tecplot(text);
   return io::read_text_table(text, columns, [&](std::size_t count) {
     if (format != "funwave" || count != 4) return std::vector<std::string>{};
     return std::vector<std::string>{"t [s]", "eta [m]", "u [m/s]", "v [m/s]"};
@@ -107,8 +110,8 @@ std::vector<ResultFile> read_folder(const std::filesystem::path& folder, const R
 }  // namespace
 
 const std::vector<std::string>& solver_formats() {
-  static const std::vector<std::string> names{"csv",    "hdf5",         "delimited", "openfoam", "geoclaw",
-                                              "reef3d", "dualsphysics", "swash",     "funwave",  "gerris"};
+  static const std::vector<std::string> names{"csv",          "hdf5",  "delimited", "openfoam", "geoclaw", "reef3d",
+                                              "dualsphysics", "swash", "funwave",   "gerris",   "tecplot"};
   return names;
 }
 

@@ -9,6 +9,7 @@
 /// | reef3d       | REEF3D-*-WSF-HG.dat ("number of gauges:") | x, y, t, eta |
 /// | dualsphysics | MeasureTool (" ;PosX [m]:;...") | x, y, z, t, and the quantity |
 /// | funwave      | sta_NNNN | t, eta, u, v |
+/// | tecplot      | "VARIABLES =" and ordered ZONEs (tecplot_files.hpp) | as named, and t |
 ///
 /// Gauges beside each other in a file that says where they are become gauges below each other, with their position in
 /// columns of its own. A folder is one of OpenFOAM's functions, GeoClaw's output, or holds a station or gauge per file.

@@ -54,7 +54,8 @@ RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::si
 
 /// Finds the wanted tables in files and reads them: columns, units, order, groups, missing values.
 ///
-/// A table is taken from the files that have one of its quantities; what no file has any quantity of was not submitted.
+/// A table is taken from the files that have one of its quantities, several of the same rows in as many files; what no
+/// file has any quantity of was not submitted, and a quantity that no file has is missing in the result.
 /// A column without a unit is taken to be in the wanted one, other units are converted. A group counts as the wanted
 /// one when it differs from it by less than 1e-6 of the largest; where there is no group column, gauges are found by
 /// their position, by numbers in the names of columns, or by that in the name of the file. Groups that are not asked
@@ -66,6 +67,9 @@ RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::si
 /// @throws std::invalid_argument, in one line, naming file, line and column
 Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<WantedTable>& wanted,
                          Understanding& understood);
+
+/// The tables with those quantities alone that every submitted group of them has.
+std::vector<WantedTable> given_of(std::vector<WantedTable> wanted, const Submitted& submitted);
 
 /// Whether a point lies where the group has no value between others.
 bool in_gap(const SubmittedGroup& group, double x);

@@ -11,13 +11,33 @@
 Lengths are in metres and times in seconds unless a parameter such as gravity=1 makes them nondimensional.
 """
 import inspect
+import os
+
+import numpy
 
 from . import _seiche
-from ._seiche import Solution, __version__, exact, read_table, solutions
+from ._seiche import Solution, __version__, solutions
 from .scoring import Case, Claims, Result, case, cases, read_record, run
 
 __all__ = ["Case", "Claims", "Result", "Solution", "case", "cases", "exact", "read_record", "read_table", "run", "solutions",
            *solutions]
+
+
+def exact(name: str, **parameters: float | str) -> Solution:
+    """The exact solution of that name with its parameters: seiche.exact("solitary", amplitude=0.3).
+
+    `seiche.solutions` lists the names; help(seiche.solitary) shows the parameters, coordinates and outputs of one.
+    Parameters left out have their defaults. ValueError names what is wrong.
+    """
+    return _seiche.exact(name, **parameters)
+
+
+def read_table(path: str | os.PathLike) -> dict[str, numpy.ndarray]:
+    """Columns of a text file of numbers, or of an HDF5 file, by name, as `seiche score` reads it; NaN for no value.
+
+    ValueError names file, line and column in one line.
+    """
+    return _seiche.read_table(path)
 
 
 def _solution(name):

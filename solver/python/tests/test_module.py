@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import pickle
+import pydoc
 import threading
 import time
 
@@ -81,6 +82,10 @@ def test_solutions_test_themselves():
 def test_signatures_and_stubs_name_the_parameters():
     assert list(inspect.signature(seiche.solitary).parameters) == ["amplitude", "depth", "gravity"]
     assert inspect.signature(seiche.wavemaker).parameters["kind"].default == "piston"
+    assert list(inspect.signature(seiche.exact).parameters) == ["name", "parameters"]
+    assert list(inspect.signature(seiche.read_table).parameters) == ["path"]
+    shown = pydoc.render_doc(seiche.exact, renderer=pydoc.plaintext)
+    assert "exact(name: str, **parameters: float | str)" in shown and "seiche.solutions" in shown
     compile(seiche._stubs(), "seiche.pyi", "exec")
     assert pathlib.Path(seiche.__file__).with_name("py.typed").is_file() and seiche.__version__
 

@@ -19,7 +19,7 @@ class BottomProfile {
  public:
   virtual ~BottomProfile() = default;
 
-  /// b(x) and b'(x) at ascending places; at a corner the slope of its right side.
+  /// b(x) and b'(x) at places in any order; at a corner the slope of its right side.
   virtual void sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const = 0;
   /// Mean of b over [from, to], exact also for from = to (b itself) and from > to.
   [[nodiscard]] virtual double mean(double from, double to) const = 0;

@@ -63,7 +63,11 @@ ProfilePoints submitted_points(const Submitted& submitted, double start, double 
                     "or say how large your cells are by --dx",
                     apart.value(), cell));
   }
-  return {x, group.values.at("h"), group.values.at("u")};
+  const auto column = [&](const char* name) {
+    const auto found = group.values.find(name);
+    return found == group.values.end() ? std::vector<double>(x.size(), nan) : found->second;
+  };
+  return {x, column("h"), column("u")};
 }
 
 double judged_cell(const Submitted& submitted, double length, long cells, const SolverFacts& facts) {

@@ -30,7 +30,7 @@ WantedTable wanted_profile(double start, double end, long cells, const std::func
 ProfilePoints points_of(const Profile& profile);
 Submitted submitted_profile(const Profile& profile);
 
-/// The submitted points. @throws std::invalid_argument where they lie outside the channel, or farther apart than two
+/// The submitted points, NaN for a quantity that was not submitted. @throws std::invalid_argument where they lie outside the channel, or farther apart than two
 /// cells: such points show less than the solver knows, and cannot be judged for it
 ProfilePoints submitted_points(const Submitted& submitted, double start, double end, double cell);
 

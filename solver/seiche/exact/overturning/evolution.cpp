@@ -187,14 +187,16 @@ void Evolution::advance_to(double time) {
 
 std::string Evolution::ending_reason() const {
   if (ending_ == Ending::step_collapse) {
-    return fmt::format("time step below {:g} of sqrt(1/(g k)): two parts of the surface touch", shortest_step);
+    return fmt::format("two parts of the surface touch (time step below {:g} of sqrt(1/(g k)))", shortest_step);
   }
   if (ending_ == Ending::energy) {
-    return fmt::format("energy changed by more than {:g} of itself: surface not resolved", resolution_lost);
+    return fmt::format("the markers no longer resolve the surface (energy changed by more than {:g} of itself)",
+                       resolution_lost);
   }
   if (ending_ == Ending::none) return "";
-  return fmt::format("upper half of the spectrum above {:g} of its largest coefficient: surface not resolved",
-                     resolution_lost);
+  return fmt::format(
+      "the markers no longer resolve the surface (upper half of the spectrum above {:g} of its largest coefficient)",
+      resolution_lost);
 }
 
 double Evolution::ending_place() const {

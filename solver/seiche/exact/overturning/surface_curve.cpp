@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "seiche/divergence.hpp"
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
@@ -253,8 +255,8 @@ double MovingSurface::scaled_time(double t) const {
   require_within("t", t, 0, last_time_);
   const double scaled = t / time_;
   if (scaled > evolution_->now().time) {
-    throw Divergence(evolution_->ending_reason(), end_time(), static_cast<long>(steps()),
-                     evolution_->ending_place() * length_);
+    throw Divergence(fmt::format("t = {:g} is after the end of the wave: {}", t, evolution_->ending_reason()),
+                     end_time(), static_cast<long>(steps()), evolution_->ending_place() * length_);
   }
   return scaled;
 }
