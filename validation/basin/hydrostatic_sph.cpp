@@ -1,21 +1,22 @@
 /*
-Water at rest in a tank, by weakly compressible SPH: it should stay at rest, with the pressure of its depth. It does so
-to the pressures of its walls, which here are made in several ways.
+Water at rest in a tank, computed with weakly compressible SPH: velocities should stay zero and the pressure
+hydrostatic. The error depends on the wall treatment, of which this case compares several.
 
-**Set-up.** A tank 1 m wide with 0.5 m of water, $c_0 = 10\sqrt{2gH}$, $\alpha = 0.1$, XSPH $\epsilon = 0.5$, for 1 or
-2 s. `plain`: wall particles have the density that the equation of continuity gives them; `clamped`: the same, without
-suction; `filter`: densities are filtered every 30 steps; `diffusion`: the density diffusion of delta-SPH, 0.1, with
-corrected gradients; `extrapolated`: the walls take their pressure from the water (Adami, Hu and Adams 2012).
+**Set-up.** A tank 1 m wide with 0.5 m of water, $c_0 = 10\sqrt{2gH}$, $\alpha = 0.1$, XSPH $\epsilon = 0.5$, for 1 or 2
+s. `plain`: wall particles have the density given by the continuity equation; `clamped`: the same, without suction;
+`filter`: density filter every 30 steps; `diffusion`: density diffusion of delta-SPH, 0.1, with corrected gradients;
+`extrapolated`: wall pressure extrapolated from the water (Adami, Hu and Adams 2012).
 
-**What is compared.** Pressures with $\rho_0 g$ times the depth at 21 instants of the second half: all of the water, and
-its core, three smoothing lengths from the walls and the surface; velocities with zero; the centre of mass at the end
-with its first place. Errors swing by half of their size: one instant would tell little.
+**What is compared.** Pressure with $\rho_0 g$ times the depth at 21 instants of the second half of the run: over all of
+the water, and over its core, three smoothing lengths from walls and surface; velocity with zero; the final position of
+the centre of mass with its initial position. Errors oscillate by half of their magnitude, so that one instant is not
+representative.
 
-**What to look at.** The errors of the plain scheme hardly get smaller with the spacing. Part of them is sound that
-the start sets off at the walls, whose particles do not push as the water does; part is noise in the densities, which
-grows with the number of steps. Density diffusion removes the noise, away from the walls most of the error; walls that
-take their pressure from the water make no sound: they are ten times better, until their error is about half the
-compression $gH/c_0^2$ of the water.
+**What to look at.** The pressure error of the plain scheme hardly falls with the spacing. Part of the error is sound
+that the start emits at the walls, whose particles do not respond as water does; the other part is density noise, which
+grows with the number of steps. Density diffusion removes the noise and, away from the walls, most of the error. Walls
+with extrapolated pressure emit no sound: their error is ten times smaller, until it reaches about half the compression
+$gH/c_0^2$ of the water.
 */
 #include <array>
 #include <cmath>

@@ -1,17 +1,15 @@
 /*
-Still water over any bottom is an equilibrium. A model may keep it up to a truncation error, up to round-off, or
-exactly. The dispersive shallow-water model counts heights from the still-water level, so that at rest every force,
-every multiplier and every velocity is not small but zero.
+Still water over any bathymetry is an equilibrium. A model may preserve it to truncation error, to round-off, or
+exactly. The dispersive shallow-water model measures elevation from the still-water level, so that at rest every force,
+multiplier and velocity is exactly zero.
 
-**Set-up.** Two lakes with markers at random distances. One lies over a broken bottom, from a wall to a shoreline, with
-corners at random places inside the cells; the other over a bottom like a cosine, between walls, and once more in a
-periodic channel. Each is left alone until `time`, with every scheme, with compositions of fourth order, and with both
-kinetic energies.
+**Set-up.** Two lakes with randomly spaced nodes. The first has a polygonal bed with corners at random positions inside
+the cells, between a wall and a shoreline; the second a cosine bed, between walls and in a periodic channel. Each runs
+until `time` with every scheme, with fourth-order compositions, and with both kinetic energies.
 
-**What is compared.** The largest velocity, the largest elevation and the largest displacement of any marker, at any
-step, with zero: not one bit may differ.
+**What is compared.** Maximum velocity, elevation and displacement of any node at any step with zero, exactly.
 
-**What to look at.** The picture: the bottom is as rough as `roughness` says, and the lake does not mind.
+**What to look at.** The figure: the amplitude of the bed's roughness is the parameter `roughness`.
 */
 #include <memory>
 #include <numbers>

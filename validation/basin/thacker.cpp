@@ -1,17 +1,17 @@
 /*
-Water rocks in a parabolic bowl without ever breaking (Thacker): its surface stays a plane, and every drop of it moves
-by the same displacement,
+Water oscillates in a parabolic basin without breaking (Thacker 1981): its surface stays plane, and every water particle
+has the same displacement,
 
 $$z = h_0\left(\frac{(x - L/2)^2}{a^2} - 1\right), \qquad \xi(t) = -b \cos\omega t, \qquad \omega = \frac{\sqrt{2 g
 h_0}}{a}.$$
 
-Both shorelines run up and down the bowl, over a dry bed, with the velocity of the water behind them. For particles the
-edges themselves are exact references: $X_k(t) = X_k(0) + \xi(t) - \xi(0)$.
+Both shorelines move over the dry bed with the velocity of the water behind them. For particles the edges have an exact
+solution: $X_k(t) = X_k(0) + \xi(t) - \xi(0)$.
 
-**What is compared.** The two shorelines and all edges after some periods, with the exact motion; a fixed-grid scheme
-with hydrostatic reconstruction beside it, whose shoreline is the last cell that holds more than a thousandth of $h_0$.
+**What is compared.** Both shorelines and all particle edges with the exact motion, over several periods; beside them a
+fixed-grid scheme with hydrostatic reconstruction, whose shoreline is the last cell with a depth above $h_0/1000$.
 
-**What to look at.** The particles' shoreline is a line, not a threshold.
+**What to look at.** The particle method tracks the shoreline itself; no depth threshold is needed.
 */
 #include <algorithm>
 #include <array>

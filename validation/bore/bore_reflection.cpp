@@ -1,23 +1,22 @@
 /*
-A bore runs into still water before a wall and is thrown back: behind the reflected jump the water is at rest, $h_2$
-deep,
+A bore runs into still water and is reflected by a wall. Behind the reflected bore the water is at rest, of depth $h_2$,
 
 $$u_1 = (h_2 - h_1)\sqrt{\frac{g}{2}\,\frac{h_2 + h_1}{h_1 h_2}}, \qquad a_- = -\frac{u_1 h_1}{h_2 - h_1}.$$
 
 Bogomolov, Zakharov and Zerkal take $h_1 = 1$ m and $u_1 = 1.3$ m/s, ten particles, $\tau = 0.02$ s and a wall at $x =
-10$ m (their figures 13 to 15). The still depth $h_0 = 0.6343$ m follows from $u_1$; they print 0.63. Where the bore
-starts is not stated; it is 5 m here. They report a computed wall depth of **1.36 m beside 1.45 m from the jump
-conditions**.
+10$ m (their figures 13 to 15). The still depth $h_0 = 0.6343$ m follows from $u_1$; they print 0.63. They do not state
+the initial position of the bore; here it is 5 m. They report a computed wall depth of **1.36 m, compared with 1.45 m
+from the jump conditions**.
 
-**What is compared.** The wall depth and the method's own profile after the reflection; the other levels and the
-comparison schemes; and the paper's two printed numbers, the computed one with the rearrangement as written.
+**What is compared.** Wall depth and reconstructed profile after the reflection; the other variants of the method and
+the comparison schemes; the paper's two printed depths, the computed one by the rearrangement as written.
 
-**Your solver.** The profile at `time` is scored as in `riemann`; water comes in at the other end as it is behind the
+**Your solver.** The profile at `time` is scored as in `riemann`; at the other end water enters in the state behind the
 incident bore.
 
-**What to look at.** With the incident *and* the reflected jump handed over, ten particles give 1.45167616 m to all
-digits. By the rearrangement as the paper writes it (see `moving_bore`) the depth at the wall wanders, and 1.36 m is one
-of its values.
+**What to look at.** With the hand-over of both incident and reflected bore, ten particles give 1.45167616 m to all
+printed digits. By the rearrangement as written (see `moving_bore`) the wall depth fluctuates, and 1.36 m is one of its
+values.
 */
 #include <algorithm>
 #include <cmath>

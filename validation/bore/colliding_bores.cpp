@@ -1,17 +1,16 @@
 /*
-Two bores, 2 m and 1.5 m deep, run towards each other through still water of 1 m. They meet at $t_c = 4.118$ s and pass:
-after the meeting two weaker jumps enclose water 2.697 m deep, the middle state of the Riemann problem of the two states
+Two bores, of depths 2 m and 1.5 m, run towards each other through still water 1 m deep. They meet at $t_c = 4.118$ s;
+afterwards two weaker bores enclose water 2.697 m deep, the middle state of the Riemann problem between the two states
 behind the bores.
 
-Both ends are pistons; for your solver, ends of the channel from 0 to 100 m where the water comes in. The bores start at
-30 and 70 m.
+Both ends are pistons; for your solver, inflow ends of a channel from 0 to 100 m. The bores start at 30 and 70 m.
 
-**What is compared.** The profile 2 s after the meeting, for several numbers of particles and the three levels of the
-method. Profiles of others are scored as in `riemann`.
+**What is compared.** The profile 2 s after the collision, for several numbers of particles and the three variants of
+the method. External profiles are scored as in `riemann`.
 
-**What to look at.** The collision is the one event in which two jumps share a particle. A method that falls back to
-smeared jumps there leaves a scar at the place of the meeting that decays only as $1/N$; here the particle keeps both
-jumps, and then both that leave it.
+**What to look at.** During the collision two bores share a particle. A method that falls back to smeared bores there
+leaves an error at the collision point that decays only as $1/N$; here the particle holds both incident bores, then both
+outgoing ones.
 */
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"

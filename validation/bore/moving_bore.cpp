@@ -3,32 +3,32 @@ A bore of depth $h_1 = 2$ m runs into still water of depth $h_0 = 1$ m. The jump
 
 $$h_1 (u_1 - a) = h_0 (u_0 - a) = m, \qquad m (u_1 - u_0) = \tfrac{g}{2}\left(h_0^2 - h_1^2\right)$$
 
-give its speed $a = \sqrt{g h_1 (h_1 + h_0)/(2 h_0)}$ and the velocity behind it, $u_1 = a (1 - h_0/h_1)$. Bogomolov,
-Zakharov and Zerkal compute it with 120 particles and $\tau = 0.08$ s and print $a = 5.4$ and $u_1 = 2.7$ m/s (their
-figures 9 to 12); both $g = 9.8$ and $9.81$ m/s² fit those digits.
+give the bore speed $a = \sqrt{g h_1 (h_1 + h_0)/(2 h_0)}$ and the velocity behind the bore, $u_1 = a (1 - h_0/h_1)$.
+Bogomolov, Zakharov and Zerkal compute it with 120 particles and $\tau = 0.08$ s and print $a = 5.4$ and $u_1 = 2.7$ m/s
+(their figures 9 to 12); both $g = 9.8$ and $9.81$ m/s² agree with those digits.
 
-The left end is a piston that moves with $u_1$.
+The left end is a piston moving at $u_1$.
 
-**The rearrangement as they wrote it.** Every rectangle moves with its velocity; pairs that overlap or part are rebuilt,
-in an overlap the particle of smaller density, at a gap the faster one; from the new depths follow pressures, from these
-new velocities. If the rebuilt particle would become denser than the other, its position changes as well (their figure
-4): it gets the other's density, and its far side moves, until all pairs touch. The pressure at a shared side, "the
-pressure scheme of [4]", is open in the text: here the state of the particle that was rebuilt. Densities within 1e-9 of
-each other are equal and sides within 1e-11 of the row touch: told apart by the last bit, a sweep over the pairs does
-not end.
+**The rearrangement as written in the source.** Every rectangle moves with its velocity; pairs that overlap or separate
+are rebuilt: in an overlap the particle of smaller density, at a gap the faster one; new depths give pressures, and
+these give new velocities. If the rebuilt particle would become denser than the other, its position changes as well
+(their figure 4): it takes the other's density, and its far side moves, until all pairs touch. The text leaves the
+pressure at a shared side open ("the pressure scheme of [4]"); here it is the state of the rebuilt particle. Densities
+within 1e-9 count as equal and sides within 1e-11 of the channel length as touching: without these tolerances a sweep
+over the pairs does not end.
 
-**What is compared.** The method's own profile with the exact one; the energy of the two-state reconstruction, which
-must fall at exactly the rate that the jump conditions give, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other levels of the
-method and the comparison schemes.
+**What is compared.** The reconstructed profile with the exact one; the energy of the two-state reconstruction, which
+must fall at the rate of the jump conditions, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other variants of the method and the
+comparison schemes.
 
-**Your solver.** The channel is 120 m long, the bore at x = 40 m at the start; water comes in at the left as it is
-behind the bore. Depth and velocity at `steps` times `time_step`, 8 s, are scored as in `riemann`: with the place of the
-bore its speed.
+**Your solver.** The channel is 120 m long, the bore starts at x = 40 m; at the left end water enters in the state
+behind the bore. Depth and velocity at 8 s, `steps` times `time_step`, are scored as in `riemann`: the position of the
+bore gives its speed.
 
-**What to look at.** One particle holds the jump and hands it on to the next, by both rules. By the rearrangement as
-written the depth behind it is not even: a velocity of one side with a pressure of one particle is no solution of the
-jump conditions. By the hand-over nothing else is disturbed, to all digits. Every comparison scheme smears the jump over
-several cells.
+**What to look at.** One particle holds the bore and hands it over to the next, by both rules. By the rearrangement as
+written the depth behind the bore is not uniform: the velocity of a side combined with the pressure of one particle does
+not satisfy the jump conditions. By the hand-over the depth behind is exact to all digits. Every comparison scheme
+smears the bore over several cells.
 */
 #include <stdexcept>
 

@@ -1,12 +1,13 @@
 /*
-A piston starts gently, $u = u_p \sin^2(\pi t/4)$ for 2 s and $u_p = 1.5$ m/s from then on, into still water 1 m deep.
-Its compression wave steepens until the characteristics cross, and a bore forms inside smooth flow: nothing tells the
-scheme where or when.
+A piston accelerates gently, $u = u_p \sin^2(\pi t/4)$ for 2 s and $u_p = 1.5$ m/s from then on, into still water 1 m
+deep. The compression wave steepens until the characteristics cross, and a bore forms inside smooth flow, at a position
+and time that are not given to the scheme.
 
-**What is compared.** The position of the bore at $t = 10$ s with the finest run; its width; the depth at the piston,
-which starts at the depth of a simple wave and must settle to that behind a bore.
+**What is compared.** The bore position at $t = 10$ s with the finest run; the bore width; the depth at the piston,
+which starts at the depth of a simple wave and must tend to the depth behind a bore.
 
-**What to look at.** Level `H2` takes the jump into one particle as soon as it stands out against its surroundings.
+**What to look at.** Variant `H2` detects the bore and confines it to one particle as soon as it exceeds the surrounding
+gradient.
 */
 #include <cmath>
 #include <numbers>

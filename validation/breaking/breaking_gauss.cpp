@@ -1,31 +1,30 @@
 /*
-A periodic wave is pushed by a pressure on its surface until it breaks: the set-up of Longuet-Higgins and Cokelet
-(1976), which Frank computes with free particles under Gauss's principle (figure 10, frames at t =
-0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4).
+A surface pressure forces a periodic wave until it breaks: the set-up of Longuet-Higgins and Cokelet (1976), which Frank
+computes with Gauss-principle particles (figure 10, frames at t = 0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4).
 
 **Set-up.** A Stokes wave of height 0.6, wavelength $2\pi$, on water of mean depth $\pi$, crest at x = 0, in units of
-$g$ and of the density. The surface pressure $-p_0 \sin t \sin(x - t)$ acts for $0 \le t \le \pi$. Frank gives no $p_0$:
-the value of 0.1 is a fit to the times of his frames. Cubic splines on square cells that are shifted at random at every
-step; five particles to a cell's side; the penalty on gradients of vorticity.
+$g$ and of the density. The surface pressure $-p_0 \sin t \sin(x - t)$ acts for $0 \le t \le \pi$. Frank does not state
+$p_0$; the value 0.1 is fitted to the times of his frames. Cubic splines on square cells, shifted at random at every
+step; five particles per cell side; a penalty on vorticity gradients.
 
-**What is compared.** The time at which the surface first overturns with the frames, on which it is smooth at 5.4 and
-overturned at 7.2; the work of the pressure with linear theory, in which a wave of amplitude $a$ grows by
-$\dot a = (p_0/2)\,c \sin t$; the crest's height with that on cells a third wider; the balance of energy. With the
-height and the pressure of the figure the surface of every frame, the time at which the front is first vertical and the
-work are compared with potential flow under the same pressure, which Cauchy's integral gives to many digits
-(`seiche exact pressure_forced_wave`): on the lattice, on cells a third wider and on cells twice as wide.
+**What is compared.** The time at which the surface first overturns, with the frames: smooth at 5.4, overturned at 7.2;
+the work of the pressure with linear theory, in which a wave of amplitude $a$ grows by $\dot a = (p_0/2)\,c \sin t$; the
+crest elevation with that on cells 4/3 as wide; the energy balance. For the height and pressure of the figure, the
+surface of every frame, the time of the first vertical front and the work are compared with potential flow under the
+same pressure, computed with Cauchy's integral to spectral accuracy (`seiche exact pressure_forced_wave`), on three
+grids, of cells 1, 4/3 and 2 times as wide.
 
-**A perturbed initial velocity** (section 6.3) makes a wave break too. The thesis gives no size of it, so that its times
-cannot be tested: here a wave of height 0.7 starts with 1.5 times its velocities. Its first overhang, which is thin, is
-compared with potential flow: at 4.80 on 32 cells and 4.58 on 64, when the exact surface, vertical at 4.43, overhangs by
-0.32 and 0.17 cells.
+**A perturbed initial velocity** (section 6.3) makes a wave break too. The thesis does not state the perturbation, so
+that its times cannot be tested: here a wave of height 0.7 starts with 1.5 times its velocities. The first overhang,
+which is thin, is compared with potential flow: it appears at 4.80 on 32 cells and at 4.58 on 64, when the exact
+surface, vertical at 4.43, overhangs by 0.32 and 0.17 cells.
 
-**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and throws a jet. Where the
-jet is thinner than a cell, markers have no particles about them and fly on their own: their line shows no more than
-that there is one, and the outline of the particles is compared instead.
+**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and forms a jet. Where the
+jet is thinner than a cell, surface markers have no particles around them and move ballistically; the outline of the
+particles is compared instead.
 
-**When it is no test.** The amplitude of the pressure is fitted, so that the time of breaking is no prediction of
-Frank's figure; against potential flow it is one.
+**Limits of this test.** The pressure amplitude is fitted, so that the breaking time does not predict Frank's figure;
+the comparison with potential flow is independent of the fit.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,23 +1,24 @@
 /*
-The steep wave of `overturning_sph` overturns and plunges, by free particles under Gauss's principle of least
-constraint, beside SPH and the exact potential flow from the same start.
+The steep wave of `overturning_sph` overturns and plunges, computed with Gauss-principle particles, beside SPH and the
+exact potential flow from the same initial state.
 
-**Set-up.** One wavelength of a periodic layer, of depth 0.13 wavelengths; the surface begins as a cosine as high as
-the water is deep, with the velocities of linear theory, which are an exact potential flow under any surface. Units of
-$1/k$, $g$ and the density. Cubic splines on square cells, shifted at random at every step, six particles to a cell's
-side, the penalty on gradients of vorticity. SPH runs from the same velocities and exact pressures, as in its own case.
+**Set-up.** One wavelength of a periodic layer, $d/L = 0.13$; the initial surface is a cosine of height $H = d$ with the
+velocities of linear theory, which are an exact potential flow under any surface. Units of $1/k$, $g$ and the density.
+Cubic splines on square cells, shifted at random at every step; six particles per cell side; a penalty on vorticity
+gradients. SPH starts from the same velocities and exact pressures, as in its own case.
 
-**What is compared.** The surface with the boundary-integral computation (`seiche exact overturning_wave`) at
-five times up to a developed jet: the line of markers until the exact front is vertical, then the outline of the
-particles, for markers in a jet thinner than a cell have no mass about them. When the front is first vertical; the
-energy, which changes by what the penalty takes. A table shows the distances beside SPH, and the processor
-time of both, which is not scored.
+**What is compared.** The surface with the boundary-integral computation (`seiche exact overturning_wave`) at five times
+up to a developed jet: the line of surface markers until the exact front is vertical, then the outline of the particles,
+because markers in a jet thinner than a cell have no mass around them. The time of the first vertical front; the energy,
+which changes by what the penalty dissipates. A table shows the distances beside those of SPH, and the CPU time of both,
+which is not scored.
 
-**What to look at.** Up to the vertical front the particles are nearer to the exact surface by two orders of magnitude
-than SPH in the same time, and by more than one with a developed jet; no lattice of `overturning_sph` comes as near, up
-to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
+**What to look at.** Up to the vertical front the distance of the Gauss-principle particles from the exact surface is
+smaller than that of SPH by two orders of magnitude at equal CPU time, and by more than one with a developed jet; no
+resolution of `overturning_sph` is as accurate, up to 800 spacings per wavelength. The whole jet is accurate to a
+fraction of a cell.
 
-**When it is no test.** The water never touches itself here; what lands is SPH's part (`flap_plunging_sph`).
+**Limits of this test.** The jet does not impact here; impact is tested with SPH (`flap_plunging_sph`).
 */
 #include <algorithm>
 #include <array>

@@ -1,28 +1,26 @@
 /*
-A steep wave overturns and plunges, by weakly compressible SPH, beside the exact potential flow from the same start:
-what a plunging breaker by particles is worth, as a number.
+A steep wave overturns and plunges, computed with weakly compressible SPH, beside the exact potential flow from the same
+initial state: the accuracy of a plunging breaker computed with particles, as a number.
 
-**Set-up.** One wavelength $L$ of a periodic layer of depth $d = 0.13 L$ over a level bottom. The surface begins as a
-cosine of height $H = 0.13 L$, far too high to travel on. The initial velocities follow linear theory,
-which are an exact potential flow under any surface, and so are the pressures, from a harmonic series that makes them
-zero at the surface: nothing is left to settle. Lengths are in metres, $L = 1$ m; the scheme knows no other length than
-the spacing.
+**Set-up.** One wavelength $L$ of a periodic layer of depth $d = 0.13 L$ over a level bed. The initial surface is a
+cosine of height $H = 0.13 L$, far steeper than any permanent wave. The initial velocities follow linear theory, an
+exact potential flow under any surface; the initial pressures are a harmonic series that vanishes at the surface, so
+that the start emits no sound. Lengths are in metres, $L = 1$ m; the scheme has no other length scale than the spacing.
 
-**What is compared.** The surface, where the share of water is one half, with the boundary-integral computation
-(`overturning_wave`) at several times up to a developed jet: root mean square and largest distance of the two curves, on
-four lattices. When the front first hangs over by a hundredth of the wavelength. Energy, mean level, jet impact.
+**What is compared.** The surface, the contour of volume fraction 0.5, with the boundary-integral computation
+(`overturning_wave`) at several times up to a developed jet: rms and maximum distance of the two curves, at four
+spacings. The time at which the front first overhangs by $L/100$. Energy, mean level, jet impact.
 
-A table compares schemes of the same kind: without viscosity, with the stress of unresolved eddies, with other walls,
-with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline); and at the same processor
-time, on wider spacings, with density diffusion and with particle shifting.
+A table compares schemes of the same kind: without viscosity, with sub-particle-scale (SPS) stress, with other walls,
+with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline); and at equal CPU time, at
+larger spacings, with density diffusion and with particle shifting.
 
-**What to look at.** Until the front is steep the surface is right to a few tenths of a spacing, with a developed jet to
-about half a spacing; the distance falls in proportion to the spacing, down to what the finite sound speed leaves, and
-the tip of the jet is what arrives last. At the processor time of 200 columns density diffusion and particle shifting
-together keep the energy to a thousandth, of which the first scheme loses 5 %. By their distances, 2.4 to 3.1
-thousandths of the wavelength with a developed jet, the schemes cannot be told apart: two columns more have changed that
-with shifting by a quarter. What particles lose is mostly potential energy, for the layer settles on its bottom by a
-part of a spacing; the kinetic energy is within a few per cent of potential flow.
+**What to look at.** Until the front is steep the surface is accurate to a few tenths of a spacing, with a developed jet to about 0.5; the distance falls in proportion to the spacing, down to the error of the finite sound speed, and the tip of
+the jet lags most. At the CPU time of 200 columns density diffusion and particle shifting together conserve energy to
+0.1 %, of which the first scheme loses 5 %. By their distances, 0.0024 to 0.0031 $L$ with a developed jet, the schemes
+are indistinguishable: two more columns change the distance with shifting by a quarter. The energy lost is mostly
+potential, because the layer settles on its bed by a fraction of a spacing; the kinetic energy is within a few per cent
+of potential flow.
 */
 #include <algorithm>
 #include <array>

@@ -1,20 +1,20 @@
 /*
-Whether and when a wave overturns depends on its height $H/L$ and on the depth $d/L$ of the water: weakly compressible
-SPH beside exact potential flow, for four waves. And what artificial viscosity and the stress of unresolved eddies do
-to the air that the jet of the steepest one shuts off.
+Whether and when a wave overturns depends on its steepness $H/L$ and relative depth $d/L$: weakly compressible SPH
+beside exact potential flow, for four waves. The case also shows the effect of artificial viscosity and of
+sub-particle-scale (SPS) stress on the cavity that the jet of the steepest wave encloses.
 
 **Set-up.** As in `overturning_sph`: a periodic layer, a cosine with the velocities and pressures of an exact potential
-flow. Lengths are in metres, $L = 1$ m. The spacing is the same for all, so the lower and shallower waves have fewer
-particles in their height.
+flow. Lengths are in metres, $L = 1$ m. The spacing is the same for all waves, so that lower and shallower waves have
+fewer particles over their height.
 
-**What is compared.** The surfaces with the boundary-integral computation (`overturning_wave`), when its front
-is vertical and when its jet is developed: for each wave at a time of its own. From the tier `full` on also the cavity
-at the instant in which the jet closes it, with artificial viscosity, laminar, and with the stress: that artificial
-viscosity makes it smaller is declared. Coarser particles close one that is three of them wide.
+**What is compared.** The surfaces with the boundary-integral computation (`overturning_wave`) when its front is
+vertical and when its jet is developed, for each wave at its own time. From the tier `full` on also the cavity at the
+instant of its closure, with artificial viscosity, laminar, and with SPS stress: that artificial viscosity reduces the
+cavity is a known deviation. Larger particles close a cavity of three spacings.
 
-**What to look at.** The times in the table: a lower wave overturns later, a wave over deeper water too, for its trough
-slows the front less. When the front of the particles hangs over by a hundredth of the wavelength, little more than one
-spacing, is shown and not scored: their jet is formed by few of them, and late.
+**What to look at.** The times in the table: a lower wave overturns later, and so does a wave over deeper water, whose
+trough slows the front less. The time at which the SPH front overhangs by $L/100$, little more than one spacing, is
+shown and not scored: the jet consists of few particles and lags.
 */
 #include <algorithm>
 #include <array>

@@ -1,18 +1,18 @@
 /*
 A cosine of large amplitude, with the potential of the linear wave at its surface, steepens, overturns and plunges. Up
-to jet impact the flow is irrotational and its surface known to many digits from a spectral boundary-integral
-computation (`seiche exact overturning_wave`): a plunging breaker without experimental scatter.
+to jet impact the flow is irrotational, and a spectral boundary-integral computation gives the surface to many digits
+(`seiche exact overturning_wave`): a plunging breaker without experimental scatter.
 
 **What is compared.** The case computes the wave, checks conservation of volume, energy and impulse and the exact
-kinetic energy of the start, $\tfrac{\pi}{2} A^2 I_0(2A)$, and shows profiles until the jet is about to land. It scores
-others: the surface at given times, as points $(x, y)$ with their fraction $s$ of the arc length over one wavelength,
-and the time at which the front is first vertical.
+initial kinetic energy, $\tfrac{\pi}{2} A^2 I_0(2A)$, and shows profiles until shortly before jet impact. It accepts
+external results: the surface at given times, as points $(x, y)$ with their fraction $s$ of the arc length over one
+wavelength, and the time of the first vertical front.
 
-A surface is within the tolerance where no point of it is farther off than that part of the cosine's height, in $x$ or
-$y$.
+A surface is within the tolerance where every point agrees, in $x$ and $y$, within that fraction of the height of the
+cosine.
 
-**What to look at.** The nose of the jet. A solver that is too viscous, in fact or by its numerics, overturns late and
-throws a thick jet near the crest.
+**What to look at.** The tip of the jet. With too much physical or numerical viscosity the wave overturns late, with a
+thick jet near the crest.
 */
 #include <array>
 #include <cmath>

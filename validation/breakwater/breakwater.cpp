@@ -1,22 +1,22 @@
 /*
-A breakwater whose front and rear walls are pushed at different times bears less than a plain wall (Frank 1994, section
-2.3). Waves cross a berm, which is the front wall of the structure, and reach the rear wall half a period later. The
-thesis gives no geometry; this one is made up.
+A breakwater whose front and rear walls are loaded in antiphase bears a smaller total force than a plain wall (Frank
+1994, section 2.3). Waves cross a berm, the front wall of the structure, and reach the rear wall half a period later.
+The thesis states no geometry; the one used here is an assumption.
 
-**Set-up.** Depth, gravity and density are 1. The rear wall is at $x = 0$. A berm of width 2 lies before it in a depth
-of 0.4; its front face is a smooth step, $y_b = -1 + 0.3\,[1 + \tanh((x + 2)/0.21)]$. The basin ends at a wall at $x =
--14$. Nodes at the bottom slide along it. Forces are integrals of the dynamic pressure, towards the land: on the front
-face, the sum of $\lambda\,\Delta y$ over the edges of the bottom; on the rear wall, over its own.
+**Set-up.** Depth, gravity and density are 1. The rear wall is at $x = 0$. A berm 2 wide, under water of depth 0.4, lies
+before it; its front face is a smooth step, $y_b = -1 + 0.3\,[1 + \tanh((x + 2)/0.21)]$. The basin ends at a wall at $x
+= -14$. Bed nodes slide along the bed. Forces are integrals of the dynamic pressure, positive landwards: on the front
+face, the sum of $\lambda\,\Delta y$ over the bed edges; on the rear wall, over its own edges.
 
-**What is compared.** The standing waves of the basin when they are small, from the eigenvalues of the linearised model.
-Their forces, over the height of the wave at the far wall, stand beside the
-force $\tanh(kH)/k$ on a plain wall. Basins of other lengths fill in the wavelengths between. Then one of the waves runs
-in time, small. Multipliers of single steps alternate; forces are from means of two steps. The case
-`breakwater_high_wave` runs it high, `breakwater_periodic` lets waves come in from a paddle.
+**What is compared.** Small standing waves of the basin, from the eigenvalues of the linearised model: their forces per
+wave height at the far wall, beside the force $\tanh(kH)/k$ on a plain wall. Basins of other lengths give intermediate
+wavelengths. One of the waves is also run in time, at small height. Multipliers of single steps alternate; forces are
+means over two steps. The case `breakwater_high_wave` runs the wave at large height, `breakwater_periodic` generates
+waves with a paddle.
 
-**What to look at.** The berm is half a wave wide for waves of about six depths. There, and on both sides of that
-length, front and rear are pushed in opposite directions with nearly the same force: the structure bears less than a
-tenth of what a plain wall does. Waves much longer push on both together.
+**What to look at.** The berm is half a wavelength wide for $L/h$ of about 6. There, and for longer and shorter waves
+around it, the forces on front and rear are opposite and nearly equal: the structure bears less than a tenth of the
+force on a plain wall. Much longer waves load both walls in phase.
 */
 #include <algorithm>
 #include <array>

@@ -1,31 +1,31 @@
 /*
-A breakwater whose front and rear walls are pushed at different times bears less than a plain wall (Frank 1994, section
-2.3). The case `breakwater` shows it for small waves; here the wave is high.
+A breakwater whose front and rear walls are loaded in antiphase bears a smaller total force than a plain wall (Frank
+1994, section 2.3). The case `breakwater` shows it for small waves; here the wave is high.
 
-**Set-up.** The basin of `breakwater`: depth 1, a berm in a depth of 0.4 before the rear wall, a wall 14 depths away. A
-standing wave of about six depths, for which the berm is half a wave wide, starts from rest with the height 0.1 at the
-far wall: a quarter of the depth over the berm. Gravity and density are 1. Without the hourglass potential the mesh
-tangles at the edge of the berm within two periods, for heights of $0.02$ already.
+**Set-up.** The basin of `breakwater`: depth 1, a berm under water of depth 0.4 before the rear wall, a far wall at $x =
+-14$. A standing wave of $L/h$ about 6, for which the berm is half a wavelength wide, starts from rest with the height
+0.1 at the far wall: a quarter of the depth over the berm. Gravity and density are 1. Without the hourglass potential
+the mesh tangles at the edge of the berm within two periods, for heights of $0.02$ already.
 
-**What is compared.** First the water's horizontal momentum with the forces of the walls and of the bottom, in every
-step. They are found from the pressures in the cells, the hydrostatic part and the hourglass potential included, and
-from what turns the water's way along the bottom, not from what the water did; the scheme must balance them to rounding.
-Then these reactions with the forces that are read off the edges of front and rear, as for small waves: they differ by
-how well the cells resolve the front face. The energy must stay as the scheme promises. Last the statement itself: the
-largest total force of the wave over the force of the same wave on a plain wall.
+**What is compared.** First, in every step, the rate of change of the water's horizontal momentum with the forces of
+walls and bed. These forces are computed from the cell pressures, including the hydrostatic part and the hourglass
+potential, and from the reaction that turns the flow along the bed, independently of the motion; the scheme must balance
+them to round-off. Second, these reactions with the forces read off the edges of front and rear, as for small waves: the
+difference measures the resolution of the front face. Third, the energy with the band of the one-step scheme. Last, the
+statement itself: the maximum total force of the wave over the force of the same wave on a plain wall.
 
-How much of the total is left? For small waves at most a tenth. A wave that crosses the berm gets steeper, and by Airy's
-theory of shallow water its second harmonic grows by $\tfrac34 k B \alpha^2/d$ on the way $B$ in the depth $d$, $\alpha$
-being the height of the wave that goes one way, half of the height $\eta_r$ at the rear wall. The wall doubles it. The
-berm is a whole wave wide for it: it pushes front and rear together, with $(1 - d)$ and $d$ of $\tfrac38 k B
-\eta_r^2/d$, and the contact point that moves adds $\tfrac12\eta_r^2$. So the total may reach a tenth of a plain wall's
-force and
+For small waves at most a tenth of the force is left. A wave that crosses the berm steepens, and by Airy's shallow-water
+theory its second harmonic grows by $\tfrac34 k B \alpha^2/d$ over the distance $B$ in the depth $d$, where $\alpha$,
+the height of the wave propagating in one direction, is half of the height $\eta_r$ at the rear wall. The wall doubles
+it. For the second harmonic the berm is a whole wavelength wide: it loads front and rear in phase, with fractions $(1 -
+d)$ and $d$ of $\tfrac38 k B \eta_r^2/d$, and the moving contact point adds $\tfrac12\eta_r^2$. The total may therefore
+reach a tenth of the force on a plain wall and
 
 $$ \tfrac12 \eta_r^2 + \tfrac38 k B \eta_r^2/d . $$
 
-**What to look at.** Front and rear are still pushed in antiphase, but no longer sinusoidally: crests push harder and
-shorter than troughs pull. What alternates with the wave nearly cancels in the total, and about as much of what is left
-has twice the frequency.
+**What to look at.** Front and rear are still loaded in antiphase, but not sinusoidally: crests push harder and for a
+shorter time than troughs pull. The component at the wave frequency nearly cancels in the total; about as much of the
+remainder has twice the frequency.
 */
 #include <algorithm>
 #include <cmath>

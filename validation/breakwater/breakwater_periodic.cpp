@@ -1,27 +1,26 @@
 /*
-Periodic waves come in on a breakwater whose front and rear walls are pushed at different times (Frank 1994, section
-2.3). A piston far away makes them; they are reflected, and before the breakwater a standing wave is left.
+Periodic waves arrive at a breakwater whose front and rear walls are loaded in antiphase (Frank 1994, section 2.3). A
+distant piston generates them; they are reflected, and a standing wave forms before the breakwater.
 
-**Set-up.** Depth, gravity and density are 1. The breakwater is taken from the case `breakwater`: a berm of width 2 in a
-depth of 0.4 before the rear wall. The piston is 50 depths from the wall. Its motion grows during 28 units of time, four
-periods of a wave of six depths, and sends waves half as high as the standing wave is to be. The run ends before what
-the paddle reflects again is back at the breakwater: little of it comes faster than at $0.6\,c_g + 0.4$, between the
-wave's group velocity and the fastest group velocity, 1. The last whole periods of it, two or more, are analysed, with
-weights that rise and fall like $1 - \cos$.
+**Set-up.** Depth, gravity and density are 1. The breakwater is that of the case `breakwater`: a berm 2 wide under water
+of depth 0.4 before the rear wall. The piston is at a distance of 50 from the wall. Its motion ramps up over 28 time
+units, four periods of a wave of $L/h = 6$, and generates waves of half the height of the intended standing wave. The
+run ends before re-reflection from the paddle reaches the breakwater: little of it travels faster than $0.6\,c_g + 0.4$,
+between the group velocity and the maximum group velocity, 1. The last whole periods, two or more, are analysed, with a
+window $1 - \cos$.
 
-**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with small
-standing waves from the eigenvalues of the same mesh. Frequencies are eigenfrequencies of a basin 14 depths long, whose
-far wall is an antinode, so a mirror, of the standing wave in the tank too; the piston has the frequency that the
-one-step scheme gives that wave. Then neither cells nor steps make a difference. What remains is the start that has not
-yet left: linear theory of the piston, which knows no cells, tells how much, for the way to the antinode, for the way
-back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which tangles it
-at the edge of the berm when waves are high. So the waves are low; one of a fifth of the depth from trough to crest, on
-a mesh with an hourglass potential, is in `breakwater_high_wave`. The height itself, two incident waves', is compared
-with the theory of the piston.
+**What is compared.** Amplitude and phase of the forces on front and rear, per elevation at an antinode, with small
+standing waves from the eigenvalues of the same mesh. The frequencies are eigenfrequencies of a basin of length 14,
+whose far wall is an antinode, hence a plane of symmetry, of the standing wave in the tank too; the piston has the
+frequency of that wave in the one-step scheme, so that cells and steps contribute no difference. Two errors remain. The
+first is the transient of the start, which linear piston theory predicts for the way to the antinode, the way back and
+the re-reflection from the paddle. The second is the drift of the mesh with the square of the height, which tangles it
+at the edge of the berm under high waves; the waves are therefore low. `breakwater_high_wave` runs a wave of height 0.2
+on a mesh with an hourglass potential. The height of the standing wave is compared with twice the theory of the piston.
 
-**What to look at.** The berm is half a wave wide for waves of about six depths. Front and rear are then pushed in
-antiphase, and the sum of both, for which the structure must be built, is less than a tenth of the force on a plain
-wall. Waves of fifteen depths push on both together.
+**What to look at.** The berm is half a wavelength wide for $L/h$ of about 6. Front and rear are then loaded in
+antiphase, and their sum, for which the structure must be designed, is less than a tenth of the force on a plain wall.
+Waves of $L/h = 15$ load both in phase.
 */
 #include <algorithm>
 #include <array>

@@ -1,23 +1,23 @@
 /*
-A column of water, once or twice as high as wide, stands at a wall and is let go over a dry bed: the experiments of
-Martin and Moyce (1952), by free particles under Gauss's principle of least constraint.
+A water column, of height equal to or twice its width, collapses at a wall over a dry bed: the experiments of Martin and
+Moyce (1952), computed with Gauss-principle particles.
 
 **Set-up.** Width $a$, gravity and density are 1; $T = t\sqrt{n^2 g/a}$, $n^2$ the height over the width. Particles
-stand at rest on a square lattice. Cubic splines on square cells; cells count as full from 0.3 of their mass on, for the
-tongue is thin. The penalty on gradients of vorticity is on ($C = 0.01$). Markers, which have no mass, trace top and
-front of the column; the farthest is the front, that at the wall the residual height.
+start at rest on a square grid. Cubic splines on square cells; cells count as full from 0.3 of their mass on, because
+the tongue is thin. The penalty on vorticity gradients is on ($C = 0.01$). Massless markers trace top and front of the
+column; the farthest marker is the front, the marker at the wall gives the residual height.
 
-**What is compared.** The speed of the front between $T = 2$ and 3.1, by which it does not matter when the column was
-free; then its place, with one shift of the time origin, for a diaphragm of waxed paper had to melt first. Behind a
-square column, the height at the wall with the same shift. Three lattices tell how well the front is known. The front of
-shallow water, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome, and stays ahead.
+**What is compared.** The front speed between $T = 2$ and 3.1, which does not depend on the release time; the front
+position, with one shift of the time origin, because the experiment released the column by melting a diaphragm of waxed
+paper; for a square column, the height at the wall with the same shift. Three grids give the numerical uncertainty of
+the front. The shallow-water front, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome and stays ahead.
 
-**What to look at.** As it stands the front is ahead of the measured one from the first point on: nothing holds the
-water, and nothing rubs. The tall column's front, shifted, goes through the points. The front of the square column gains
-on them, on every lattice: it is thin sooner, and there is no friction on bed and side walls to hold it back. The claim
-`rms` is therefore declared to fail with `aspect=1`.
+**What to look at.** Without a shift the computed front is ahead of the measured one from the first point on: release is
+instantaneous and friction absent. With the shift the front of the tall column passes through the points. The front of
+the square column gains on them, on every grid: its tongue becomes thin earlier, and friction at bed and side walls,
+which holds the measured front back, is absent. The claim `rms` is therefore a known deviation for `aspect=1`.
 
-**When it is no test.** The front becomes thinner than a cell; what it does there is the free flight of particles.
+**Limits of this test.** The front becomes thinner than a cell; beyond that point its particles move ballistically.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 /*
 Dam breaks over a dry bed and over water of $h_0/h_1 = 0.1$ and $0.5$, refined: dam at $x = 20$ m in $[0, 50]$ m, $t =
-6$ s, Courant number 0.4. Corners of fans and jumps limit **every** scheme to first order in the mean; what differs is
-the constant.
+6$ s, Courant number 0.4. Corners of rarefactions and bores limit **every** scheme to first order in the mean; schemes
+differ in the constant.
 
-**What is compared.** The mean error of cell depths, and the processor time it takes, for the particle method with equal
-masses (recommended) and equal widths, its first-order level, and the comparison schemes. A given $N$ means the same
-initial width for all; over a dry bed the particles cover only the water.
+**What is compared.** The mean error of cell depths, and the CPU time, for the particle method with equal masses
+(recommended) and equal widths, its first-order variant, and the comparison schemes. A given $N$ is the same initial
+width for all; over a dry bed the particles cover only the water.
 
-**What to look at.** The second picture: how long one has to wait for a given error.
+**What to look at.** The second figure: CPU time for a given error.
 */
 #include <algorithm>
 

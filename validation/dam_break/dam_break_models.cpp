@@ -1,27 +1,26 @@
 /*
-Which model should one take? A column of water twice as high as wide is let go at a wall and runs over a dry bed, by six
-models: free particles under Gauss's principle, the Lagrangian mesh, Dirichlet cells, particles of variable mass,
-overlapping particles, and weakly compressible SPH. The front that Martin and Moyce (1952) measured tells how far off
-each is.
+Which model suits a collapsing column? A water column twice as high as wide collapses at a wall and runs over a dry bed,
+computed with six models: Gauss-principle particles, the Lagrangian mesh, Dirichlet cells, variable-mass particles,
+overlapping particles, and weakly compressible SPH. The reference is the front measured by Martin and Moyce (1952).
 
 **Set-up.** Width $a$, gravity and density are 1; $T = t\sqrt{2g/a}$. Gauss-principle particles are set as in
-`collapse_gauss`, SPH has the settings of `dam_break_sph_front` with a sound speed of ten times the velocity of a free
-fall through the column's height. Mesh and cells are rectangles with a wall and a bed, free elsewhere; overlapping
-particles have their mirror images behind both. Each is refined in space and time together.
+`collapse_gauss`; SPH has the settings of `dam_break_sph_front` with a sound speed of ten times the free-fall velocity
+over the column height. Mesh and cells are rectangles with a wall and a bed, free elsewhere; overlapping particles have
+mirror images behind both. Each model is refined in space and time together.
 
-**What is compared.** The front with the measured points, with the one shift of the time origin that fits them best, for
-a diaphragm of waxed paper had to melt first: the root mean square over the width, of the points up to T = 3.4. Then
-each goes on to T = 5, unless it breaks down or its front is off by half of the width.
+**What is compared.** The front with the measured points, after the best shift of the time origin (the experiment
+released the column by melting a diaphragm of waxed paper): rms difference over the width, for points up to T = 3.4.
+Each model then continues to T = 5, unless it breaks down or its front is in error by half of the width.
 
-**What to look at.** Two models get there: free particles go through the points within what these are known by, on eight
-cells to the width; SPH comes near as its viscosity falls with the spacing, and loses a fifth of the energy. The others
-are no models for this: the mesh tangles at the upper corner of the column, which becomes a straight piece of surface;
-of the Dirichlet cells a triangle at the toe, where the water runs fastest, inverts; overlapping particles are pressed
-through the bed, for single pressures are chequered; particles of variable mass want one height of the surface over
-every place, and cannot represent a column. They give out the sooner the finer they are.
+**What to look at.** Two models complete: Gauss-principle particles agree with the points within their uncertainty, on
+eight cells over the width; SPH approaches the points as its viscosity falls with the spacing, and loses 20 % of the
+energy. The other models fail. The mesh tangles at the upper corner of the column, whose right angle opens until it is
+straight. A triangle of the Dirichlet cells inverts at the toe, where velocities are highest. Overlapping particles pass
+through the bed, because single pressures are chequered. Variable-mass particles need a single-valued surface elevation
+and cannot represent a column. Each of these fails earlier at finer resolution.
 
-**When it is no test.** After the tongue has become thinner than a cell or a spacing. The discrete dispersive shallow
-water has no vertical front.
+**Limits of this test.** No comparison is meaningful once the tongue is thinner than a cell or spacing. Dispersive
+shallow water has no vertical front.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,24 +1,24 @@
 /*
-A column of water at the rear wall of an open tank is let go: any column, any tank, any setting of weakly compressible
-SPH. The cases of the publications, `dam_break_sph_front`, `dam_break_sph_turbulence` and
-`dam_break_sph_koshizuka`, are this one with their numbers.
+A water column collapses at the rear wall of an open tank, for any column, tank and setting of weakly compressible SPH.
+The cases of the publications, `dam_break_sph_front`, `dam_break_sph_turbulence` and `dam_break_sph_koshizuka`, are this
+case with their parameters.
 
-**Set-up.** Column, tank, spacing and lattice of particles are parameters; so are kernel, viscosity, density filter,
-walls. Densities begin hydrostatic. Time is $T = t\sqrt{2g/a}$, $a$ the width of the column; beside square columns
-it is $t\sqrt{g/a}$, as their front was published.
+**Set-up.** Column, tank, spacing and particle arrangement are parameters; so are kernel, viscosity, density filter and
+walls. Initial densities are hydrostatic. Time is $T = t\sqrt{2g/a}$, $a$ the width of the column; for square columns
+$t\sqrt{g/a}$, as published.
 
-**What is compared.** The position of the front, the largest $x$ of particles with at least four neighbours, with a
-published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
-or pulling something. Points count until the far wall is near.
+**What is compared.** The front position, the largest $x$ of particles with at least four neighbours, with a published
+front (`data`): without a shift, and with one shift of the time origin, because laboratories release a column by melting
+or pulling a gate. Points count until the far wall is near.
 
-Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long the
-release took nobody knows, but how fast the front runs can be evaluated: a shift and a rate are fitted together, over
-all points that are known, or as far as the submitter's tank goes (`judged_to`). Four points up to the wall of the
-default tank say too little of the rate to decide.
+External results are scored by the same columns: `seiche score dam_break_sph` accepts a front computed with any method.
+The release time is unknown, but the front speed can be evaluated: a shift and a rate are fitted together, over all
+known points, or as far as the submitter's tank reaches (`judged_to`). The four points up to the wall of the default
+tank do not determine the rate.
 
-**What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. And the Mach number: the usual
-sound speed, ten times $\sqrt{gH}$ or $\sqrt{2gH}$, does not keep it at a tenth (`sound_from=height`). So a first run
-with it tells the largest speed, from which the sound speed follows.
+**What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. The Mach number: the usual
+sound speed, ten times $\sqrt{gH}$ or $\sqrt{2gH}$, does not keep it below 0.1 (`sound_from=height`). A first run with
+it therefore gives the maximum velocity, from which the sound speed follows.
 */
 #include <algorithm>
 #include <cmath>

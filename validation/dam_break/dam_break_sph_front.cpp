@@ -1,24 +1,23 @@
 /*
-A column of water, $a = 5.7$ cm wide and twice as high, falls in an open tank $4a$ long: the dam break of Martin and
-Moyce (1952), as weakly compressible SPH computes it in figure 2 of the publication; figure 1 is its domain.
+A water column, $a = 5.7$ cm wide and $2a$ high, collapses in an open tank $4a$ long: the dam break of Martin and Moyce
+(1952), as computed with weakly compressible SPH in figure 2 of the publication; figure 1 is its domain.
 
 **Set-up.** Walls $3.5a$ high; artificial viscosity $\alpha = 0.3$, XSPH $\epsilon = 0.5$, no density filter, $h =
-1.3\,dx$. The publication wants $c_0$ ten times as large as the largest speed of the whole run. A first run with $c_0 =
-10\sqrt{2gH}$, $H = 2a$, as the usual rule has it, tells that speed; there it is up to a fifth of $c_0$. The second run,
-with 12.5 times that speed and the same $\alpha c_0$, is the computation. The publication's 11103 particles are two in
-each of 50 by 100 cells and 1103 of the walls, whose corners are counted twice (tier `paper`); a square lattice with one
-in each cell gives the same front. Tier `full`: five spacings from $a/18$ to $a/71$. $T = t\sqrt{2g/a}$.
+1.3\,dx$. The publication asks for a sound speed $c_0$ of ten times the maximum velocity of the run. A first run with
+$c_0 = 10\sqrt{2gH}$, $H = 2a$, the usual rule, gives that velocity, which reaches $c_0/5$. The second run, with 12.5
+times that velocity and the same $\alpha c_0$, is the computation. The publication's 11103 particles are two in each of
+50 by 100 cells and 1103 in the walls, whose corners are counted twice (tier `paper`); a square arrangement with one
+particle per cell gives the same front. Tier `full`: five spacings from $a/18$ to $a/71$. $T = t\sqrt{2g/a}$.
 
-**What is compared.** The front with the points of the wider column, $a = 5.715$ cm: as it stands, and with one shift
-of the time origin, for the columns were let go by melting a diaphragm of waxed paper, which delays the start by a time
-that was not measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be
-repeated from the text: OpenFOAM's interFoam (`examples/solvers/openfoam`), which has no artificial viscosity to hold
-the column back, takes its place.
+**What is compared.** The front with the points of the wider column, $a = 5.715$ cm: without a shift, and with one shift
+of the time origin, because the columns were released by melting a diaphragm of waxed paper, with a delay that was not
+measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be repeated from the
+text: OpenFOAM's interFoam (`examples/solvers/openfoam`), which has no artificial viscosity, takes its place.
 
-**What to look at.** As it stands the computed front is ahead, by 7 to 10 per cent with the publication's spacing
-$a/50$, as a column must be that nothing delays. Shifted, it goes through the points. Artificial viscosity goes with the
-spacing: the finer the lattice, the faster the front, by 1.27 $\sqrt{2ga}$ with $a/30$, 1.32 with $a/50$ and 1.33 with
-$a/71$, where the points say 1.28.
+**What to look at.** Without a shift the computed front is ahead, by 7 to 10 % at the publication's spacing $a/50$, as
+expected of an instantaneous release. Shifted, it passes through the points. Artificial viscosity is proportional to the
+spacing: the front speed rises with resolution, 1.27 $\sqrt{2ga}$ at $a/30$, 1.32 at $a/50$ and 1.33 at $a/71$, compared
+with 1.28 from the points.
 */
 #include <algorithm>
 #include <array>

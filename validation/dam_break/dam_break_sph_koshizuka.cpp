@@ -1,18 +1,19 @@
 /*
-Koshizuka and Oka (1996) pulled a wall away from a column of water, $L = 14.6$ cm wide and twice as high, in a tank $4L$
-long, and computed it with their moving-particle semi-implicit method. Here it is computed by weakly compressible SPH.
+Koshizuka and Oka (1996) pulled a gate away from a water column, $L = 14.6$ cm wide and $2L$ high, in a tank $4L$ long,
+and computed the collapse with the moving-particle semi-implicit (MPS) method. Here it is computed with weakly
+compressible SPH.
 
 **Set-up.** Spacing $L/40$, artificial viscosity $\alpha = 0.3$ as for the other columns, density filter every 30 steps.
-The sound speed is 12.5 times the largest speed of a first run with $c_0 = 10\sqrt{2g \cdot 2L}$, so that no particle
-moves at more than a tenth of it. $T = t\sqrt{2g/L}$.
+The sound speed is 12.5 times the maximum velocity of a first run with $c_0 = 10\sqrt{2g \cdot 2L}$, so that no particle
+exceeds a Mach number of 0.1. $T = t\sqrt{2g/L}$.
 
-**What is compared.** The front with their computation and with two digitisations of their experiment, each as it
-stands and with one shift of the time origin. The digitisations differ by up to a third of $L$: how late the
-experiment is and how well a shift explains it depend on who read the figure. No source says how long the wall took to
-be pulled away: the shifts of the experiment are shown and not scored.
+**What is compared.** The front with the MPS computation and with two digitisations of the experiment, each without and
+with one shift of the time origin. The digitisations differ by up to $L/3$: delay of the experiment and quality of the
+shifted fit depend on the reader of the figure. No source states the time for pulling the gate; the shifts of the
+experiment are shown and not scored.
 
-**What to look at.** The two computations, which release the water at once, agree without a shift to speak of. The
-experiment is later than both.
+**What to look at.** The two computations, which release the water instantaneously, agree without a significant shift.
+The experiment lags both.
 */
 #include <cmath>
 #include <limits>

@@ -1,23 +1,23 @@
 /*
-A square column of water, $a = 30$ cm, falls in an open tank $3a$ long, runs up the far wall and comes back as a jet:
-weakly compressible SPH with laminar viscosity and the stress of unresolved eddies (figure 3 of the publication).
+A square water column, $a = 30$ cm, collapses in an open tank $3a$ long, runs up the far wall and falls back as a jet:
+weakly compressible SPH with laminar viscosity and sub-particle-scale (SPS) stress (figure 3 of the publication).
 
-**Set-up.** Walls $1.75a$ high, $\nu_0 = 10^{-6}$ m$^2$/s, $C_S = 0.12$, $C_I = 0.00066$, density filter every 30
-steps. The sound speed is 12.5 times the largest speed of a first run with $c_0 = 10\sqrt{2ga}$, in which spray moves at
-more than a fifth of it. The steps are $0.2\,h/c$ in the tier `quick` and $0.15\,h/c$ with more cells: the midpoint rule
-lets short sound grow, which nothing but the eddies damps here, and twelve thousand steps of $0.3\,h/c$ on $a/30$ end in
-a particle of half its density. The publication's 7983 particles are two in each of 60 by 60 cells and 783 of the walls,
-in two rows; the tier `paper` gives its walls a third row.
+**Set-up.** Walls $1.75a$ high, $\nu_0 = 10^{-6}$ m$^2$/s, $C_S = 0.12$, $C_I = 0.00066$, density filter every 30 steps.
+The sound speed is 12.5 times the maximum velocity of a first run with $c_0 = 10\sqrt{2ga}$, in which spray exceeds
+$c_0/5$. Time steps are $0.2\,h/c$ in the tier `quick` and $0.15\,h/c$ at finer spacings: the midpoint rule amplifies
+short sound waves, which only the SPS stress damps here, and twelve thousand steps of $0.3\,h/c$ at $a/30$ end with a
+particle of half its density. The publication's 7983 particles are two in each of 60 by 60 cells and 783 in the walls,
+in two layers; the tier `paper` gives the walls a third layer.
 
 **What is compared.** Frames at the six times of the publication, coloured by speed. Its photographs cannot be
-identified from the text, so they are shown, and the events in them are found by detectors: when the front strikes the
-wall, how high the water runs up, whether a jet falls back. As a number: the front with the square column of
-Martin and Moyce (1952), which was smaller, in the time $t\sqrt{g/a}$, as it stands and with one shift of the time
-origin.
+identified from the text, so they are shown, and detectors time the events in them: impact of the front on the wall,
+run-up height, fall of the jet. As a number: the front with the square column of Martin and Moyce (1952), which was
+smaller, in the time $t\sqrt{g/a}$, without and with one shift of the time origin.
 
-**What to look at.** Spray rises above the walls: there is no lid. What leaves the tank is counted. The publication's
-two rows of walls are no denser than one of the two lattices of its water, and where the water strikes, some of it
-passes between them (`--set wall_rows=2`); how much of it the publication lost, it does not say. A third row keeps all.
+**What to look at.** Spray rises above the walls; there is no lid. Particles that leave the tank are counted. The
+publication's two wall layers are no denser than one of the two particle arrangements of its water, and on impact some
+water passes between them (`--set wall_rows=2`); the publication does not state its loss. A third layer retains all
+water.
 */
 #include <array>
 #include <cmath>

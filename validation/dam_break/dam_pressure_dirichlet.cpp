@@ -1,26 +1,26 @@
 /*
-A column of water of length $L$ and height $H$ stands on a floor against a wall; the wall on its other side is gone at
-$t = 0$. At that instant nothing moves yet, and the pressure is a harmonic function, known as a series:
+A water column of length $L$ and height $H$ stands on a floor against a wall; the wall on its other side vanishes at $t
+= 0$. At that instant all velocities are zero, and the pressure is a harmonic function, known as a series:
 
 $$\frac{p}{\rho g} = H - y - \sum_{n \ge 0} \frac{2}{H k_n^2} \cos k_n y \, \frac{\cosh k_n x}{\cosh k_n L}, \qquad
 k_n = \left(n + \tfrac12\right) \frac{\pi}{H} .$$
 
 **Set-up.** Dirichlet cells of staggered rows, spacing $h = H/n_y$, $n_y = 8, 16, \dots$. The multipliers $\lambda$ of
 the constant areas are the dynamic pressure $p + \rho g y$; one solution of $A \lambda = \dots$ gives them. With the
-stabilisation $\epsilon$ the matrix is $A + \epsilon \frac{\mathrm{tr} A}{N} L^T L$ instead, $L$ a node's value less
-the mean of its neighbours'.
+stabilisation $\epsilon$ the matrix is $A + \epsilon \frac{\mathrm{tr} A}{N} L^T L$, where $L$ is a node's value minus
+the mean of its neighbours.
 
-**What is compared.** The pressure at the foot of the wall, and the root mean square of the error over all cells except
-at the free faces, whose pressure is taken half a cell inside.
+**What is compared.** The pressure at the foot of the wall, and the rms error over all cells except at the free faces,
+whose pressure is taken half a cell inside.
 
-**What to look at.** The mesh is regular, and so the matrix is nearly singular: without stabilisation the pressure is
-chequered, and the error of first order. Little stabilisation cures that; much of it, 1, smooths the pressure itself.
-At the toe the acceleration is infinite like the logarithm of the distance, which keeps the order a little below 2. At
-the free faces a node has neighbours on one side only: there $L$ sees the slope of the pressure, an error of the size
-$\epsilon h$, which takes over on finer meshes (order 1.2 with $\epsilon = 1$, 1.6 between $n_y = 64$ and 128 with 0.1).
+**What to look at.** The mesh is regular, and the matrix therefore nearly singular: without stabilisation the pressure
+is chequered, and its error first-order. A small stabilisation removes the chequering; a large one, 1, smooths the
+pressure itself. At the toe the acceleration has a logarithmic singularity, which keeps the order slightly below 2. At
+the free faces a node has neighbours on one side only: there $L$ contains the pressure gradient, an error of the size
+$\epsilon h$, which dominates on finer meshes (order 1.2 with $\epsilon = 1$, 1.6 between $n_y = 64$ and 128 with 0.1).
 
-**What this is not.** It is the mesh at one instant. As the water moves, offsets of nodes in their cells grow that
-nothing restores, the loss of quality that the source reports.
+**Limits of this test.** It covers the mesh at one instant. As the water moves, node offsets within cells grow without a
+restoring force; the source reports this loss of quality.
 */
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 /*
 A dam at $x = 10$ m holds water of depth $h_1 = 1$ m back from a dry bed and vanishes at $t = 0$. Ritter's solution is a
-parabola between the wave that runs back into the water and the dry front,
+parabola between the wave running back into the reservoir and the dry front,
 
 $$\sqrt{g h} = \tfrac13\left(2 c_1 - \frac{x - 10}{t}\right), \qquad -c_1 t < x - 10 < 2 c_1 t, \qquad c_1 = \sqrt{g
 h_1}.$$
@@ -9,13 +9,13 @@ Bogomolov, Zakharov and Zerkal compute it with **ten particles**, $\tau = 0.08$ 
 (their figure 6); figures 5 and 7 are the set-up and the exact parabola. They do not print $h_1$ and $g$; the wave
 positions fit their domain with $h_1 = 1$ m, and $g = 9.81$ m/s² is used here.
 
-**What is compared.** The position of the dry front, the means over each particle (*cell*), the profile the method
-itself takes within its particles (*reconstruction*; the front particle holds the tip of a parabola, not a rectangle),
-and the rectangles as drawn. Comparison schemes run on cells as wide as the particles were at the start, over a channel
-long enough for the front.
+**What is compared.** The position of the dry front, the means over each particle (*cell*), the profile that the method
+reconstructs within its particles (*reconstruction*; the front particle holds the tip of a parabola, not a rectangle),
+and the rectangles as drawn. Comparison schemes run on cells of the initial particle width, over a channel long enough
+for the front.
 
-**What to look at.** The front: by the rearrangement as the paper wrote it the last particle is a rectangle, one tenth
-of the water, and ends metres short of it. MacCormack's scheme has no answer over a dry bed.
+**What to look at.** The front: by the rearrangement as written in the paper the last particle is a rectangle, a tenth
+of the water, and ends metres short of the front. MacCormack's scheme breaks down over a dry bed.
 */
 #include <cmath>
 

@@ -1,27 +1,28 @@
 /*
-Small waves on level water, carried by the markers of the discrete dispersive shallow-water model at spacing $s$, have a
-frequency in closed form. With depth and gravity 1, $t = \tan(ks/2)$,
+Small waves in the discrete dispersive shallow-water model with node spacing $s$ have a closed-form frequency. With
+depth and gravity 1, $t = \tan(ks/2)$,
 
 $$\omega^2 = \frac{2 + \cos ks}{3}\,\frac{4t^2}{s^2 + 4\alpha t^2}, \qquad \alpha = \tfrac13,$$
 
-Frank's formula (13). As $s \to 0$ it is the law of Serre, Green and Naghdi. The factor $(2 + \cos ks)/3$ comes from the
-polygon's potential energy; it cancels the error of order $s^2$ of long waves. Other energies of a cell's slope (`beta`)
-and an added energy of slopes (`gamma`) have similar laws. The time step $\tau$ turns $\omega$ into $\Omega$:
+Frank's formula (13). As $s \to 0$ it becomes the dispersion relation of Serre, Green and Naghdi. The factor $(2 + \cos
+ks)/3$ comes from the polygon's potential energy; it cancels the error of order $s^2$ of long waves. Other energies of a
+cell's slope (`beta`) and an additional energy of slopes (`gamma`) have similar relations. The time step $\tau$ turns
+$\omega$ into $\Omega$:
 
 $$\sin\frac{\Omega\tau}{2} = \frac{\omega\tau}{2}\ \text{(one-step scheme)}, \qquad
 \tan\frac{\Omega\tau}{2} = \frac{\omega\tau}{2}\ \text{(conservative scheme)}.$$
 
-**Set-up.** A standing wave between two walls, half a wavelength apart. It starts from the flat surface with the
-velocities of the mode. Its amplitude is $10^{-5}$ depths, then twice that.
+**Set-up.** A standing wave between two walls, half a wavelength apart, starts from the flat surface with the velocities
+of the mode. Amplitudes are $10^{-5}$ and $2\cdot10^{-5}$ of the depth.
 
-**What is compared.** The elevations are projected on the mode. A sinusoid fitted to the series gives the frequency; the
-two amplitudes give its limit for small waves. It must be the formula's, digit for digit. The wave of the parameters
-comes first, then all points of the figure.
+**What is compared.** Elevations are projected on the mode. A sinusoid fitted to the series gives the frequency; the two
+amplitudes give the limit of small waves, which must equal the formula digit for digit. The wave of the parameters comes
+first, then all points of the figure.
 
-**What to look at.** The figure shows what the model is worth. At $kH = 1$, a wave of six depths, it is one to two per
-cent slower than Airy's; at $kH = 2$ it is 7 to 20 per cent slower, depending on the spacing. With $\alpha$ and $\gamma$
-tuned to spacing and step the error at $kH = 2$ is 0.4 per cent. The deviations of the measured frequencies from the law
-are roundings: the program solves what the formula describes.
+**What to look at.** The figure shows the accuracy of the model. At $kH = 1$, $L/H$ about 6, the celerity is 1 to 2 %
+below Airy's; at $kH = 2$ it is 7 to 20 % below, depending on the spacing. With $\alpha$ and $\gamma$ tuned to spacing
+and step the error at $kH = 2$ is 0.4 %. Deviations of the measured frequencies from the relation are round-off: the
+program solves the equations that the formula describes.
 */
 #include <algorithm>
 #include <cmath>

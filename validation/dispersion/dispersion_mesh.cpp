@@ -1,27 +1,27 @@
 /*
-Small waves on the two-dimensional Lagrangian mesh have a frequency in closed form (Frank 1994, section 2.1). The mesh
-has $n$ rows of height $h_2 = H/n$ and columns of width $h_1$. With depth and gravity 1, $T = (h_2/h_1)\tan(kh_1/2)$ and
+Small waves on the two-dimensional Lagrangian mesh have a closed-form frequency (Frank 1994, section 2.1). The mesh has
+$n$ rows of height $h_2 = H/n$ and columns of width $h_1$. With depth and gravity 1, $T = (h_2/h_1)\tan(kh_1/2)$ and
 $t_n = \tanh(2n\,\mathrm{artanh}\,T)$,
 
 $$\omega^2 = \frac{2}{h_2}\,\frac{2 + \cos kh_1}{3}\,\frac{T(1 - T^2)\,t_n}{1 - T^3 t_n}.$$
 
-Fine meshes have Airy's law. Long waves have $\omega^2 = k^2\,(1 - (\tfrac13 + \tfrac16 h_2^2)\,k^2 + \dots)$: their
-error comes from the rows alone. The time step $\tau$ turns $\omega$ into $\Omega$, $\sin(\Omega\tau/2) = \omega\tau/2$
-for the one-step scheme, $\tan(\Omega\tau/2) = \omega\tau/2$ for the conservative scheme.
+Fine meshes tend to Airy's relation. Long waves have $\omega^2 = k^2\,(1 - (\tfrac13 + \tfrac16 h_2^2)\,k^2 + \dots)$:
+their error depends on the row height alone. The time step $\tau$ turns $\omega$ into $\Omega$, $\sin(\Omega\tau/2) =
+\omega\tau/2$ for the one-step scheme, $\tan(\Omega\tau/2) = \omega\tau/2$ for the conservative scheme.
 
-**Set-up.** A tank of one or more half-waves between walls. `h1` is changed until a whole number of columns fits, `h2`
-until a whole number of rows. The water is flat and gets an impulse on its surface in the shape of the wave. Amplitudes
-are $10^{-6}$ depths and twice that.
+**Set-up.** A tank of one or more half-waves between walls. `h1` is adjusted to a whole number of columns, `h2` to a
+whole number of rows. The flat surface receives an impulse in the shape of the wave. Amplitudes are $10^{-6}$ and
+$2\cdot10^{-6}$ of the depth.
 
-**What is compared.** The elevations are projected on the wave; a sinusoid fitted to the series gives the frequency, and
-the two amplitudes its limit for small waves. It must be the formula's, digit for digit: for the wave of the parameters,
-and for all points of the figure. Then two remarks of Frank: that waves of seven depths and more are well described by
-$h_1 = H$, $h_2 = H/2$; and that at special parameters the mesh has nearly the law of Boussinesq's equations, $\omega^2
-= k^2/(1 + k^2/3)$, for waves of 3.5 depths and more.
+**What is compared.** Elevations are projected on the wave; a sinusoid fitted to the series gives the frequency, and the
+two amplitudes its limit for small waves, which must equal the formula digit for digit: for the wave of the parameters,
+and for all points of the figure. Then two statements of Frank: waves of $L/H \ge 7$ are well described with $h_1 = H$,
+$h_2 = H/2$; and with special parameters the mesh has nearly the relation of Boussinesq's equations, $\omega^2 = k^2/(1
++ k^2/3)$, for waves of $L/H \ge 3.5$.
 
-**What to look at.** The coarse mesh is 2.9 per cent slow at seven depths, 0.23 per cent at twenty. The last panel shows
-the meshes that imitate Boussinesq: with four rows and $h_1 = 0.46$ the difference is 0.2 per cent. One or two rows are
-too few for that. Deviations of the measured frequencies from the law are roundings.
+**What to look at.** The celerity on the coarse mesh is 2.9 % low at $L/H = 7$, 0.23 % at 20. The last panel shows
+meshes that imitate Boussinesq's equations: with four rows and $h_1 = 0.46$ the difference is 0.2 %. One or two rows are
+too few. Deviations of the measured frequencies from the relation are round-off.
 */
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>

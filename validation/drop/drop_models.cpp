@@ -1,29 +1,30 @@
 /*
-Which model should one take? A round drop without gravity is stretched and drifts, by six models: free particles under
-Gauss's principle, the Lagrangian mesh, Dirichlet cells, particles of variable mass, overlapping particles, and weakly
-compressible SPH. Dirichlet's ellipse tells how far off each is.
+Which model suits a stretching drop? A round drop without gravity is stretched and drifts, computed with six models:
+Gauss-principle particles, the Lagrangian mesh, Dirichlet cells, variable-mass particles, overlapping particles, and
+weakly compressible SPH. The reference is Dirichlet's ellipse.
 
-**Set-up.** Radius, density and strain rate are 1: $u = 0.3 + x$, $v = 0.2 - y$ at the beginning. The drift changes
-nothing of the motion, but the drop has a momentum to be kept, and leaves the lattice that free particles begin on. Each
-model has its usual arrangement: rings of free particles with markers on the rim, a square mesh made round, rings of
-Dirichlet cells, staggered rows, a square lattice for SPH. Cells have a hundredth of stabilisation; nodes inside of
-variable mass go to the middle of their cells, nodes of the outline are particles. Steps are a fifth of the spacing,
-SPH takes its own. Each is refined in space and time together.
+**Set-up.** Radius, density and strain rate are 1: initially $u = 0.3 + x$, $v = 0.2 - y$. The drift does not change the
+relative motion, but gives the drop a momentum to conserve and moves it off the initial grid of the Gauss-principle
+particles. Each model has its usual arrangement: rings of Gauss-principle particles with markers on the rim, a square
+mesh made round, rings of Dirichlet cells, staggered rows, a square arrangement for SPH. The pressure stabilisation of
+cells is 0.01; inner nodes of the variable-mass model move to the centres of their cells, outline nodes move with the
+water. Steps are a fifth of the spacing, except SPH, which chooses its own. Each model is refined in space and time
+together.
 
-**What is compared.** Places of the rim (markers, nodes of the outline, particles that began within a spacing of it)
-with the exact ones at t = 1, when the drop is five times as long as wide; the processor time until then; what energy
-and momentum changed by. Then each goes on to t = 3, unless it breaks down or its rim is off by the thin half of the
-drop at that time.
+**What is compared.** Positions on the rim (markers, outline nodes, particles initially within a spacing of it) with the
+exact positions at t = 1, when the drop is five times as long as wide; the CPU time until then; the change of energy and
+momentum. Each model then continues to t = 3, unless it breaks down or its rim error exceeds the minor semi-axis.
 
-**What to look at.** The fields are linear, and the space of the free particles holds them: they are nearer than all
-others by a factor of a hundred, and last. The mesh errs to first order along its outline, but takes least time and
-lasts. Cells come nearer than the mesh where they last; they end when a node of the outline reaches another, or when a
-cell inside has given all its water away, and finer ones do not last longer. Overlapping particles are off by a
-spacing, or nearly so, at a hundred times the cost of the mesh. SPH lasts, at ten times the cost of the free particles
-and with a hundred times their error. All keep the momentum; cells and SPH change the energy, the others do not.
+**What to look at.** The exact velocities are linear, and the space of the Gauss-principle particles contains them:
+their error is smaller by a factor of a hundred than all others, and they complete. The mesh error is first-order along
+the outline; the mesh takes the least time and completes. Dirichlet and variable-mass cells are more accurate than the
+mesh while they last; they end when two outline nodes meet or an inner cell has lost all its water, and refinement does
+not extend their life. The error of overlapping particles is nearly a spacing, at a hundred times the cost of the mesh.
+SPH completes, at ten times the cost of the Gauss-principle particles and with a hundred times their error. All models
+conserve momentum; cells and SPH change the energy, the others conserve it.
 
-**When it is no test.** Linear fields flatter the free particles, and no model has walls or gravity here. The discrete
-dispersive shallow water has no drop: its water stands on a bottom.
+**Limits of this test.** Linear fields favour the Gauss-principle particles, and the test has neither walls nor gravity.
+Dispersive shallow water cannot represent a drop, because its water columns stand on a bed.
 */
 #include <algorithm>
 #include <array>

@@ -1,19 +1,19 @@
 /*
-A round drop without gravity starts with velocities that are linear in place and becomes an ellipse: Dirichlet's exact
-solution, with which Frank tries free particles under Gauss's principle of least constraint (section 6.3).
+A round drop without gravity, with initial velocities linear in position, becomes an ellipse: Dirichlet's exact
+solution, with which Frank tests Gauss-principle particles (section 6.3).
 
-**Set-up.** The velocity gradient at the beginning is `xx`, `xy`, `yx` and $yy = -xx$; by default $u = x$, $v = -y$.
-Rings of particles on the unit disc, markers on its rim; cubic splines on square cells of 0.2, many of them cut by the
-surface. Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No condition is set on the surface.
+**Set-up.** The initial velocity gradient is `xx`, `xy`, `yx` and $yy = -xx$; by default $u = x$, $v = -y$. Rings of
+particles on the unit disc, markers on its rim; cubic splines on square cells of 0.2, many of them cut by the surface.
+Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No condition is imposed on the surface.
 
-**What is compared.** The places of particles and markers with the exact ones; with a space that holds the five
-linear fields alone, in which the particles err by the steps only; the pressure at the middle, fitted to the reactions
+**What is compared.** The positions of particles and markers with the exact ones, and with a space of the five linear
+fields alone, in which the particle error comes from the steps only; the pressure at the centre, fitted to the reactions
 of a step.
 
-**What to look at.** The particles stay on their exact paths; the surface is as good as the inside.
+**What to look at.** The particles stay on their exact paths; the surface is as accurate as the interior.
 
-**When it is no test.** The fields are linear, so that the space holds them exactly: what is tried is the extension at
-cut cells, the sums over particles, and the steps.
+**Limits of this test.** The fields are linear, so that the space contains them exactly: the test covers the extension
+at cut cells, the sums over particles, and the steps.
 */
 #include <cmath>
 #include <memory>

@@ -1,29 +1,29 @@
 /*
-A round drop without gravity starts with velocities that are linear in place and becomes an ellipse: Dirichlet's exact
-solution, an exact test of a free surface for Frank's overlapping particles (section 5.1).
+A round drop without gravity, with initial velocities linear in position, becomes an ellipse: Dirichlet's exact
+solution, a free-surface test for Frank's overlapping particles (section 5.1).
 
-**Set-up.** The velocity gradient at the beginning is `xx`, `xy`, `yx` and `yy` $= -$`xx`; by default $u = x$, $v = -y$.
-Staggered rows of particles in the unit disc, on its rim too but for the ends of the middle row, all of one mass. A
-control volume of radius $S/2$ = `smoothing`/2 spacings is centred on every particle, and the mass in it stays. The
-first velocities are projected on that.
+**Set-up.** The initial velocity gradient is `xx`, `xy`, `yx` and `yy` $= -$`xx`; by default $u = x$, $v = -y$.
+Staggered rows of particles of equal mass in the unit disc and on its rim, except at the ends of the middle row. A
+control volume of radius $S/2$ = `smoothing`/2 spacings is centred on every particle, and its mass is constant. The
+initial velocities are projected on that constraint.
 
-**What is compared.** Places of particles with the exact ones; the semi-axes of the linear map that fits the particles'
-motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to the radius, with steps in proportion.
+**What is compared.** Particle positions with the exact ones; the semi-axes of the linear map fitted to the particle
+motion with the exact ones; both at 5, 7, 10, ... spacings per radius, with steps in proportion.
 
-**What to look at.** Next to the surface control volumes are half empty, and what keeps the mass in them is not quite
-what keeps volume: the projection takes some per cent of the velocity there. Hence first order for the particles. The
-stretch, a mean over them, is better, but scatters from lattice to lattice with how the rim is cut: the six particles
-on it alone change its error twofold at ten spacings to the radius. Balls in the literal words of the source
-(`shape = ball`, `smoothing` 1.6) converge at first order too, and miss the stretch by 3 % on the finest lattice. Their
-radius is ours, the source gives none. The wider they overlap the more they resist: with 10 spacings to the radius the
-stretch is short by 0.9, 2.5 and 7.9 % for `smoothing` 1.2, 1.3 and 1.6. Below 1.5 particles part in pairs, whose
-multipliers are not unique: those two values were computed with a stabilisation of $10^{-9}$, and how the error falls
-could not be measured, for it scatters from lattice to lattice.
+**What to look at.** Next to the surface control volumes are half empty, and constant mass in them is not constant
+volume: the projection removes some per cent of the velocity there. Particle positions therefore converge at first
+order. The stretch, a mean over them, is more accurate, but scatters between resolutions with the way the rim is cut:
+the six particles on it alone change its error twofold at ten spacings per radius. Balls as the source defines them
+(`shape = ball`, `smoothing` 1.6) converge at first order too, with a stretch error of 3 % at the finest spacing; the
+source states no radius, 1.6 is a choice made here. Wider balls resist more: with 10 spacings per radius the stretch is
+low by 0.9, 2.5 and 7.9 % for `smoothing` 1.2, 1.3 and 1.6. Below 1.5 particles separate in pairs, whose multipliers are
+not unique: those two values were computed with a stabilisation of $10^{-9}$, and their order of convergence is
+undetermined, because the error scatters between resolutions.
 
-**When it is no test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's. Rotation faster
-than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below the surroundings and an unstable
-surface; the links between particles bear tension and follow it, for a time that is the shorter the finer the lattice:
-until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per cent with 0.05.
+**Limits of this test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's pressure.
+Rotation faster than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below the surroundings and an unstable
+surface; the links between particles bear tension and follow the exact motion for a time that shortens with the spacing:
+until t = 1 to 0.01 % of the stretch with a spacing of 0.1, to 2.4 % with 0.05.
 */
 #include <algorithm>
 #include <array>

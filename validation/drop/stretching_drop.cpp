@@ -1,15 +1,15 @@
 /*
-A round drop of liquid, without gravity or surface tension, is given the velocity $u = \alpha x$, $v = -\alpha y$. It
-stays an ellipse for ever, of constant area, and every particle's path is known: Dirichlet's ellipse, the patch on which
-particle methods are usually tried out.
+A round liquid drop, without gravity or surface tension, has the initial velocity $u = \alpha x$, $v = -\alpha y$. It
+remains an ellipse of constant area, and every particle's path is known: Dirichlet's ellipse, a usual test of particle
+methods.
 
 $$\alpha^2 (a^2 + b^2) = \mathrm{const}, \qquad p = \rho\,\frac{\alpha^2 a^2 b^2}{a^2 + b^2}
 \left(1 - \frac{x^2}{a^2} - \frac{y^2}{b^2}\right).$$
 
-**What is compared.** The case shows the semi-axes and the pressure at the centre. It scores others: submit the
-semi-axes and the pressure in time.
+**What is compared.** The case shows the semi-axes and the pressure at the centre. It accepts external results: the
+semi-axes and the pressure as functions of time.
 
-**What to look at.** The pressure: methods that keep the shape to a per cent may be off by several times it.
+**What to look at.** The pressure: a method with a shape error of 1 % may have a pressure error several times as large.
 */
 #include <memory>
 

@@ -1,26 +1,26 @@
 /*
-A round drop without gravity turns about its middle, $\mathbf{u} = \omega (1 - r^2)(-y, x)$: an exact steady flow, in
-which shear parts neighbours for ever. It shows for how long overlapping particles are a fluid, and what they become:
-the source reports a "stochastic regime" from initial data that are not random at all (section 5.1).
+A round drop without gravity rotates, $\mathbf{u} = \omega (1 - r^2)(-y, x)$: an exact steady flow, in which shear
+separates neighbours indefinitely. The case measures for how long overlapping particles behave as a fluid; the source
+reports a "stochastic regime" from regular initial data (section 5.1).
 
 **Set-up.** Staggered rows of particles in the unit disc, $\omega$ = `rate`, steps of `tau`. Beside this flow, `seeds`
-copies whose particles were moved at random by $10^{-8}$ in all.
+copies with random initial displacements of $10^{-8}$.
 
-**What is compared.** Statistics, never trajectories: the part of the kinetic energy that is not in the exact flow
-$\mathbf{F}$ at the particles' places, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis of
-the velocities left when the exact flow is taken out, which is 3 for Gaussian ones; the rate at which copies leave the
-first flow, from twice the first distance to 0.1, in places and velocities. Means over the copies with intervals of 95
-per cent; energy and angular momentum.
+**What is compared.** Statistics, never trajectories: the fraction of kinetic energy outside the exact flow $\mathbf{F}$
+at the particle positions, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis of the
+velocities minus the exact flow, 3 for Gaussian ones; the rate at which copies diverge from the first flow, from twice
+the initial distance to 0.1, in positions and velocities. Means over the copies with 95 % intervals; energy and angular
+momentum.
 
-**What to look at.** After a third of a turn of the middle a quarter of the energy is noise, after two thirds of one
-nearly all. Copies leave the first flow at 13.9 e-foldings in a time unit. What comes out is an equilibrium: Gaussian
-velocities, the same for all copies in its statistics and for none in its places, with energy and angular momentum kept
-to the last digits throughout.
+**What to look at.** After a third of a revolution of the centre a quarter of the energy is incoherent, after two thirds
+nearly all. Copies diverge at 13.9 e-foldings per time unit. The final state is an equilibrium: Gaussian velocities,
+statistics common to all copies, positions common to none, with energy and angular momentum conserved to the last digits
+throughout.
 
-**What this means.** The model is right for smooth flow for less than one turn of an eddy; then it thermalises, its
-energy goes into motions of single particles. It is no model of a flow with shear that lasts, and has no viscosity that
-would tell. None of it comes from the time step: with half of it copies part at 12.2 instead of 13.9 e-foldings, and the
-same equilibrium is reached.
+**What this means.** The model represents smooth flow for less than one revolution of an eddy; then the flow
+thermalises, and its energy passes into motions of single particles. The model is unsuitable for sustained shear, and
+has no viscosity by which this could be explained. The time step is not the cause: with half the step copies diverge at
+12.2 instead of 13.9 e-foldings per time unit and reach the same equilibrium.
 */
 #include <algorithm>
 #include <cmath>

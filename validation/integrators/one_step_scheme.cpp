@@ -10,15 +10,15 @@ $$\tilde q = q^n + \tfrac{\tau}{2} u^n, \quad u^* = u^n - \tfrac{\tau}{2} M^{-1}
 $$q^{n+1} = q^n + \tau\tilde u, \qquad u^{n+1} = 2\tilde u - u^n .$$
 
 He states that it takes half the work of second-order Runge-Kutta and is more accurate. Rigid chains are the smallest
-systems on which this can be seen: a pendulum of `links` links (two: the spherical double pendulum), pinned, under
-gravity. Links have unit length, masses are 1 and 1.3 in turn.
+test systems: a pendulum of `links` links (two: the spherical double pendulum), pinned, under gravity. Links have unit
+length, masses are 1 and 1.3 in turn.
 
-**What is compared.** The largest error of a coordinate at the time `time` against an adaptive method of order 8, for
-steps of $8\tau$ to $\tau/4$, as a function of the solves with $A = JM^{-1}J^T$ and of processor time. The scheme beside
-RK2, RK4, RATTLE, the fully conservative implicit variant, compositions to fourth order, and two adaptive methods.
+**What is compared.** The largest coordinate error at `time` against an adaptive method of order 8, for steps of $8\tau$
+to $\tau/4$, as a function of the number of solves with $A = JM^{-1}J^T$ and of CPU time. The scheme beside RK2, RK4,
+RATTLE, the fully conservative implicit variant, fourth-order compositions, and two adaptive methods.
 
-**What to look at.** The statement holds, by a factor of 13 at equal steps. What it leaves out: for a small error over a
-short time, methods of high order are far cheaper than either.
+**What to look at.** The statement holds, by a factor of 13 at equal steps. For small errors over a short time, however,
+high-order methods are far cheaper than either.
 */
 #include <algorithm>
 #include <cmath>

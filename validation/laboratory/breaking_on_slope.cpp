@@ -1,13 +1,13 @@
 /*
-Regular waves climb a slope of 1:34 and break (Hansen and Svendsen): 3.33 s, plunging, and 1.67 s, spilling.
+Regular waves climb a 1:34 slope and break (Hansen and Svendsen 1979): period 3.33 s, plunging, and 1.67 s, spilling.
 
-**What is compared.** Wave height and mean level along the slope: the largest height, where it is, and the root mean
-square difference before breaking. The case scores others, and the one-dimensional dispersive model with breaking is
-scored by the same claims in the longer tiers, from cnoidal waves of the measured height at the toe, over glass. It is
-compared over the three periods after 30 s, when the front of the train has gone up the slope.
+**What is compared.** Wave height and mean level along the slope: maximum height, its position, and the rms difference
+before breaking. The case accepts external results; in the longer tiers the same claims score the one-dimensional
+dispersive model with breaking, driven by cnoidal waves of the measured height at the toe, over a glass bed, over the
+three periods after 30 s, when the front of the wave train has passed the slope.
 
-**What to look at.** Drive the waves such that the height at the toe is the measured one, 0.0406 and 0.0695 m, with a
-wave of permanent form: from linear wavemakers free second harmonics beat along the flat.
+**What to look at.** Drive the waves with a wave of permanent form and the measured height at the toe, 0.0406 and 0.0695
+m: linear wavemakers generate free second harmonics that beat along the flat.
 */
 #include <algorithm>
 

@@ -1,16 +1,16 @@
 /*
-Regular waves of 2.857 s run over a submerged bar in 0.8 m of water (Delft, condition A of the bar tests). Over the
-bar they steepen; behind it the higher harmonics that were bound there run free, each at its own speed.
+Regular waves of 2.857 s propagate over a submerged bar in 0.8 m of water (Delft, condition A of the bar tests). They
+steepen over the bar; behind it the bound higher harmonics are released and propagate at their own celerities.
 
-**What is compared.** Surface elevation at six gauges: height, amplitudes of the harmonics, and the root mean square
-difference over three periods. The origin of time is not known: one shift is fitted at the first gauge and used for
-all. The two gauges before the bar confirm the nominal amplitude of 0.020 m, as long as nothing has come back: heights
-and harmonics there are shown and not scored. The case scores others, and the one-dimensional dispersive model with
-improved dispersion is scored by the same claims. Without friction: a rough bed, Manning's $n$ = 0.012, takes 1 % of the
-energy over the bar.
+**What is compared.** Surface elevation at six gauges: wave height, amplitudes of the harmonics, and the rms difference
+over three periods. The origin of time is unknown: one shift is fitted at the first gauge and used for all. The two
+gauges before the bar confirm the nominal amplitude of 0.020 m before reflections arrive; wave heights and harmonics
+there are shown and not scored. The case accepts external results, and the same claims score the one-dimensional
+dispersive model with improved dispersion, without friction: Manning's $n$ = 0.012 of a rough bed would dissipate 1 % of
+the energy over the bar.
 
-**What to look at.** The two gauges behind the bar: the third harmonic is there a wave of $kh$ = 3.6, which tells
-dispersion laws apart.
+**What to look at.** The two gauges behind the bar: the third harmonic has $kh$ = 3.6 there, which discriminates between
+dispersion relations.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"

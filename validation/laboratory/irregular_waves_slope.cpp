@@ -1,17 +1,17 @@
 /*
-Irregular waves climb a slope of 1:20 and break (Mase and Kirby, run 2; spectral peak at 1 Hz).
+Irregular waves climb a 1:20 slope and break (Mase and Kirby 1992, run 2; spectral peak at 1 Hz).
 
-**What is compared.** Standard deviation, skewness and asymmetry of the elevation at all eleven gauges on the slope, of
-the whole record of 750 s; their standard errors follow from ten blocks. The case scores others, and in the full tier
-the one-dimensional dispersive model with breaking and improved dispersion is scored by the same claims. Drive the model
-with the record over 0.47 m of water, which the template names.
+**What is compared.** Standard deviation, skewness and asymmetry of the elevation at all eleven gauges on the slope,
+over the whole record of 750 s; ten blocks give their standard errors. The case accepts external results, and in the
+full tier the same claims score the one-dimensional dispersive model with breaking and improved dispersion. Drive your
+model with the record over 0.47 m of water, which the template names.
 
-**Set-up of our own.** A force along the bottom 4 m before the slope makes the record at its toe, in linear waves from
-0.2 to 2.2 Hz; what comes back or goes left is absorbed behind it. Breaking begins at a slope of 30 degrees and ends at
-a Froude number of 1.3; the flume is of glass. Nothing is fitted to the gauges on the slope.
+**Model set-up.** A body force along the bed 4 m before the slope generates the record at its toe, as linear waves from
+0.2 to 2.2 Hz; waves travelling back or to the left are absorbed behind it. Breaking begins at a slope of 30 degrees and
+stops at a Froude number of 1.3; friction is that of glass. No parameter is fitted to the gauges on the slope.
 
-**What to look at.** Where the waves break the standard deviation is right to 8 %. Skewness grows as the waves steepen
-and falls behind; asymmetry grows until the shore.
+**What to look at.** In the breaking zone the standard deviation agrees within 8 %. Skewness grows as the waves steepen
+and then falls; asymmetry grows up to the shore.
 */
 #include <cmath>
 #include <filesystem>

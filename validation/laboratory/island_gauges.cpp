@@ -1,19 +1,18 @@
 /*
-A solitary wave around a conical island in 0.32 m of water (Briggs and others; NTHMP benchmark problem 6): waves A, B
-and C, 0.0445, 0.0872 and 0.179 depths high.
+A solitary wave around a conical island in 0.32 m of water (Briggs and others 1995; NTHMP benchmark problem 6): waves A,
+B and C, H/h = 0.0445, 0.0872 and 0.179.
 
-**What is compared.** Surface elevation at four gauges around the island: highest value, when, and the root mean square
-difference, which is compared at the four gauges before the island too; run-up around the island. Levels before arrival
-are removed, and one shift of time is fitted at gauge 3, before the island. Compared is what comes until 36 s (A) and
-35 s (B, C), when the source says the absorbers are felt; at gauge 22, behind the island, where the crests of A and B
-come later than that, until a second after them. The case scores others; the 2DH model, on the rezoned lattice of
-`conical_island`, is scored by the same claims in the tier `full`, from solitary waves whose heights, 0.0445, 0.0872 and
-0.179 depths, are the mean of gauges 1 to 4. Heights there are shown and not scored. A gauge that falls dry reads the
-bottom.
+**What is compared.** Surface elevation at four gauges around the island: maximum, its time, and the rms difference,
+which is compared at the four gauges before the island too; run-up around the island. Levels before arrival are removed,
+and one time shift is fitted at gauge 3, before the island. Records count until 36 s (A) and 35 s (B, C), when
+reflections from the absorbers arrive according to the source; at gauge 22, behind the island, where the crests of A and
+B arrive later, until one second after them. The case accepts external results; in the tier `full` the same claims score
+the 2DH model, on the rezoned mesh of `conical_island`, from solitary waves whose heights, H/h = 0.0445, 0.0872 and
+0.179, are the mean of gauges 1 to 4. Wave heights there are shown and not scored. A gauge that falls dry reads the bed.
 
-**What to look at.** Two distributions of the same run-up differ by up to 1.9. The run-up may lie anywhere between
-them: their middle is asked for, with half of their distance over $\sqrt3$ as an uncertainty. The stated height of B is
-0.096 depths; the records show 0.087. See `--set wave=B` and `--set wave=C`, which breaks.
+**What to look at.** Two published versions of the same run-up differ by a factor of up to 1.88. The reference is their
+mean, with half of their difference over $\sqrt3$ as standard uncertainty. The stated height of B is H/h = 0.096; the
+records show 0.087. See `--set wave=B` and `--set wave=C`, which breaks.
 */
 #include <array>
 #include <cmath>

@@ -1,16 +1,15 @@
 /*
-Solitary waves on a plane beach 1 : 19.85 (Synolakis; NTHMP benchmark problem 4): one of 0.0185 depths, which does not
-break, and one of 0.3, which does.
+Solitary waves on a 1:19.85 plane beach (Synolakis 1987; NTHMP benchmark problem 4): a non-breaking one, H/h = 0.0185,
+and a breaking one, 0.3.
 
-**What is compared.** The surface at four or five instants: root mean square difference, and how high the crest is at
-the first two, more than a depth off the shore; the maximum run-up. Lengths in depths $d$, times in $\sqrt{d/g}$ since
-the crest was $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe of the beach at $x = 19.85$; $x$ from the
-shoreline at rest, positive offshore. Where it is dry the surface is the beach, $-x/19.85$. The case scores others; our
-model is evaluated in `synolakis_beach`.
+**What is compared.** The surface at four or five instants: rms difference, and crest elevation at the first two, more
+than a depth off the shore; the maximum run-up. Lengths are over the depth $d$, times over $\sqrt{d/g}$ since the crest
+was $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe of the beach at $x = 19.85$; $x$ from the still-water
+shoreline, positive offshore. Where the beach is dry the surface is the beach, $-x/19.85$. The case accepts external
+results; the suite's model is evaluated in `synolakis_beach`.
 
-**What to look at.** Flow without friction and surface tension climbs 15 % higher than the smaller wave did in the
-laboratory: the measured run-up needs either. The exact solution for the smaller wave is asked for in
-`synolakis_beach`.
+**What to look at.** Run-up without friction and surface tension is 15 % above the measurement for the smaller wave: the
+measured run-up needs either. The exact solution for the smaller wave is the reference in `synolakis_beach`.
 */
 #include "validation/case/literature.hpp"
 #include "validation/laboratory/laboratory_case.hpp"

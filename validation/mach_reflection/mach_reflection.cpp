@@ -1,27 +1,27 @@
 /*
-A solitary wave meets a wall at an angle $\psi_i$ (Frank 1994, section 4.3). At large angles it is reflected as light
-is: the crests of incident and reflected wave cross at the wall. At small angles a third wave appears, the *Mach stem*.
-It stands upright on the wall, is higher than the two together, and grows longer for ever. Lengths are in depths, times
-in $\sqrt{\text{depth}/g}$.
+A solitary wave meets a wall at an angle $\psi_i$ (Frank 1994, section 4.3). At large angles reflection is regular: the
+crests of incident and reflected wave intersect at the wall. At small angles a third wave, the *Mach stem*, forms normal
+to the wall; its amplitude exceeds the sum of the other two, and its length grows indefinitely. Lengths are over the
+depth, times over $\sqrt{\text{depth}/g}$.
 
-For waves of small amplitude $a_i$ Miles (1977) found what happens in the end, with
-$\kappa = \psi_i/\sqrt{3a_i}$: for $\kappa < 1$ a stem of height $a_w = (1+\kappa)^2 a_i$ and a reflected wave of
-amplitude $a_r = \kappa^2 a_i$ at the angle $\psi_r = \sqrt{3a_i}$; for $\kappa > 1$ equal angles and amplitudes, and
-$a_w = 4a_i/(1 + \sqrt{1 - \kappa^{-2}})$. Li, Yeh and Kodama (2011) replace $\kappa$ by
-$\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$, which fits angles that are not small.
+For waves of small amplitude $a_i$ Miles (1977) found the final state as a function of $\kappa = \psi_i/\sqrt{3a_i}$:
+for $\kappa < 1$ a stem of amplitude $a_w = (1+\kappa)^2 a_i$ and a reflected wave of amplitude $a_r = \kappa^2 a_i$ at
+the angle $\psi_r = \sqrt{3a_i}$; for $\kappa > 1$ equal angles and amplitudes, and $a_w = 4a_i/(1 + \sqrt{1 -
+\kappa^{-2}})$. Li, Yeh and Kodama (2011) replace $\kappa$ by $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$, which holds at
+larger angles.
 
-**Set-up.** The wall is $y = 0$. The water is a window that runs along with the crest. Serre's exact wave is let in at
-the north side, and crosses the window at the start as if there were no wall. `model`: `plan`, columns of water with
-markers on the surface, or `hexahedra`, layers of Lagrangian cells. Steps are half the spacing `h`.
+**Set-up.** The wall is $y = 0$. The domain is a window moving with the crest. Serre's exact wave enters through the
+north side, and initially crosses the window undisturbed. `model`: `plan`, water columns with nodes on the surface, or
+`hexahedra`, layers of Lagrangian cells. Steps are half the spacing `h`.
 
-**What is compared.** Amplitudes at the wall, of the incident and of the reflected wave, angles of the reflected wave
-and of the path of the stem's end. Two configurations: `angle`, and `second_angle` beyond the transition. Both on two or
-more lattices, whose differences give the numerical uncertainty. The theories are the reference.
+**What is compared.** Amplitudes at the wall, of the incident and of the reflected wave; angles of the reflected wave
+and of the path of the stem's end. Two configurations: `angle`, and `second_angle` beyond the transition, each on two or
+more grids, whose differences give the numerical uncertainty. The theories are the reference.
 
-**What to look at.** Miles's plain $\kappa$ is far too low for a wave of $a = 0.3$, the one for finite angles within a
-few per cent. The reflected angle is larger than the incident one, but not by as much as $\sqrt{3a_i}$. The ratio
-$a_w/a_i$ is taken with the measured $a_i$. Next to the transition the stem grows for a very long time: a result that
-grows by more than 1 % in the last fifth of the run is marked, and the limit of a fitted approach given instead.
+**What to look at.** Theory with Miles's plain $\kappa$ is far too low for $a = 0.3$, with the $\kappa$ for finite
+angles it agrees within a few per cent. The angle of reflection is larger than the angle of incidence, but smaller than
+$\sqrt{3a_i}$. The ratio $a_w/a_i$ uses the measured $a_i$. Near the transition the stem grows for a very long time: a
+run with a growth of more than 1 % in its last fifth is marked, and the limit of a fitted approach given instead.
 */
 #include <algorithm>
 #include <cmath>

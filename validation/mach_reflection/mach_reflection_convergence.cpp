@@ -1,14 +1,14 @@
 /*
-What the height of a Mach stem owes to the lattice, the step, the window and the solver. A solitary wave, $a_i = 0.3$ of
-the depth, meets a wall at 30 degrees; its stem is still growing. Lengths are in depths, times in
-$\sqrt{\text{depth}/g}$. Set-up: `mach_reflection`, 2DH model.
+Sensitivity of the Mach-stem amplitude to grid, step, window and solver. A solitary wave of $a_i = 0.3$ meets a wall at
+30 degrees; its stem is still growing. Lengths are over the depth, times over $\sqrt{\text{depth}/g}$. Set-up:
+`mach_reflection`, 2DH model.
 
-**What is compared.** $a_w$ near the end. Five lattices, each finer by $\sqrt2$, with equal steps; five steps on equal
-lattices. If $a_w = a + b h^p$, then so are the differences of neighbours. Then a window twice as high and a solver a
-thousand times more accurate.
+**What is compared.** $a_w$ near the end. Five grids, refined by $\sqrt2$, at equal steps; five steps on equal grids. If
+$a_w = a + b h^p$, the differences between neighbours follow the same power. Then a window twice as high and a solver
+tolerance a thousand times smaller.
 
-**What to look at.** Wide cells make the stem too low, long steps too high. With steps of half the spacing, as in all
-cases of Mach reflection, the two nearly cancel: its error is then smaller than the error of either alone, and does not
+**What to look at.** Coarse cells underestimate the stem, long steps overestimate it. With steps of half the spacing, as
+in all cases of Mach reflection, the two errors nearly cancel: the remaining error is smaller than either, and does not
 follow a power of $h$.
 */
 #include <cmath>

@@ -1,27 +1,26 @@
 /*
 Amplitudes and angles of solitary waves reflected by a wall, for four amplitudes $a_i$ and many angles $\psi_i$: figures
-7 and 8 of Frank (1994). Depth 1, $g = 1$. What the pattern looks like: cases `mach_reflection` and
-`mach_stem_growth`.
+7 and 8 of Frank (1994). Depth 1, $g = 1$. For the wave pattern see `mach_reflection` and `mach_stem_growth`.
 
 **Set-up.** As in `mach_reflection`, 2DH model. Spacings 0.5, 0.6, 0.9 and 1.25 for $a_i$ = 0.3, 0.186, 0.097 and 0.05,
-for low waves are long. A stem needs the time $3/(S^3\kappa|1-\kappa|)$, $S = \sqrt{3a_i}$, to reach its height (Kodama
-and Yeh 2016). A run covers four of them, after 250 width units $\sqrt{0.3/a_i}$ in which the pattern forms.
+because lower waves are longer. A stem reaches its height in the time $3/(S^3\kappa|1-\kappa|)$, $S = \sqrt{3a_i}$
+(Kodama and Yeh 2016). A run covers four of these times, after 250 width units $\sqrt{0.3/a_i}$ in which the pattern
+forms.
 
-**What is compared.** With Miles's (1977) theory for waves of small amplitude after infinite time, over his parameter
-$\kappa = \psi_i/\sqrt{3a_i}$ and over the one for finite angles, $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ (Li, Yeh and
-Kodama 2011). With what Frank, Tanaka (1993) and others state.
+**What is compared.** Miles's (1977) theory for waves of small amplitude after infinite time, as a function of his
+parameter $\kappa = \psi_i/\sqrt{3a_i}$ and of that for finite angles, $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ (Li, Yeh and
+Kodama 2011); the statements of Frank, Tanaka (1993) and others.
 
 **What to look at.** The amplitude at the wall peaks just below $\kappa = 1$ for finite angles, at 3.3 to 3.6 times the
-incident one for $a_i$ = 0.3 and 0.097, not at 4. There it grows for thousands of time units: such runs are marked, and
-their limits follow from a fitted exponential, with an uncertainty that reaches as far as the rate of growth of the
-theory allows; for $a_i$ = 0.186 and 0.05 it does not exclude 4. The transition from irregular to regular reflection
-follows
+incident one for $a_i$ = 0.3 and 0.097, not at 4. There the stem grows for thousands of time units: such runs are
+marked, and a fitted exponential gives their limits, with an uncertainty bounded by the theoretical growth rate; for
+$a_i$ = 0.186 and 0.05 it does not exclude 4. The transition from irregular to regular reflection follows
 $\tan\psi_i/\cos\psi_i = \sqrt{3a_i}$, far below Miles's $\psi_i = \sqrt{3a_i}$: the dash-dotted curve of Frank's figure
 8. The angle of reflection is not monotonic.
 
-Regular reflection gives back 0.955 to 0.97 of the incident amplitude on these lattices, not all of it. So Frank's
-criterion of regular reflection, $a_r \ge 0.95\,a_i$, is next to the plateau. On coarser lattices ($h = 1$ at
-$a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no claim is made of the boundary.
+Regular reflection returns 0.955 to 0.97 of the incident amplitude on these grids, not all of it. Frank's criterion of
+regular reflection, $a_r \ge 0.95\,a_i$, is therefore next to the plateau. On coarser grids ($h = 1$ at $a_i = 0.3$) the
+plateau is lower; the criterion there is 0.99 of the plateau, and the boundary is not claimed.
 */
 #include <algorithm>
 #include <cmath>

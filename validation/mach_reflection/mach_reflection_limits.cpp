@@ -1,25 +1,25 @@
 /*
-Figure 7 of Frank (1994) with both of his models: amplitudes and angles of solitary waves reflected by a wall, by
-columns of water and by layers of hexahedra. The theory of Miles (1977) is a limit: of small waves, after infinite time.
-Here each number is one of fine lattices and long times, and goes to that limit with the amplitude. Lengths are in
-depths, times in $\sqrt{\text{depth}/g}$.
+Figure 7 of Frank (1994) with both of his models: amplitudes and angles of solitary waves reflected by a wall, with
+water columns and with layers of hexahedra. The theory of Miles (1977) holds in the limit of small waves and infinite
+time; here each value is extrapolated to fine grids and long times, and tends to that limit with the amplitude. Lengths
+are over the depth, times over $\sqrt{\text{depth}/g}$.
 
-**Set-up.** As in `mach_reflection_curves`: spacings go with the length of the waves; runs last until the stem should
-have settled. Each is made on three lattices, with 1.4 and 2 times the spacing of
-the finest, and extrapolated to $h \to 0$; amplitudes at the wall first
-to $t \to \infty$. The hexahedra run at $a_i$ = 0.097 and 0.186, as in the source, and the columns at 0.05 and 0.3 too.
+**Set-up.** As in `mach_reflection_curves`: spacings are proportional to the wavelength, and runs last for the
+theoretical settling time of the stem. Each run uses three grids, with 1, 1.4 and 2 times the finest spacing,
+extrapolated to $h \to 0$; amplitudes at the wall are first extrapolated to $t \to \infty$. The hexahedra run at $a_i$ =
+0.097 and 0.186, as in the source, the columns at 0.05 and 0.3 too.
 
-**What is compared.** With the theory for finite angles, at the measured incident amplitude, for the hexahedra shed some
-of theirs: $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ gives $a_w = (1+\kappa)^2 a_i$, $a_r = \kappa^2 a_i$ and
-$\tan\psi_r = \sqrt{3a_i}\cos\psi_i$. It leaves out what is of the order of $a_i$: that is the limit. The time in which
-the stem settles, for small waves; the two models with each other. And a run that starts from a wave half as high again
-next to the wall.
+**What is compared.** The theory for finite angles at the measured incident amplitude, because the wave on hexahedra
+loses some of its amplitude: $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ gives $a_w = (1+\kappa)^2 a_i$, $a_r =
+\kappa^2 a_i$ and $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$. The limit is the order of the neglected terms, $a_i$. Also
+compared: the settling time of the stem, for small waves; the two models with each other; a run from a wave half as high
+again next to the wall.
 
-**What to look at.** Of $a_i$ = 0.3, 0.186, 0.097, 0.05 the smaller, the nearer to the theory; Miles's own $a_r =
-\psi_i^2/3$ is low by 15 % at 0.05 still, for $\tan^2/\cos^2$ is more than the square of the angle. Stems settle later
-than the theory says, the later the higher the wave. What the start was is forgotten. Regular reflection gives back all
-of the incident amplitude up to $a_i$ = 0.186, and 97 % of 0.3: what lattices of half a depth lack of it, 4 to 5 %, is
-mostly theirs.
+**What to look at.** From $a_i$ = 0.3 over 0.186 and 0.097 to 0.05 the results approach the theory; Miles's own $a_r =
+\psi_i^2/3$ is low by 15 % at 0.05 still, because $\tan^2/\cos^2$ exceeds the square of the angle. Stems settle later
+than in theory, the more so the higher the wave. The result does not depend on the initial state. Regular reflection
+returns all of the incident amplitude up to $a_i$ = 0.186, and 97 % of 0.3; most of the 4 to 5 % that grids of half a
+depth lose is a grid error.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 /*
 A solitary wave of small amplitude $a_i$ meets a wall at a small angle $\psi_i$. Miles (1977), with the parameter of
-Kodama and Yeh, $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i) < 1$, found what happens in the end: a stem of the height
-$a_w = (1+\kappa)^2 a_i$, and a wave of $a_r = \kappa^2 a_i$ that is reflected at $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$;
-the stem's end moves off the wall at $\tan\psi_* = (1-\kappa)\tan\psi_r/3$. Lengths are in depths.
+Kodama and Yeh, $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i) < 1$, found the final state: a stem of amplitude $a_w =
+(1+\kappa)^2 a_i$, and a wave of $a_r = \kappa^2 a_i$ reflected at $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$; the end of the
+stem leaves the wall at $\tan\psi_* = (1-\kappa)\tan\psi_r/3$. Lengths are over the depth.
 
-**What is compared.** The case shows the theory for both parameters. It scores others: amplitudes over the measured
-incident one, angles, and by how much the wall's amplitude still grew in the last fifth of the run. Our models are
+**What is compared.** The case shows the theory for both parameters. It accepts external results: amplitudes over the
+measured incident one, angles, and the growth of the wall amplitude in the last fifth of the run. The suite's models are
 evaluated in `mach_reflection`.
 
-**What to look at.** The theory neglects what is of the order of $a_i$: that is the limit, and where it would no longer
-tell a stem from regular reflection nothing is decided. Small waves settle slowly, after hundreds of depths.
+**What to look at.** The theory neglects terms of order $a_i$, which is the limit; configurations in which this limit
+does not separate a stem from regular reflection are rejected. Small waves settle slowly, over hundreds of depths.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,18 +1,18 @@
 /*
-How the triple configuration of Mach reflection develops: figure 6 of Frank (1994). A solitary wave, $a_i = 0.3$ of the
-depth, meets the wall $y = 0$ at 30 degrees. It is regular at first: incident and reflected crest meet at the wall. Then
-they part from it, and between them and the wall stands the stem, which grows in length for ever and in height up to a
-limit. Lengths are in depths, times in $\sqrt{\text{depth}/g}$.
+Development of the triple configuration of Mach reflection: figure 6 of Frank (1994). A solitary wave of $a_i = 0.3$
+meets the wall $y = 0$ at 30 degrees. Reflection is regular at first: incident and reflected crest meet at the wall.
+Then the crests leave the wall, connected to it by the stem, whose length grows indefinitely and whose amplitude tends
+to a limit. Lengths are over the depth, times over $\sqrt{\text{depth}/g}$.
 
 **Set-up.** As in `mach_reflection`, 2DH model.
 
-**What is compared.** The growth with a straight line: far from the wall's beginning the pattern is self-similar, its
-length grows in proportion to the path. The speed of the crest on the wall with Serre's solitary wave of the
-stem's height, $\sqrt{1 + a_w}$: the stem is such a wave. And with the incident crest, whose trace on any line parallel
-to the wall runs at $c_i/\cos\psi_i$, slower than the stem: that is why the stem grows.
+**What is compared.** The growth with a straight line: far from the start of the wall the pattern is self-similar, and
+its length grows in proportion to the path. The speed of the crest at the wall with Serre's solitary wave of the stem
+amplitude, $\sqrt{1 + a_w}$, and with the trace of the incident crest on any line parallel to the wall,
+$c_i/\cos\psi_i$, which is slower; the stem grows by this difference.
 
-**What to look at.** Three crests meet away from the wall. The reflected one is lower than the incident one and makes a
-larger angle with the wall. Along the stem the height hardly changes.
+**What to look at.** Three crests meet away from the wall. The reflected crest is lower than the incident one and makes
+a larger angle with the wall. The amplitude is nearly constant along the stem.
 */
 #include <cmath>
 #include <stdexcept>

@@ -1,21 +1,21 @@
 /*
-The beginning of Mach reflection, in the geometry of Melville's (1980) experiment: a solitary wave runs along a channel
-into a wall that turns by the angle $\psi$. Melville measured stems lower than twice the incident wave and doubted
-Miles's (1977) theory, which promises up to four times. Frank (1994, section 4.3) answered that the stem of a tank is at
-the beginning of its growth. Lengths are in depths, times in $\sqrt{\text{depth}/g}$.
+The early stage of Mach reflection, in the geometry of Melville's (1980) experiment: a solitary wave runs along a
+channel into a wall that turns by the angle $\psi$. Melville measured stem amplitudes below twice the incident one and
+doubted Miles's (1977) theory, which predicts up to four times. Frank (1994, section 4.3) replied that the stem in the
+tank is in its early growth. Lengths are over the depth, times over $\sqrt{\text{depth}/g}$.
 
 **Set-up.** A channel 34 wide. Its wall $y = 0$ turns inwards at $x = 45$. The wave, $a = 0.1$, starts with its crest at
-$x = 20$. The lattice follows the wall: equal columns, on each of them equal rows from wall to wall. The column at the
-bend does not move: water stagnates there. Steps are half the spacing `h`.
+$x = 20$. The mesh follows the wall: equal columns, each with equal rows from wall to wall. The column at the bend is
+fixed, because the flow stagnates there. Steps are half the spacing `h`.
 
-**What is compared.** The height of the crest on the turned wall, against the distance from the bend, over the crest on
-the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for infinite time:
-theory for finite angles.
+**What is compared.** The crest amplitude at the turned wall as a function of the distance from the bend, over the crest
+amplitude at the other wall when it passes the bend. Water columns and two layers of hexahedra. The limits for infinite
+time: theory for finite angles.
 
-**What to look at.** At 20 degrees theory promises a stem of 2.9 times the incident wave. After 40 depths, longer than
-the tank, it has come a third of the way there from one. At 35 degrees reflection is regular in the end, with 2.26 at
-the wall; it too is below two for thirty depths. Neither looks like an approach to a limit. The stem of the hexahedra
-is a hundredth lower.
+**What to look at.** At 20 degrees theory predicts a stem of 2.9 times the incident wave. After $x/h = 40$, longer than
+the tank, the amplification has covered a third of the way from 1 to that value. At 35 degrees reflection is finally
+regular, with 2.26 at the wall; it too stays below 2 up to $x/h = 30$. Neither curve indicates an approach to a limit.
+The stem of the hexahedra is 1 % lower.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
 /*
-A patch of surface pressure, a hovercraft say, travels along a channel at the speed of long waves. Its waves cannot
-outrun it linearly; the energy piles up until it leaves forward, as a train of solitons faster than the source. Lengths
-are in depths, speeds in $\sqrt{gH}$, so that speed 1 is the critical one.
+A patch of surface pressure, a hovercraft for example, travels along a channel at the long-wave celerity. Linear waves
+cannot outrun it; energy accumulates until it leaves ahead, as a train of solitons faster than the source. Lengths are
+over the depth, speeds over $\sqrt{gH}$, so that speed 1 is critical.
 
-**Set-up.** $p = p_0 \cos^2(\pi z/2w)$ for $|z| < w$, $z = x - Ut$, grown from nothing during five units of time, on
-still water between walls that no wave reaches back from. Pressure acts on every segment of the surface, normal to it.
+**Set-up.** $p = p_0 \cos^2(\pi z/2w)$ for $|z| < w$, $z = x - Ut$, ramped up over five time units, on still water
+between walls too distant for reflections. Pressure acts on every segment of the surface, normal to it.
 
-**What is compared.** The leading soliton with Serre's solitary wave: its speed must be $\sqrt{1 + a}$ for its height
-$a$. For a source whose numbers are known, its regime: how many solitons have left, how high they are, and the period of
-the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=800`: no soliton at all.
+**What is compared.** The leading soliton with Serre's solitary wave: a speed of $\sqrt{1 + a}$ for its height $a$. For
+sources with known results, the regime: number and height of the solitons, and the period of the surface at the source.
+Try `--set p0=-0.1 --set half_width=6.5 --set time=800`: no soliton at all.
 
 **What to look at.** The ridge plot, in the frame of the source: solitons lean to the right because they are faster.
 */

@@ -1,17 +1,16 @@
 /*
-A pressure source at the critical speed need not send solitons ahead. Frank (1994) found that a *suction* of some width
-lives in a regime of its own: the surface under it rises and falls periodically, for ever, and nothing leaves forward.
+A pressure source at the critical speed need not send solitons ahead. Frank (1994) found a regime of wide *suction* in
+which the surface under the source rises and falls periodically and no soliton leaves ahead.
 
 **Set-up.** As in `moving_pressure_1d`: $p = p_0 \cos^2(\pi z/2w)$, speed 1, still water of depth 1. Three sources:
 pressure $p_0 = 0.1$, $w = 4$; suction $p_0 = -0.1$ of the same width; suction of the half-width $w = 6.5$.
 
-**What is compared.** Whether solitons are ahead of the source at the end, and how regular the peaks of the surface at
-the source are. The leading solitons have the speed of Serre's solitary wave. In the tier `full`,
-six more sources, and the wide suction again with half the spacing and half the step.
+**What is compared.** Whether solitons are ahead of the source at the end, and the regularity of the peaks of the
+surface at the source. The leading solitons have the speed of Serre's solitary wave. In the tier `full`, six more
+sources, and the wide suction again with half the spacing and half the step.
 
-**What to look at.** The third ridge plot: a hump grows under the source, runs ahead of it by a few depths, is caught
-and falls back. It is a soliton that does not get away. At $w = 4$ every such hump escapes; beyond $w = 7$ now and then
-one does.
+**What to look at.** The third ridge plot: an elevation grows under the source, runs ahead of it by a few depths, is
+overtaken and decays: a soliton that does not escape. At $w = 4$ every such elevation escapes; beyond $w = 7$ some do.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,25 +1,25 @@
 /*
-Gerstner's wave is exact at any height, and the path of every particle is known:
+Gerstner's wave is exact at any height, with known particle paths:
 
 $$x = a - R\sin(a - t), \qquad y = b + R\cos(a - t), \qquad R = A e^{b},$$
 
-with wavenumber and gravity 1. It has vorticity, which a Lagrangian mesh carries along without any effort.
+with wavenumber and gravity 1. Its vorticity is carried by a Lagrangian mesh without error.
 
 **Set-up.** One wavelength of labels, $0 \le a \le 2\pi$, $-2 \le b \le 0$, in $4n$ by $2n$ cells. The nodes of both
 sides and of the bottom follow their exact paths; the surface is free. A step is `tau_over_h` rows of $h = 1/n$.
 
-**What is compared.** Places of the free nodes, the pressure in the cells, which depends on $b$ alone, and the shape of
-the surface. The root mean square is taken over the components of all free nodes. What is largest, the shape and the
-pressure are evaluated in the middle half of the wave, away from the nodes that are led.
+**What is compared.** Positions of the free nodes, cell pressures, which depend on $b$ alone, and the shape of the
+surface. The rms is taken over the components of all free nodes. Maxima, shape and pressure are evaluated in the middle
+half of the wave, away from the prescribed nodes.
 
-**What to look at.** The shape and the pressure are of second order, the places of surface nodes of first. A surface
-node feels the gradient of the dynamic pressure half a cell too deep and slips along the surface. For small waves
+**What to look at.** Shape and pressure converge at second order, positions of surface nodes at first. A surface node
+feels the gradient of the dynamic pressure half a cell below it and slips along the surface. For small waves
 
 $$\mathrm{slip} = \tfrac{h}{2} A\,\bigl[\sin(a - t) - \sin a + t \cos a\bigr],$$
 
-which also drifts: the water's orbits close, orbits of the surface nodes do so only as $h \to 0$. The second figure
-shows the slip beside this estimate. At its ends the slip meets nodes that are led and do not slip. There the mesh
-zigzags within a few cells, a little more on finer meshes.
+including a drift: the orbits of the water are closed, those of surface nodes only as $h \to 0$. The second figure shows
+the slip beside this estimate. At its ends slipping nodes meet prescribed ones, and the mesh zigzags within a few cells,
+slightly more on finer meshes.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,25 +1,24 @@
 /*
-Periodic waves of large amplitude travel without a change of shape. Frank's figure 9 shows such waves, computed with
-free particles under Gauss's principle of least constraint, against Schwartz (1974).
+Periodic waves of large amplitude travel without change of shape. Frank's figure 9 shows such waves, computed with
+Gauss-principle particles, and the solution of Schwartz (1974).
 
 **Set-up.** Three waves of length $2\pi$ on water of mean depth $\pi$, of heights 0.4, 0.6 and 0.8, in units of $g$ and
-of the density: the last has nine tenths of the greatest height. A fourth one is nearly a train of solitary waves:
-length 30, depth 1, height 0.3, with five halves as many cells and steps. Particles in columns and rows that follow
-the exact surface carry the exact velocities, ten to a cell's side, of which the source says nothing; masses of the
-rows next to the surface and to the bottom are end-corrected. The space of fields consists of cubic splines on square
-cells; markers trace the surface. Gravity is the potential energy of the water under the line of markers, Frank's (7),
-so that energy and momentum are exact.
+of the density: the last has 90 % of the maximum height. A fourth is nearly a train of solitary waves: length 30, depth
+1, height 0.3, with 2.5 times as many cells and steps. Particles in columns and rows that follow the exact surface carry
+the exact velocities, ten per cell side (the source states no number); masses of the rows next to surface and bed are
+end-corrected. The space of fields consists of cubic splines on square cells; markers trace the surface. Gravity is the
+potential energy of the water under the line of markers, Frank's (7), so that energy and momentum are exact.
 
-**What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads or lags
-by what the steps make it.
+**What is compared.** The surface after three periods with the exact one, translated by $c t$; the phase, whose lead or
+lag follows from the time steps.
 
-**What to look at.** The markers lie on the exact curves. The steepest wave needs its ten particles: with 6, 8, 10, 12
-and 16 to a side its surface errs by 0.0105, 0.0038, 0.0019, 0.0015 and 0.0016. Frank's projection scheme (`scheme =
-dissipative`, `gravity = particles`) loses a fifth of the energy in the first period.
+**What to look at.** The markers lie on the exact curves. The steepest wave needs ten particles: with 6, 8, 10, 12 and
+16 per cell side its surface error is 0.0105, 0.0038, 0.0019, 0.0015 and 0.0016. Frank's projection scheme (`scheme =
+dissipative`, `gravity = particles`) loses 20 % of the energy in the first period.
 
-**A variant**, of the tier `full`. With `gravity = particles` sums over particles are no exact integrals, gravity feeds
-small eddies and the long wave is lost within a period, unless a penalty on gradients of vorticity (`penalty = 0.01`),
-which is not Frank's, holds them down; it takes energy, which is booked.
+**A variant**, of the tier `full`. With `gravity = particles` sums over particles are not exact integrals, gravity feeds
+small eddies, and the long wave is lost within a period unless a penalty on vorticity gradients (`penalty = 0.01`),
+which is not Frank's, suppresses them; the energy that it dissipates is booked.
 */
 #include <cmath>
 #include <memory>

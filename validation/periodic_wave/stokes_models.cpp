@@ -1,30 +1,27 @@
 /*
-Which model should one take? One steep periodic wave travels over one wavelength, by four models: free particles under
-Gauss's principle, the Lagrangian mesh, the discrete dispersive shallow water in one dimension, and weakly compressible
-SPH. The exact wave of the Euler equations tells how far off each is, and the processor what it took.
+Which model suits a steep periodic wave? One wave travels over one wavelength, computed with four models:
+Gauss-principle particles, the Lagrangian mesh, dispersive shallow water in one dimension, and weakly compressible SPH.
+The reference is the exact wave of the Euler equations; CPU time is shown beside the error.
 
-**Set-up.** Depth, gravity and density are 1; the wave is $2\pi$ long and 0.2 high, a third of the highest. Particles
-and SPH run in a periodic channel, from exact velocities (SPH: and pressures). Meshes have no period: of three
-wavelengths the nodes of both ends are led on their exact paths, and the wave in the middle counts; what the ends know
-travels with the group and does not reach it in this time. The dispersive model, for which the wave is none, starts from
-the wave of its own equations with the same height and length (`seiche exact serre_cnoidal`). Each is refined in space
-and time together.
+**Set-up.** Depth, gravity and density are 1; $L = 2\pi$, $H = 0.2$, a third of the maximum height. Gauss-principle
+particles and SPH run in a periodic channel, from exact velocities (SPH: and pressures). Meshes are not periodic: over
+three wavelengths the end nodes follow their exact paths, and the middle wave counts; errors of the ends travel at the
+group velocity and do not reach it in this time. The dispersive model starts from the exact wave of its own equations
+with the same height and length (`seiche exact serre_cnoidal`). Each model is refined in space and time together.
 
-**What is compared.** Elevations of markers, nodes or the surface's curve with the exact wave: their root mean square
-over the height, and the phase. The error of particles and mesh falls with the second order; the error of the dispersive
-model against the wave of its own equations, too. Against the Euler equations it stays: the two exact waves are apart,
-mostly by their speed, and where it ends is known beforehand. Times are shown and never scored.
+**What is compared.** Elevations of markers, nodes or the surface curve with the exact wave: rms over the height, and
+the phase. The errors of particles and mesh converge to zero at second order, and so does the error of the dispersive
+model against the wave of its own equations. Against the Euler equations it converges to the distance of the two exact
+waves, mostly a difference of celerity, known beforehand. Times are shown and never scored.
 
-**What to look at.** For a wave six depths long or longer, and where one per cent of the phase is enough, take the
-dispersive model: it takes milliseconds. For a smaller error than that take particles: none is as near for the time they
-take. The mesh is not far behind, twice as far off or more in the same time, and knows the pressures at walls. SPH takes
-a hundred times as long for an error as large as the dispersive model's, most of it lost height, which the spacing
-hardly mends; it is for what the others cannot, water that falls on itself. Particles, too, go on when the surface
-overturns
-(`breaking_gauss`).
+**What to look at.** For waves of $L/h$ of 6 or more and a phase error of 1 %, the dispersive model suffices: it takes
+milliseconds. For a smaller error Gauss-principle particles are the most accurate for their time. The mesh has twice
+their error or more at equal time, and gives wall pressures. SPH takes a hundred times as long for an error as large as
+that of the dispersive model, most of it lost height, which hardly falls with the spacing; its use is water that impacts
+on itself. Gauss-principle particles, too, continue when the surface overturns (`breaking_gauss`).
 
-**When it is no test.** Nothing is said of walls, shores and breaking, nor of long times: particles keep their energy,
-SPH does not. A longer wave has less dispersion, and the dispersive model less error.
+**Limits of this test.** Walls, shores, breaking and long times are not covered: Gauss-principle particles conserve
+energy, SPH does not. A longer wave has less dispersion, and the dispersive model a smaller error.
 */
 #include <cmath>
 #include <functional>

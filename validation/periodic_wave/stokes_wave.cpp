@@ -1,11 +1,11 @@
 /*
-A steep periodic wave of the full Euler equations travels over a flat bottom, or over deep water, without changing its
-shape. Surface, phase speed and velocities are known to round-off up to waves that almost break, from the conformal
-solution of `seiche exact stokes`.
+A steep periodic wave of the full Euler equations travels over a flat bed, or over deep water, without change of shape.
+The conformal solution of `seiche exact stokes` gives surface, phase speed and velocities to round-off up to nearly
+breaking waves.
 
-**What is compared.** The case shows the wave and the identity $2 T = c I$. It scores others: start from the exact
-surface and velocities with a crest at $x = 0$, in a periodic domain of one wavelength, and submit the surface at the
-times asked for and the phase speed.
+**What is compared.** The case shows the wave and the identity $2 T = c I$. It accepts external results: start from the
+exact surface and velocities with a crest at $x = 0$, in a periodic domain of one wavelength, and submit the surface at
+the given times and the phase speed.
 
 **What to look at.** Near the limiting steepness the crest sharpens towards 120 degrees and the speed falls again:
 particle methods round it off, spectral ones ring.

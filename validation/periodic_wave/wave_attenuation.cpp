@@ -1,36 +1,35 @@
 /*
-How much of a wave does a solver lose on its way, and how much too fast or too slow does it go? A swell has to cross a
-basin before it meets the structure that the computation is about: what is lost on the way is lost there.
+How much wave height does a solver lose per wavelength, and how large is its error in phase? A swell crosses a basin
+before it reaches the structure of interest; height lost on the way is missing there.
 
-**Set-up.** Depth, gravity and density are 1. An exact periodic wave of the Euler equations (`seiche exact stokes`),
-$2\pi$ long, travels in a periodic box of one wavelength over a flat bottom without friction; ours in three heights, of
-a twentieth, a tenth and a fifth of the depth. Free particles, the dispersive model and SPH follow it for ten periods.
-The Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for
-which the wave is none, starts from the wave of its own equations with the same height and length.
+**Set-up.** Depth, gravity and density are 1. An exact periodic wave of the Euler equations (`seiche exact stokes`), $L
+= 2\pi$, travels in a periodic box of one wavelength over a flat frictionless bed; the suite's models run at H/h = 0.05,
+0.1 and 0.2. Gauss-principle particles, the dispersive model and SPH follow it for ten periods. The Lagrangian mesh is
+not periodic: it follows one wave of a longer chain, for fewer periods. The dispersive model starts from the exact wave
+of its own equations with the same height and length.
 
-**What is compared.** After every three quarters of a period, the fundamental of the surface: its amplitude over the
-exact wave, and its phase. After whole periods a wave that stands still, or runs the other way, looks right. What either
-changes by in a wavelength is the slope of a straight line through the instants, so that a wrong beginning is not
-counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
+**What is compared.** At intervals of three quarters of a period, the fundamental of the surface: its amplitude over
+that of the exact wave, and its phase. (After whole periods a wave that is stationary or runs the other way would look
+correct.) The change per wavelength is the slope of a straight line through the instants, so that a wrong initial value
+does not count. It is shown as a function of the cells over the wave height and of the CPU time per wavelength.
 
-**For any solver.** `seiche score wave_attenuation --template` asks for the surface at the same instants. Start from the
-exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
-periodic box; `--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
-`--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are settled,
-and counts wavelengths of way in place of periods. Histories of volume, energy and momentum are scored where they are
-given. Lost may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten
-wavelengths that is the twentieth that benchmarks of tsunamis allow.
+**For any solver.** `seiche score wave_attenuation --template` prints the points, the surface at the same instants.
+Start from the exact surface and velocities (`seiche exact stokes --write` writes them for several solvers) with a crest
+at $x = 0$, in a periodic box; `--set height=0.05` sets a lower wave. A solver without periodic boxes runs the wave in a
+flume: `--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are
+settled, and counts wavelengths travelled instead of periods. Histories of volume, energy and momentum are scored where
+submitted. The limits are a loss of 0.5 % of the height per wavelength, and 0.5 % of a wavelength in phase: after ten
+wavelengths the 5 % that tsunami benchmarks allow.
 
-**What to look at.** Particles keep the height whatever the lattice, and lag by their steps. The mesh loses a tenth of a
-per cent in a wavelength of ten rows, and less of lower waves. SPH of twelve rows loses a tenth of the
-height in every wavelength, by what its artificial viscosity, $\nu = \alpha h c/8$, takes from a wave: $2 \nu k^2$ in a
-unit of time in the water, and twice as much at the floor, to which its particles stick,
-$k \sqrt{\nu \omega/2}/\sinh 2kd$. It falls with the spacing, to a twentieth at 24 rows: who has ten wavelengths to go
-should not go by it. The dispersive model keeps the height and is late by what its equations are, a hundredth of a
-wavelength in one, however fine it is: for waves this short it is at the end of its own physics, for longer ones within
-it.
+**What to look at.** Gauss-principle particles conserve the height on any grid, and lag by their time-step error. The
+mesh loses 0.1 % of the height per wavelength with ten rows, and less of lower waves. SPH with twelve particles over the
+depth loses a tenth of the height per wavelength by its artificial viscosity, $\nu = \alpha h c/8$: a rate of $2 \nu
+k^2$ in the water, and twice as much, $k \sqrt{\nu \omega/2}/\sinh 2kd$, at the bed, to which its particles stick. The
+loss falls with the spacing, to a twentieth at 24 particles over the depth: do not use it to propagate waves over ten
+wavelengths. The dispersive model conserves the height and lags by the celerity deficit of its equations, 1 % of a
+wavelength per wavelength at any resolution; for longer waves the deficit is smaller.
 
-**When it is no test.** Of breaking, walls, shores, or of wind and friction.
+**Limits of this test.** Breaking, walls, shores, wind and friction are not covered.
 */
 #include <algorithm>
 #include <cmath>

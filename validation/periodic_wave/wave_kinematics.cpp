@@ -1,15 +1,15 @@
 /*
-Loads on piles and pipes follow from the velocities below a wave, and a surface may be right above wrong ones. Below a
-periodic or a solitary wave of the Euler equations they are known to round-off, up to the surface, from
-`seiche exact stokes` and `seiche exact solitary`.
+Loads on piles and pipes follow from the velocities below a wave, which may be wrong under a correct surface. Below a
+periodic or a solitary wave of the Euler equations `seiche exact stokes` and `seiche exact solitary` give them to
+round-off, up to the surface.
 
-**What is compared.** The case shows horizontal and vertical velocity over the depth. It scores others: start from the
-exact surface and velocities with a crest at $x = 0$ (`seiche exact ... --grid`; the periodic wave in one wavelength),
-let the wave run the distance `way`, and submit $u$ and $v$ over the depth in four sections: where the crest is then, on
-its front, and ahead. Heights count from the mean level.
+**What is compared.** The case shows horizontal and vertical velocity over the depth. It accepts external results: start
+from the exact surface and velocities with a crest at $x = 0$ (`seiche exact ... --grid`; the periodic wave in one
+wavelength), run the wave over the distance `way`, and submit $u$ and $v$ over the depth in four sections: at the crest,
+on its front, and ahead. Heights count from the mean level.
 
-**What to look at.** Linear theory beside the crest: too slow above the mean level, too fast at the bed. A solver that
-is dispersive in the mean alone has one velocity over the depth.
+**What to look at.** Linear theory beside the crest: too low above the mean level, too high at the bed. A depth-averaged
+dispersive solver has one velocity over the depth.
 */
 #include <cmath>
 #include <functional>

@@ -1,17 +1,17 @@
 /*
 A particle of the method is a rectangle of constant area whose height is the depth; a row of them approximates the
-water, as in the paper's picture of a parabola. When the particles move with their velocities, neighbours overlap or
-part; a rearrangement rebuilds one of the two so that they touch again: in an overlap the one of smaller density, at a
-gap the faster one. If the rebuilt one would become the denser of the two, its position changes as well.
+water, as in the paper's picture of a parabola. When particles move with their velocities, neighbours overlap or
+separate; a rearrangement rebuilds one of the two so that they touch again: in an overlap the one of smaller density, at
+a gap the faster one. If the rebuilt particle would become the denser of the two, its position changes as well.
 
-Rebuilding one particle of a pair moves only the edge they share. So the rule is a choice of a velocity for every edge,
-and the scheme of this suite takes it, with the thrust, from the Riemann problem of the pair: order of processing plays
-no role, areas are kept to all digits, and so is momentum.
+Rebuilding one particle of a pair moves only the edge they share. The rule is therefore a choice of a velocity for every
+edge, which the scheme of this suite takes, with the thrust, from the Riemann problem of the pair: the order of
+processing is irrelevant, and areas and momentum are conserved to all digits.
 
 **What is compared.** The area of the rectangles with the parabola; the areas before and after a rearrangement.
 
-**What to look at.** The third picture of the rearrangement: the edge has gone further than either velocity would take
-it, because the deep particle also pushes.
+**What to look at.** The third picture of the rearrangement: the edge moves farther than with either velocity, because
+the deep particle also exerts a thrust.
 */
 #include <cmath>
 

@@ -1,17 +1,19 @@
 /*
-A solitary wave of height $a$ on water of depth $d$ climbs a plane beach of slope $1 : \cot\beta$. While it does not
-break, the shallow-water equations have an exact solution: Carrier and Greenspan's transformation makes them linear, and
-its extremes of the shoreline equal linear theory,
+A solitary wave of height $a$ on water of depth $d$ climbs a plane beach of slope $1 : \cot\beta$. While the wave does
+not break, the shallow-water equations have an exact solution: Carrier and Greenspan's transformation makes them linear,
+and the extremes of its shoreline equal those of linear theory,
 
 $$R(\tau) = \int \Phi(k)\,\frac{2 e^{-ik\tau}}{J_0(2 k X_0) - i J_1(2 k X_0)}\,dk, \qquad X_0 = \cot\beta,$$
 
-in units of $d$ and $\sqrt{d/g}$. For long beaches its maximum is Synolakis' run-up law
-$\mathcal R/d = 2.831 \sqrt{\cot\beta}\,(a/d)^{5/4}$.
+in units of $d$ and $\sqrt{d/g}$. For long beaches the maximum is Synolakis' run-up law $\mathcal R/d = 2.831
+\sqrt{\cot\beta}\,(a/d)^{5/4}$.
 
-**What is compared.** The case itself computes the integral and its own identities, and shows the shoreline. It scores
-others: `seiche score carrier_greenspan_runup` takes the maximum run-up, and the elevation of the shoreline in time.
+**What is compared.** The case computes the integral and the residuals of its identities, and shows the shoreline. It
+accepts external results: `seiche score carrier_greenspan_runup` takes the maximum run-up, and the shoreline elevation
+as a function of time.
 
-**What to look at.** Run-down is steeper than run-up: a wave that climbs smoothly may still break on its way back.
+**What to look at.** Run-down is steeper than run-up: a wave that does not break on its way up may break on its way
+back.
 */
 #include <cmath>
 

@@ -1,33 +1,31 @@
 /*
-A solitary wave meets a conical island: the laboratory experiment of Briggs, Synolakis, Harkins and Green (1995). Such
-an island is Babi, where the tsunami of Flores (1992) destroyed the villages in the lee.
+A solitary wave meets a conical island: the laboratory experiment of Briggs, Synolakis, Harkins and Green (1995). A
+field example is Babi island, where the tsunami of Flores (1992) destroyed villages in the lee.
 
-**Set-up.** The island is 7.2 m wide at the base, 2.2 m at the top, 0.625 m high, with slopes of 1:4; the water is
-0.32 m deep. Waves of 0.0445, 0.0872 and 0.179 depths (cases A, B, C) come along $x$, as high as the gauges in front of
-the island show them; stated are 0.045, 0.096 and 0.181. Half the basin is computed. The
-lattice goes around the island; its first row of markers is the shoreline, which slides on the bottom. The bottom is a
-bicubic spline through elevations on a raster of 0.1 m, as for a surveyed coast, and as rough as smooth concrete,
-Manning's $n$ = 0.012 s/m$^{1/3}$, a handbook's value and not fitted. A force between the shoreline and the next row,
-which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. Fronts that
-are steeper than 30 degrees break, as in one dimension, until they are no bore any more: neighbours exchange momentum.
-The lattice is rezoned: its nodes slide back along their rows to the lines of their columns, where the water runs down
-the film that it leaves is drawn after it, and the shoreline is no steeper than 2 against its columns. Walls are
-reflecting; they stand where their echo comes too late to matter.
+**Set-up.** The island is 7.2 m wide at the base, 2.2 m at the top, 0.625 m high, with slopes of 1:4; the water is 0.32
+m deep. Waves of H/h = 0.0445, 0.0872 and 0.179 (cases A, B, C), the heights recorded in front of the island, propagate
+along $x$; the stated heights are 0.045, 0.096 and 0.181. Half of the basin is computed. The mesh surrounds the island;
+its first row of nodes is the shoreline, which slides on the bed. The bathymetry is a bicubic spline through elevations
+on a raster of 0.1 m, as for a surveyed coast, with the roughness of smooth concrete, Manning's $n$ = 0.012 s/m$^{1/3}$,
+a handbook value and not fitted. A momentum-conserving force between the shoreline and the next row removes differences
+of their longshore velocities within 0.1 s. Fronts steeper than 30 degrees break, as in one dimension, until they are no
+longer a bore: neighbours exchange momentum. The mesh is rezoned: nodes slide back along their rows to the lines of
+their columns, a film left by the run-down is drawn after the water, and the slope of the shoreline against its columns
+is limited to 2. Walls are reflecting, at distances from which reflections arrive too late to matter.
 
-**What is compared.** The maximum run-up $R/A$ by the angle from the front of the island with the measurements, and with
-the shallow-water model of Liu et al. (1995). $A$ is the nominal height, 0.05, 0.1 and 0.2 depths, as the publisher of
-the table turns $R/A$ into metres. All measured angles count; where the lattice tangles before the water has
-been highest, what it has reached by then.
+**What is compared.** The maximum run-up $R/A$ as a function of the angle from the front of the island with the
+measurements, and with the shallow-water model of Liu et al. (1995). $A$ is the nominal height over the depth, 0.05, 0.1
+and 0.2, with which the publisher of the table converts $R/A$ into metres. All measured angles count; where the mesh
+tangles before the maximum run-up, the highest elevation reached by then.
 
-**What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
-as high as in front, though the sides saw much less. All three waves pass the island with columns down to 0.25 m apart,
-A and B with 0.125 m too; there the lattice of C tangles when its two fronts have met behind the island and run back.
-Wave C breaks at the sides: there the model climbs higher than the water of the experiment, whose wave is spent, with
-columns 0.35 m apart by half on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every
-angle. Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of
-C tangles as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and the lattice of B behind
-it, with 0.25 m at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to
-four times as high at the sides as the water of the experiment.
+**What to look at.** The crest bends around the island, and its two ends meet behind it: there the run-up is nearly as
+high as in front, and much higher than at the sides. All three waves pass the island on columns down to 0.25 m wide, A
+and B on 0.125 m too; there the mesh of C tangles after its two fronts have met behind the island and run back. Wave C
+breaks at the sides, where the experimental wave has lost its energy: there the computed run-up is higher than measured,
+by half on average on columns 0.35 m wide, by a third on 0.25 m, and within 15 % at every angle on 0.125 m. Without
+breaking, without the drawn film and with a remap that may dry columns, the mesh of C tangles during run-down in front
+of the island, at 4.6 s on columns 0.35 m wide, and the mesh of B behind it, at 9.5 s on 0.25 m. With breaking of steep
+nodes only instead of whole fronts, the run-up of C at the sides is two to four times the measured one.
 */
 #include <algorithm>
 #include <array>

@@ -1,14 +1,13 @@
 /*
-Hall and Watts (1953) let solitary waves run up smooth plane beaches of 5 to 45 degrees, breaking and not, and fitted
-their run-up: $R = 3.05 S^{-0.13} a^{1.15 S^{0.02}}$ from 12 degrees on, $R = 11 S^{0.67} a^{1.9 S^{0.35}}$ below, with
-the slope $S$ and lengths in depths.
+Hall and Watts (1953) measured the run-up of solitary waves, breaking and non-breaking, on smooth plane beaches of 5 to
+45 degrees and fitted $R = 3.05 S^{-0.13} a^{1.15 S^{0.02}}$ from 12 degrees on, $R = 11 S^{0.67} a^{1.9 S^{0.35}}$
+below, with the slope $S$ and lengths over the depth.
 
-**What is compared.** The case shows the law beside the values that Frank (1994) read off the measurements. It scores
-others: the run-up of waves of 0.05 to 0.3 depths on one beach, within the scatter of the experiments. Our models are
-compared with it in `slope_run_up_mesh` and `run_up_table`.
+**What is compared.** The case shows the law beside the values that Frank (1994) read off the measurements. It accepts
+external results: the run-up of waves of H/h = 0.05 to 0.3 on one beach, within the scatter of the experiments. The
+suite's models are compared with the law in `slope_run_up_mesh` and `run_up_table`.
 
-**What to look at.** The law is a fit: 5 % is what such experiments scatter by, and a solver cannot be told from them
-more closely.
+**What to look at.** The law is a fit: such experiments scatter by 5 %, the smallest difference that this case resolves.
 */
 #include <cmath>
 

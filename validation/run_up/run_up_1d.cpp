@@ -1,19 +1,19 @@
 /*
-A solitary wave of height $A$ on water of depth 1 climbs a plane slope of cotangent $\cot\beta$. Frank's
-one-dimensional discrete model follows it: particles that slide along the bottom, markers on the surface, constant water
-between neighbouring markers. The last marker slides on the dry slope. No condition is set at the shoreline, and no
-threshold says what is dry.
+A solitary wave of height $A$ on water of depth 1 climbs a plane slope $1 : \cot\beta$, computed with Frank's
+one-dimensional discrete model: particles that slide along the bed, nodes on the surface, constant volume between
+neighbouring nodes. The last node slides on the dry slope. No condition is imposed at the shoreline, and no threshold
+defines a dry cell.
 
-**Set-up.** The toe of the slope is at $x = -\cot\beta$, the shoreline at rest at $x = 0$. Serre's wave starts where all
-but $10^{-4}$ of its height is before the toe. Gravity is 1. The step is $\tau = h/4$, or less where the water is so
-shallow that this would be more than $0.3$ of the longest stable step. The run-up is the first maximum of the
-shoreline, from a parabola through the three highest steps.
+**Set-up.** The toe of the slope is at $x = -\cot\beta$, the still-water shoreline at $x = 0$. Serre's wave starts where
+all but $10^{-4}$ of its height is before the toe. Gravity is 1. The step is $\tau = h/4$, or 0.3 of the longest stable
+step where shallow water makes that smaller. The run-up is the first maximum of the shoreline, from a parabola through
+the three highest steps.
 
-**What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$, where that law holds: the
-wave does not break on its way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and the beach is long, $A \gg (0.288 \tan\beta)^2$.
+**What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$ in its range of validity: no
+breaking on the way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and a long beach, $A \gg (0.288 \tan\beta)^2$.
 
-**What to look at.** The shoreline of the shallow-water equations beside the model, which comes a little later
-and, with finer markers, rises a little less: what dispersion does.
+**What to look at.** The shoreline of the shallow-water equations beside the model, which lags slightly and, at finer
+spacings, rises slightly less: the effect of dispersion.
 */
 #include <algorithm>
 #include <cmath>

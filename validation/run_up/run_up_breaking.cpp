@@ -1,18 +1,17 @@
 /*
-Water that runs back from a slope meets what still comes, and a bore forms. Synolakis (1987) gives the height of a
-solitary wave above which that happens, $A > 0.479 (\cot\beta)^{-10/9}$. Frank's one-dimensional model keeps energy: it
-cannot carry a bore, which loses some. This case shows where the model ends, and how.
+Water running back from a slope meets the rest of the incident wave, and a bore forms. Synolakis (1987) gives the height
+of a solitary wave above which this happens, $A > 0.479 (\cot\beta)^{-10/9}$. Frank's one-dimensional model conserves
+energy and cannot represent a bore, which loses energy. The case shows where, and how, the model ends.
 
-**Set-up.** As in `run_up_1d`. Every run goes on through the run-down until the reflected wave has left, or until
-markers cross or the water under one is gone: then the program stops with time, step and place of the failure.
+**Set-up.** As in `run_up_1d`. Every run continues through the run-down until the reflected wave has left, or until
+nodes cross or a column runs dry: the program then stops with time, step and position of the failure.
 
-**What is compared.** Nothing measured: waves above the limit are outside the model's validity, and their run-down is
-not to be used. Claimed is that waves below the limit complete, that no run ends otherwise than with a stated
-failure.
+**What is compared.** No measurement: waves above the limit are outside the validity of the model, and their run-down is
+not to be used. The claims are that waves below the limit complete, and that every other run ends with a stated failure.
 
-**What to look at.** The map of slopes and heights, with the limit. Above it some waves complete with one spacing and
-stop with another; with some the tip, a marker of almost no mass, shoots up when the bore reaches it. The first run-up
-comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85, which breaks on its way up.
+**What to look at.** The map of slopes and heights, with the limit. Above it some waves complete at one spacing and stop
+at another; in some the tip, a node of almost no mass, shoots up when the bore reaches it. The first run-up precedes all
+this and is not affected, except for $A = 0.3$ on the 1:19.85 beach, where the wave breaks on its way up.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,26 +1,25 @@
 /*
-A solitary wave climbs a vertical wall or a plane slope, by free particles under Gauss's principle of least constraint.
-The exact run-up of the Euler equations is known to many digits, on a wall (`wall_run_up_exact`) and on slopes down to a
-cotangent of 3 (`slope_run_up_exact`). Depth and gravity are 1.
+A solitary wave climbs a vertical wall or a plane slope, computed with Gauss-principle particles. The exact run-up of
+the Euler equations is known to many digits, at a wall (`wall_run_up_exact`) and on slopes down to 1:3
+(`slope_run_up_exact`). Depth and gravity are 1.
 
-**Set-up.** The exact solitary wave, with its own velocities, starts so far from toe or wall that there less than 0.4 %
-of its height is cut off. Cubic splines on square cells that follow the bottom; the toe of a slope is rounded over a
-quarter of a depth on either side, for the slope of the bottom has to be smooth. Cells count as full from a quarter of
-their mass on, for the tongue of water is thin. The penalty on gradients of vorticity is on ($C = 0.01$). Markers, which
-have no mass, trace the surface; the highest one beyond the toe, or at the wall, is the run-up.
+**Set-up.** The exact solitary wave, with its velocities, starts where less than 0.4 % of its height reaches toe or
+wall. Cubic splines on square cells that follow the bed; the toe of a slope is rounded over a quarter of a depth on
+either side, because the bed slope has to be continuous. Cells count as full from a quarter of their mass on, because
+the tongue is thin. The penalty on vorticity gradients is on ($C = 0.01$). Massless markers trace the surface; the
+highest one beyond the toe, or at the wall, is the run-up.
 
-**What is compared.** Three lattices of half, three quarters and all of the cells, and of the particles to a cell's side
-with them: sums over particles are no exact integrals, which no refinement of the cells alone can mend. The run-up with
-the exact one; on slopes with the measurements of Hall and Watts (1953) besides. It knows no friction and has to lie
-above them.
+**What is compared.** Three grids with 1/2, 3/4 and all of the cells, and of the particles per cell side with them: sums
+over particles are not exact integrals, an error that refinement of the cells alone does not reduce. The run-up with the
+exact one; on slopes also with the measurements of Hall and Watts (1953), above which a frictionless run-up has to lie.
 
-**What to look at.** The run-up converges from above, with an order near 3 while cells and particles are refined
-together. With six particles to a side and ever finer cells, an error of 0.7 % is left at $A = 0.3$, and one of 3 % at
-$A = 0.1$, where the same noise meets less energy. On slopes of cotangent 1 and 2 it is some 6 % higher than the
-measured one (`cot_slope=2 amplitude=0.29`).
+**What to look at.** The run-up converges from above, at an order near 3 when cells and particles are refined together.
+With six particles per cell side and ever finer cells an error of 0.7 % remains at $A = 0.3$, and one of 3 % at $A =
+0.1$, where the same noise meets less energy. On 1:1 and 1:2 slopes the run-up is some 6 % above the measured one
+(`cot_slope=2 amplitude=0.29`).
 
-**When it is no test.** The tongue of water on a slope is thinner than a cell where it ends: there the run-up converges
-more slowly than at a wall.
+**Limits of this test.** The end of the tongue on a slope is thinner than a cell, and the run-up converges more slowly
+there than at a wall.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,25 +1,24 @@
 /*
-High solitary waves climb a vertical wall and steep slopes on the two-dimensional Lagrangian mesh, whose columns are put
-upright again whenever they lean.
+High solitary waves climb a vertical wall and steep slopes on the two-dimensional Lagrangian mesh with rezoned columns.
 
-In Frank's own model the surface's nodes run ahead of the water beneath, crowd in the sheet at the wall and turn their
-cells inside out (`wall_run_up_mesh_limit`); at the toe of a slope nodes of the bottom pass the corner
-(`slope_run_up_mesh`). The water does nothing of the kind: below $A = 0.6$ its surface has one elevation at every place.
-So the mesh is rezoned: a column that leans becomes the straight line again that no water has passed on the whole, the
-nodes go to their parts of its length, and what they carried is carried over.
+In Frank's own model surface nodes move ahead of the water beneath, crowd in the sheet at the wall and invert their
+cells (`wall_run_up_mesh_limit`); at the toe of a slope bed nodes pass the corner (`slope_run_up_mesh`). The flow itself
+is regular: below $A = 0.6$ its surface elevation is single-valued. The mesh is therefore rezoned: a tilted column
+becomes the straight line through which the net flux is zero, its nodes return to their fractions of its length, and the
+transported quantities are remapped.
 
 **Set-up.** As in `wall_run_up_mesh` and `slope_run_up_mesh`: depth, gravity and density are 1, the crest of the exact
-solitary wave starts 12 depths from wall or toe, columns are twice as wide as rows are high. The mesh is rezoned when a
-node is farther from its place than a fifth of its cell.
+solitary wave starts at a distance of 12 from wall or toe, columns are twice as wide as rows are high. The mesh is
+rezoned when a node deviates from its position by more than a fifth of its cell.
 
 **What is compared.** The run-up with the exact values of the Euler equations (`seiche exact wall_runup`,
-`slope_runup`), on four meshes; whether the mesh holds to the end; the energy, with what rezoning takes booked. Loads on
-the wall are compared in `wall_run_up_mesh_figures`.
+`slope_runup`), on four meshes; whether the mesh lasts to the end; the energy, with the booked loss of rezoning. Loads
+on the wall are compared in `wall_run_up_mesh_figures`.
 
 **What to look at.** No cell tangles, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up,
-nor at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second
-order as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall
-half of it while the sheet falls.
+nor at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error converges at second
+order as without rezoning, on slopes at first. Rezoning takes less than 0.1 % of the energy, at the wall half of it
+while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,26 +1,26 @@
 /*
-Frank's table of chapter 3: the run-up of a solitary wave on plane slopes of cotangent 10 to 1, twenty-five cases,
-beside the run-up law of Synolakis, computations of other authors (among them Frank's own two-dimensional model), and
-the measurements of Hall and Watts.
+Frank's table of chapter 3: the run-up of a solitary wave on plane slopes of 1:10 to 1:1, twenty-five cases, beside
+Synolakis' run-up law, computations of other authors (among them Frank's own two-dimensional model), and the
+measurements of Hall and Watts.
 
 **Set-up.** As in `run_up_1d`: depth and gravity are 1, Serre's wave starts before the toe, $\tau = h/4$. The thesis
-states neither $h$ nor $\tau$; for one amplitude per slope it adds the value with both halved. Two variants go beyond
-it. The shoreline marker weighs $V/4$ of its triangle in the thesis (elementary volumes); with $V/6$ a plane surface
-over a plane slope accelerates exactly as it should. And the kinetic energy over a slope, in the thesis
-$\tfrac12 m (p^2 + \tfrac13 r^2)$ along and across the bottom, can be taken from Green and Naghdi: exact for a vertical
-velocity that is linear between the bed and the surface.
+states neither $h$ nor $\tau$; for one amplitude per slope it adds the value with both halved. Two variants extend it.
+The shoreline node has the mass $V/4$ of its triangle in the thesis (elementary volumes); with $V/6$ a plane surface
+over a plane slope has the exact acceleration. The kinetic energy over a slope, in the thesis $\tfrac12 m (p^2 +
+\tfrac13 r^2)$ along and across the bed, can be taken from Green and Naghdi: exact for a vertical velocity that is
+linear between bed and surface.
 
-**What is compared.** Every value with the thesis, at $h = 1/4$. The change of the run-up as the spacing is halved, with
-the $V/6$ tip. Both kinetic energies with the measurements, with the exact solution of the shallow-water equations
-where waves are small, and, on slopes milder than cotangent 2, with the Euler equations on the two-dimensional
-Lagrangian mesh (`slope_run_up_mesh`).
+**What is compared.** Every value with the thesis, at $h = 1/4$. The change of the run-up when the spacing is halved,
+with the $V/6$ tip. Both kinetic energies with the measurements, with the exact solution of the shallow-water equations
+for small waves, and, on slopes milder than 1:2, with the Euler equations on the two-dimensional Lagrangian mesh
+(`slope_run_up_mesh`).
 
-**What to look at.** Steep slopes. The measurements go up and the thesis's model stays behind, by a quarter at
-cotangent 1; with the kinetic energy of Green and Naghdi the same markers climb as high as the water did in the
-laboratory, and as Frank's two-dimensional model. On milder slopes the measurements lie a tenth below, and that is not
-the model's doing: the Euler equations, which neglect friction and nothing else, give the same run-up as the model does
-with the kinetic energy of Green and Naghdi, to two per cent, and lie above the measurements by the same tenth. The
-thesis's kinetic energy comes nearer to them there because it errs to the same side as friction.
+**What to look at.** Steep slopes. The thesis's model falls below the measurements, by a quarter at 1:1; with the
+kinetic energy of Green and Naghdi the run-up equals the measured one, and that of Frank's two-dimensional model. On
+milder slopes the measurements are 10 % lower, and not because of the model: the Euler equations, which neglect only
+friction, give the same run-up as the model with the kinetic energy of Green and Naghdi, to 2 %, and exceed the
+measurements by the same 10 %. The thesis's kinetic energy is nearer to the measurements there because its error has the
+sign of friction.
 */
 #include <algorithm>
 #include <cmath>

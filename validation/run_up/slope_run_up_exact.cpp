@@ -1,15 +1,15 @@
 /*
-A solitary wave of the full Euler equations climbs a plane slope behind a level bottom. The maximum run-up follows from
-fully nonlinear potential flow by a spectral boundary-integral method, in a plane where bottom and slope are one
-straight line (`seiche exact slope_runup`).
+A solitary wave of the full Euler equations climbs a plane slope behind a level bed. The maximum run-up follows from
+fully nonlinear potential flow by a spectral boundary-integral method, in a plane where bed and slope are one straight
+line (`seiche exact slope_runup`).
 
-**What is compared.** The run-up with the formula that Hall and Watts drew through their measurements, over heights and
-slopes. The case scores others: submit the largest elevation of the shore.
+**What is compared.** The run-up with the formula that Hall and Watts fitted to their measurements, over heights and
+slopes. The case accepts external results: the maximum shoreline elevation.
 
-**What to look at.** The computed water climbs higher than the measured one: it has neither friction nor surface
-tension, and no measured tongue is followed to where it is thinner than a film.
+**What to look at.** The computed run-up exceeds the measured one, which has friction and surface tension and ends at a
+finite film thickness.
 
-**When it is no test.** Of waves that break on their way up; of slopes milder than 1:3.
+**Limits of this test.** Waves that break on their way up, and slopes milder than 1:3, are not covered.
 */
 #include <memory>
 #include <optional>

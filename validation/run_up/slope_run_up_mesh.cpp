@@ -1,27 +1,26 @@
 /*
-A solitary wave of the Euler equations climbs plane slopes of tangent 1 and 0.5 on the two-dimensional Lagrangian mesh
-(Frank 1994, section 2.2). Depth and gravity are 1.
+A solitary wave of the Euler equations climbs plane slopes of 1:1 and 1:2 on the two-dimensional Lagrangian mesh (Frank
+1994, section 2.2). Depth and gravity are 1.
 
 **Set-up.** The tank begins at $x = 0$, the crest starts at $x = 12$, the toe of the slope is at $x = 24$. Columns are
-vertical in the tank and become parallel to the slope over the last $\max(4, 4\cot\beta)$ depths. The last column of
-nodes slides on the slope; its top is the contact point. In Frank's model the toe is a node that stays. In a second
-set of runs bottom and slope are one curve, rounded over a column's width on either side of the toe; along it the toe
-and the nodes beside it slide, the scheme is the conservative one, and the hourglass potential, $\kappa_0 = 0.1$, holds
-nodes in their rows. No condition is set at the shoreline.
+vertical in the tank and become parallel to the slope over the last $\max(4, 4\cot\beta)$. The last column of nodes
+slides on the slope; its top is the contact point. In Frank's model the toe is a fixed node. In a second set of runs bed
+and slope are one curve, rounded over a column's width on either side of the toe, along which the toe and its neighbours
+slide; the scheme is the conservative one, and the hourglass potential, $\kappa_0 = 0.1$, keeps nodes in their rows. No
+condition is imposed at the shoreline.
 
-**What is compared.** The run-up, five amplitudes on each slope: with the exact values of the Euler
-equations (`seiche exact slope_runup`), with the values of the thesis, which does not say on what mesh they were found,
-and with the formula of Hall and Watts for their measurements.
+**What is compared.** The run-up, five amplitudes on each slope: with the exact values of the Euler equations (`seiche
+exact slope_runup`), with the values of the thesis, which does not state its mesh, and with the formula of Hall and
+Watts for their measurements.
 
-**What to look at.** The run-up converges with the first order only. A surface node feels the pressure half a cell below
-it; that makes its motion along the surface inexact to first order, and on a slope the contact point climbs by such
-motion. Against a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values lie within a
-few per cent of the formula, which is drawn through measurements, and nearer to the exact ones. Water arrives at the toe
-in finite time and goes on up the slope. With Frank's toe a node on the level bottom cannot: it passes the toe, the last
-cell at the bottom tangles, its area stays right, and the run goes on (`beyond_tangling`). With the toe that slides no
-cell tangles, and energy is exact while nodes go around the corner. What either changes of the run-up is of first order
-like its error: 3 % of the highest wave on the mild slope with columns an eighth wide, a few tenths of a per cent of
-most.
+**What to look at.** The run-up converges at first order only. A surface node feels the pressure half a cell below it,
+which makes its motion along the surface first-order accurate, and on a slope the contact point climbs by such motion.
+At a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values agree within a few per
+cent with the formula, a fit to measurements, and more closely with the exact values. Water arrives at the toe in finite
+time and continues up the slope. With Frank's fixed toe a bed node cannot: it passes the toe, and the last cell at the
+bed tangles, but its area remains correct and the run continues (`beyond_tangling`). With a sliding toe no cell tangles,
+and energy is exact while nodes pass the corner. The difference of run-up between both toes is first-order like their
+errors: 3 % for the highest wave on the 1:2 slope with columns an eighth wide, a few tenths of a per cent for most.
 */
 #include <algorithm>
 #include <array>

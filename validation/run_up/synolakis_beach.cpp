@@ -1,26 +1,25 @@
 /*
-Synolakis (1987) sent solitary waves up a plane beach of slope 1 : 19.85 and photographed the surface. His profiles of a
-wave that does not break, $A = 0.0185$, and his exact solution of the shallow-water equations for $A = 0.019$ are the
-benchmark that every model of tsunamis is held against. Frank (1994, figure 5) shows his one-dimensional discrete model
-beside them.
+Synolakis (1987) photographed solitary waves on a 1:19.85 plane beach. His profiles of a non-breaking wave, $A =
+0.0185$, and his exact solution of the shallow-water equations for $A = 0.019$ are the standard benchmark of tsunami
+models. Frank (1994, figure 5) shows his one-dimensional discrete model beside them.
 
-**Set-up.** As in `run_up_1d`. Time is counted from when the crest of the undisturbed wave is
-$\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe, as the measurements are. Where
-the model is dry its surface is the beach.
+**Set-up.** As in `run_up_1d`. Time counts, as in the measurements, from the instant at which the crest of the
+undisturbed wave is $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe. Where the model is dry its surface
+is the beach.
 
-**What is compared.** Profiles with the exact solution and with the laboratory. And a wave of $A = 0.3$, which breaks in
-the laboratory, and which no model without dissipation can follow: how far it gets depends on the spacing. With breaking
-fronts and the friction of a smooth bottom, Manning's $n$ = 0.009 s/m$^{1/3}$ under the experiment's 0.156 m of water or
-0.038 in these units, it is followed and compared. For the run-up see `synolakis_runup`.
+**What is compared.** Profiles with the exact solution and with the laboratory. A wave of $A = 0.3$, which breaks in the
+laboratory and which no model without dissipation can follow: the time reached depends on the spacing. With breaking
+fronts and the friction of a smooth bed, Manning's $n$ = 0.009 s/m$^{1/3}$ at the experiment's depth of 0.156 m or 0.038
+in these units, the wave is followed and compared. For the run-up see `synolakis_runup`.
 
-**Your solver.** The exact solution, the first of the NTHMP's benchmark problems: surfaces from $t = 35$ to 70, gauges
-at $x = 0.25$ and 9.95, and the run-up of $A = 0.019$, all in depths and $\sqrt{d/g}$, $x$ from the shoreline at rest,
-positive offshore. For the laboratory, the fourth problem, see `plane_beach`.
+**Your solver.** The exact solution, NTHMP benchmark problem 1: surfaces from $t = 35$ to 70, gauges at $x = 0.25$ and
+9.95, and the run-up of $A = 0.019$, all over depth and $\sqrt{d/g}$, $x$ from the still-water shoreline, positive
+offshore. For the laboratory, problem 4, see `plane_beach`.
 
 The thesis draws the instants $t$ = 30, 40, 50, 60 and 70, and prints no number.
 
-**What to look at.** At $t = 70$ the water runs back in a thin tongue: there the laboratory, where the bottom holds it,
-and flow without friction part. Elsewhere the model is nearer to the measurements than the shallow-water equations.
+**What to look at.** At $t = 70$ the water runs back in a thin tongue, where the laboratory, with bed friction, and
+frictionless flow differ. Elsewhere the model is nearer to the measurements than the shallow-water equations.
 */
 #include <algorithm>
 #include <cmath>

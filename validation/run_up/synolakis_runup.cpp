@@ -1,15 +1,15 @@
 /*
-How high a solitary wave climbs a plane beach of slope 1 : 19.85: Synolakis (1987) measured it, solved it exactly for
-the shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$.
+The run-up of a solitary wave on a 1:19.85 plane beach: Synolakis (1987) measured it, solved it exactly for the
+shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$.
 
 **Set-up.** As in `run_up_1d`.
 
-**What is compared.** For $A = 0.019$ the maximum run-up as the spacing goes to zero, with the tip of Frank's thesis, of
-mass $V/4$, and with $V/6$, with which a plane surface over a plane slope accelerates as it should. And the run-up of
-all 29 laboratory waves that do not break, $A \le 0.045$.
+**What is compared.** For $A = 0.019$ the maximum run-up as the spacing tends to zero, with the tip mass of Frank's
+thesis, $V/4$, and with $V/6$, for which a plane surface over a plane slope has the exact acceleration. The run-up of
+all 29 non-breaking laboratory waves, $A \le 0.045$.
 
-**What to look at.** The two tips tend to the same run-up. At $h = 1/2$ the tip $V/6$ is nearer to it than the other is
-at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theories say, higher ones less high.
+**What to look at.** Both tips converge to the same run-up. The error of the $V/6$ tip at $h = 1/2$ is smaller than that
+of the other at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as in theory, higher waves less.
 */
 #include <cmath>
 #include <functional>

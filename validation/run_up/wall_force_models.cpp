@@ -1,28 +1,26 @@
 /*
-Which model should one take for the force of a wave on a wall? A high solitary wave meets a vertical wall, by seven
-models: shallow water, the discrete dispersive shallow water, the Lagrangian mesh, free particles under Gauss's
-principle, Dirichlet cells, particles of variable mass, and weakly compressible SPH. Fully nonlinear potential flow by
-the boundary-integral method tells how far off each is.
+Which model suits the force of a wave on a wall? A high solitary wave meets a vertical wall, computed with seven models:
+shallow water, dispersive shallow water, the Lagrangian mesh, Gauss-principle particles, Dirichlet cells, variable-mass
+particles, and weakly compressible SPH. The reference is fully nonlinear potential flow by the boundary-integral method.
 
-**Set-up.** Depth, gravity and density are 1. The wave starts from its exact surface and velocities so far from the wall
-that it is less than two ten-thousandths of its height there; the dispersive model starts from the solitary wave of its
-own equations. SPH has the mirror image of the water in place of the wall. Each model is refined in space and time
-together.
+**Set-up.** Depth, gravity and density are 1. The wave starts from its exact surface and velocities, at a distance where
+it is less than 0.0002 of its height at the wall; the dispersive model starts from the solitary wave of its own
+equations. In SPH the mirror image of the water replaces the wall. Each model is refined in space and time together.
 
-**What is compared.** Force per unit width on the wall. All models give it in the same way: it is the force of the water
-at rest on the opposite wall, less what the momentum of the water gains in a time of a tenth; the exact force is
-averaged over the same times. The level of the water at the wall is read at the end of each. The error is the root mean
-square from the moment when the crest would be four depths from the wall until the water there has fallen to half its
-height, over the largest force beyond that at rest.
+**What is compared.** Force per unit width on the wall, obtained in the same way from all models: the hydrostatic force
+on the opposite wall minus the gain of the water's momentum over intervals of 0.1; the exact force is averaged over the
+same intervals. The water level at the wall is read at the end of each. The error is the rms from the time at which the
+undisturbed crest would be at a distance of 4 from the wall until the level there has fallen to half of its maximum,
+over the largest force in excess of the hydrostatic one.
 
-**What to look at.** Above a height of some 0.4 depths the force has two maxima, with a dip between them while the water
-is highest: the water at the wall falls almost freely then (Cooker, Weidman and Bale 1997). Free particles and the mesh
-show both; the force of cells with stabilised pressures fluctuates by as much as the dip, in SPH by a fifth of the
-largest. Dispersive shallow water has one maximum, three per cent too high, and its
-run-up is seven per cent too low; plain shallow water turns the wave into a bore. With `heights` the models meet waves
-of 0.1 to 0.6 depths on the quick tier's sizes: the error of dispersive shallow water's force grows from one per cent of
-the largest force to twelve; the errors of free particles, mesh, Dirichlet cells and variable masses stay below 0.6 per
-cent up to 0.4. The mesh breaks down at 0.5, the other three at 0.6. SPH on seven rows is off by 9 to 21 per cent.
+**What to look at.** Above H/h of some 0.4 the force has two maxima, with a dip between them at the time of the highest
+level, when the water at the wall is nearly in free fall (Cooker, Weidman and Bale 1997). Gauss-principle particles and
+the mesh show both; the force of cells with stabilised pressures fluctuates by as much as the dip, in SPH by a fifth of
+the maximum. Dispersive shallow water has one maximum, 3 % too high, and its run-up is 7 % too low; in plain shallow
+water the wave becomes a bore. With `heights` the models meet waves of H/h = 0.1 to 0.6 at the quick tier's resolutions:
+the force error of dispersive shallow water grows from 1 to 12 % of the maximum force; the errors of Gauss-principle
+particles, mesh, Dirichlet cells and variable-mass particles stay below 0.6 % up to H/h = 0.4. The mesh breaks down at
+0.5, the other three at 0.6. The error of SPH with seven particles over the depth is 9 to 21 %.
 */
 #include <algorithm>
 #include <cmath>

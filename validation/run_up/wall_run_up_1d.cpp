@@ -1,19 +1,19 @@
 /*
-A solitary wave runs against a vertical wall over a level bottom and climbs it: the same flow as the head-on collision
-of two equal waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). This case
-shows what Serre's equations, to which Frank's one-dimensional model converges over a level bottom, make of it.
+A solitary wave runs against a vertical wall over a level bed: the same flow as the head-on collision of two equal
+waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). The case measures the
+error of Serre's equations, to which Frank's one-dimensional model converges over a level bed.
 
 **Set-up.** Depth and gravity are 1. Serre's wave starts where all but $10^{-4}$ of its height is before the wall. The
-last marker slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest
-steps, and goes to zero spacing by Richardson's extrapolation.
+last node slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest steps,
+extrapolated to zero spacing (Richardson).
 
-**What is compared.** The run-up for several heights with the Euler equations, and with the series
-$R = 2A + \tfrac12 A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the
-same series as far as long waves govern them; the case measures how far that is.
+**What is compared.** The run-up for several heights with the Euler equations, and with the series $R = 2A + \tfrac12
+A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the same series to the
+order at which long-wave theory holds; the case measures that order.
 
 **What to look at.** The difference from the Euler equations grows nearly like $A^5$. The model is too low by 0.02 % at
-$A = 0.1$, 0.25 % at $0.2$, 3 % at $0.4$ and 15 % at $0.6$. There the water shoots up the wall as a thin sheet, of which
-a velocity that is uniform over the depth knows nothing.
+$A = 0.1$, 0.25 % at $0.2$, 3 % at $0.4$ and 15 % at $0.6$, where the water rises at the wall as a thin sheet, which a
+depth-uniform velocity cannot represent.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
 /*
-A solitary wave of the full Euler equations runs against a vertical wall and climbs it: the same flow as the head-on
-collision of two equal waves. The maximum run-up follows from fully nonlinear potential flow, started from two exact
-solitary waves and followed with a spectral boundary-integral method.
+A solitary wave of the full Euler equations runs against a vertical wall: the same flow as the head-on collision of two
+equal waves. The maximum run-up follows from fully nonlinear potential flow, started from two exact solitary waves and
+computed with a spectral boundary-integral method.
 
-**What is compared.** The case computes the run-up for a sequence of amplitudes with two numbers of markers and shows it
-beside the series of Su and Mirie, $R = 2a + a^2/2 + 3a^3/4$, and of Byatt-Smith, $R = 2a + a^2/2$. It scores others:
-submit the largest elevation at the wall.
+**What is compared.** The case computes the run-up for a sequence of amplitudes with two resolutions and shows it beside
+the series of Su and Mirie, $R = 2a + a^2/2 + 3a^3/4$, and of Byatt-Smith, $R = 2a + a^2/2$. It accepts external
+results: the maximum elevation at the wall.
 
-**What to look at.** The series hold to a per cent up to $a \approx 0.45$; beyond, the water shoots up the wall as a
-thin sheet, and the exact values leave every series.
+**What to look at.** The series are accurate to 1 % up to $a \approx 0.45$; beyond, the water rises at the wall as a
+thin sheet, and the exact values depart from every series.
 */
 #include <memory>
 

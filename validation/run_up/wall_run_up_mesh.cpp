@@ -1,22 +1,21 @@
 /*
 A solitary wave runs against a vertical wall and climbs it, on Frank's two-dimensional Lagrangian mesh. The exact run-up
-of the Euler equations is known to many digits (`wall_run_up_exact`), so that the mesh can be evaluated by the truth.
+of the Euler equations is known to many digits (`wall_run_up_exact`).
 
-**Set-up.** Depth, gravity and density are 1. The exact solitary wave starts 12 depths from the wall, with its own
-velocities, in a tank of 24 depths. The last column of nodes slides up and down the wall: its top is the contact point,
-and the cells beside it give the pressure. Pressures are means over two steps; $y = 0$ is the still-water level.
+**Set-up.** Depth, gravity and density are 1. The exact solitary wave, with its velocities, starts at a distance of 12
+from the wall, in a tank 24 long. The last column of nodes slides up and down the wall: its top is the contact point,
+and the adjacent cells give the pressure. Pressures are means over two steps; $y = 0$ is the still-water level.
 
-**What is compared.** The run-up with the exact value, on the mesh that was asked for and on coarser ones, columns, rows
-and steps together. The loads have no exact values here: they come with the uncertainty that their change from mesh to
-mesh gives.
+**What is compared.** Run-up and loads with their exact values, on the requested mesh and on coarser ones, refining
+columns, rows and steps together; the change from mesh to mesh gives their uncertainty.
 
-**What to look at.** The run-up converges from below, with an order between 1.5 and 2 that rises with the resolution;
-so does the force, and the pressure at the bottom with order 2. The pressure at $y = 0$ is interpolated between two
-cells whose place at the wall changes from mesh to mesh: it comes as close, but not by a power of the mesh.
-The force of a high wave has two humps: while the water at the wall is highest it accelerates downwards, and the
-pressure is less than its depth suggests. The mesh at the maximum run-up: columns at the wall become tall and thin.
-Above $A = 0.45$ they may tangle when the water falls again; the case then tells when and where
-(`wall_run_up_mesh_limit`), unless the mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
+**What to look at.** The run-up converges from below, at an order between 1.5 and 2 that rises with the resolution; so
+does the force, and the bed pressure at order 2. The pressure at $y = 0$ is interpolated between two cells whose
+position at the wall changes from mesh to mesh: it is as accurate, but does not follow a power of the cell size. The
+force of a high wave has two maxima: at the time of the highest level the water accelerates downwards, and the pressure
+is below hydrostatic. The mesh at the maximum run-up: columns at the wall become tall and thin. Above $A = 0.45$ they
+may tangle when the water falls again; the case then reports time and position (`wall_run_up_mesh_limit`), unless the
+mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 */
 #include <algorithm>
 #include <cmath>

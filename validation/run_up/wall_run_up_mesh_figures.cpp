@@ -1,19 +1,19 @@
 /*
-Run-up and wall pressure of solitary waves against their height, as in figures 2 and 3 of Frank's thesis: every wave on
-several meshes of his two-dimensional Lagrangian model.
+Run-up and wall pressure of solitary waves as functions of their height, as in figures 2 and 3 of Frank's thesis: every
+wave on several meshes of his two-dimensional Lagrangian model.
 
 **Set-up.** As in `wall_run_up_mesh`. Each mesh has columns twice as wide as its rows are high, and steps of a tenth of
-the columns' width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose mesh tangles before its maximum run-up has
-no point. High waves climb also on meshes whose columns are put upright again when they lean (`run_up_mesh_rezoned`).
+the column width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose mesh tangles before its maximum run-up has
+no point. High waves also run on meshes with rezoned columns (`run_up_mesh_rezoned`).
 
-**What is compared.** Run-up and loads with exact values of the Euler equations and with the series
-$R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$. The thesis gives its own
-points, experiments and other computations in the figures only.
+**What is compared.** Run-up and loads with exact values of the Euler equations and with the series $R = 2A + \tfrac12
+A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$. The thesis gives its own points, experiments and
+other computations in the figures only.
 
-**What to look at.** Two rows are within 3 % up to $A = 0.2$. Higher waves need more: at $A = 0.5$ the coarse mesh lacks
-15 %, the fine one 2 %; $A = 0.6$ needs the mesh that is rezoned. The pressure depends far less on the mesh, because the
-whole column of water makes it. The thesis does not say what its level $y = 0$ is; here it is the still-water level,
-where the pressure begins like the elevation.
+**What to look at.** The error of two rows is below 3 % up to $A = 0.2$. Higher waves need more rows: at $A = 0.5$ the
+coarse mesh is 15 % low, the fine one 2 %; $A = 0.6$ needs a rezoned mesh. The pressure depends far less on the mesh,
+because it integrates over the whole water column. The thesis does not define its level $y = 0$; here it is the
+still-water level, where the pressure begins like the elevation.
 */
 #include <algorithm>
 #include <array>

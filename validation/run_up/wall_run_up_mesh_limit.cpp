@@ -1,23 +1,22 @@
 /*
-The water that a high solitary wave throws up a vertical wall is a thin sheet. Particles at its surface crowd together
-there, and cells of the Lagrangian mesh that follow them become so thin that they tangle: a corner turns inside out
-while areas, energy and pressure are still in order. This case shows where the model ends and how far it can be pushed.
+A high solitary wave rises at a vertical wall as a thin sheet. Surface particles crowd together there, and the cells of
+the Lagrangian mesh become so thin that they tangle: a corner inverts while areas, energy and pressure are still
+correct. The case shows where the model ends and which variants extend it.
 
-**Set-up.** As in `wall_run_up_mesh`. Every variant of the method is given higher and higher waves until the mesh
-tangles before the maximum run-up. The variants: the conservative scheme; fewer rows; columns at the wall wider or
-narrower; a start from an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which
-resists the pattern of nodes that changes no area; a barrier that keeps corners of cells from closing; columns that are
-put upright again when they lean (`run_up_mesh_rezoned`).
+**Set-up.** As in `wall_run_up_mesh`. Every variant runs with increasing wave height until the mesh tangles before the
+maximum run-up. The variants: the conservative scheme; fewer rows; wider or narrower columns at the wall; a start from
+an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which resists the node pattern
+that changes no area; a barrier potential that keeps cell corners open; rezoned columns (`run_up_mesh_rezoned`).
 
 **What is compared.** The run-up with the exact values of the Euler equations for $A = 0.5$ and $0.6$; the largest
 height that reaches its run-up; the largest whose reflection completes.
 
 **What to look at.** Frank's own model carries waves up to $A = 0.56$ to their run-up. At $A = 0.5$ it tangles
-afterwards, when the sheet falls, whatever the scheme and the columns. At $A = 0.6$ it tangles before: only the top row
-fails, whose surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ complete and
-leaves the run-up as it is. The hourglass potential brings $A = 0.6$ to its run-up, on 16 rows within half a per cent;
-with barrier and wide columns besides it completes, but then the run-up is too low. No force tried here carries $A =
-0.7$ on fine meshes. Rezoning carries every wave through, and its run-up is no worse than on the meshes that hold.
+afterwards, when the sheet falls, for every scheme and column width. At $A = 0.6$ it tangles earlier, in the top row
+only, whose surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ complete and
+does not change the run-up. The hourglass potential brings $A = 0.6$ to its run-up, within 0.5 % on 16 rows; with
+barrier and wide columns it completes, but the run-up is then too low. No force tried here carries $A = 0.7$ on fine
+meshes. With rezoning every wave completes, with a run-up as accurate as on the meshes that last.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 /*
-Water is raised at the end of a long tank and let go. The hump becomes a solitary wave that runs away from the small
-waves behind it. Frank (1994, chapter 2) made solitary waves so, and gives their height $A$ and speed $C$ and a picture
+A hump of water at the end of a long tank is released and becomes a solitary wave that outruns the small waves behind
+it. Frank (1994, chapter 2) generated solitary waves in this way, and gives their height $A$ and speed $C$ and a figure
 of the profile.
 
-**Set-up.** Depth and gravity are 1; the tank is 170 long. The surface is $a_0\,\mathrm{sech}^2(x/w)$, the wall $x = 0$
-is its line of symmetry, the water is at rest. The crest is followed until $t = 130$. From $t = 65$ on, $A$ is its mean
-height and $C$ the slope of a straight line through its places. Shorter tanks give $C$ too large by some tenths of a per
-cent: the small waves have not separated. Four starts give four heights.
+**Set-up.** Depth and gravity are 1; the tank is 170 long. The initial surface is $a_0\,\mathrm{sech}^2(x/w)$, symmetric
+about the wall $x = 0$, with the water at rest. The crest is followed until $t = 130$. From $t = 65$ on, $A$ is its mean
+height and $C$ the slope of a straight line through its positions. In shorter tanks $C$ is too large by some tenths of a
+per cent, because the small waves have not separated. Four starts give four heights.
 
 **What is compared.** Speeds with the source's table, with $\sqrt{1 + A}$, and with the exact waves of the Euler
 equations. Profiles with the second approximation of shallow-water theory (Laitone 1960),
@@ -14,19 +14,18 @@ equations. Profiles with the second approximation of shallow-water theory (Laito
 $$\eta = A S - \tfrac34 A^2 S (1 - S), \quad S = \mathrm{sech}^2\left(\sqrt{\tfrac{3A}{4}}\,(1 - \tfrac58
 A)\,x\right),$$
 
-and with the exact wave of the same height. The second approximation itself is off the exact wave by 0.01 at $A = 0.3$
-and by 0.05 at $A = 0.5$: the exact wave is the reference.
+and with the exact wave of the same height. The error of the second approximation is 0.01 at $A = 0.3$ and 0.05 at $A =
+0.5$: the exact wave is the reference.
 
 **What to look at.** On cells one depth wide and half a depth high, which the source recommends for long waves, heights
-and speeds agree with its table, a little below $\sqrt{1 + A}$. The profile is near the second approximation, as the
-source shows it. This is good fortune: the errors of mesh and series are alike. On finer meshes speed and profile leave
-the series and approach the exact wave.
+and speeds agree with its table, slightly below $\sqrt{1 + A}$. The profile is near the second approximation, as in the
+source's figure, because the errors of mesh and series are alike. On finer meshes speed and profile depart from the
+series and converge to the exact wave.
 
-The lowest wave of the source's table is the farthest from ours, slower by 0.004, and slower than the exact wave by
-0.003: we do not know why.
+The lowest wave of the source's table differs most, being slower by 0.004 than computed here and by 0.003 than the exact
+wave; the cause is unknown.
 
-The highest wave leaves the first column of the coarsest mesh sheared, which tangles at last, when the wave has long
-left.
+The highest wave leaves the first column of the coarsest mesh sheared; it tangles long after the wave has left.
 */
 #include <algorithm>
 #include <array>

@@ -1,28 +1,29 @@
 /*
-The exact solitary wave of the Euler equations travels through a tank of water that is cut into quadrilaterals of
-constant area (Frank 1994, chapter 2). Depth, gravity and density are 1.
+The exact solitary wave of the Euler equations travels through a tank divided into quadrilaterals of constant area
+(Frank 1994, chapter 2). Depth, gravity and density are 1.
 
 **Set-up.** The tank is 60 long, between vertical walls. The crest starts at $x = 15$ and runs for 20 time units. The
-mesh has `rows` rows of height $h_2$; its columns hold equal areas, about `h1` wide. The surface is the exact one.
+mesh has `rows` rows of height $h_2$; its columns have equal areas and a width of about `h1`. The surface is the exact
+one.
 
-**What is compared.** Speed and height of the crest, and the surface about it. The crest is the top of the quartic
-through the highest node and its neighbours. The profile error is taken about the computed crest, so that it measures
-shape and height only.
+**What is compared.** Speed and height of the crest, and the surface around it. The crest is the maximum of the quartic
+through the highest node and its neighbours. The profile error is taken relative to the computed crest, so that it
+measures shape and height only.
 
-The exact wave is not quite the wave of the mesh. In the first five time units the crest falls back by two thirds of
-what it loses in twenty, and leaves small waves behind. The **speed** is therefore the slope of a straight line through
-the crest's places from $t = 5$ on. The **phase error** counts from the start.
+The exact wave is not exactly the wave of the mesh. In the first five time units the crest loses two thirds of its total
+lag at $t = 20$, and leaves small waves behind. The **speed** is therefore the slope of a straight line through the
+crest positions from $t = 5$ on. The **phase error** counts from the start.
 
-**What to look at.** All errors are of second order, and the height of the cells governs them: twice as many rows help
-much more than twice as many columns. Sharper waves show it on finer meshes only: for $A = 0.5$ the orders observed here
-are 1.5 to 1.8. On coarse meshes the wave is too slow and loses height.
+**What to look at.** All errors converge at second order, and the cell height governs them: doubling the number of rows
+helps much more than doubling the number of columns. For sharper waves this holds on finer meshes only: for $A = 0.5$
+the orders observed here are 1.5 to 1.8. On coarse meshes the wave is too slow and loses height.
 
-**How to start.** `sampled`: the exact velocities at the nodes, made to change no area. In a potential flow of the mesh
-surface nodes are slower along the surface, to first order in the cells. Given the exact velocity, they slide over the
-row beneath where the wave started, and nothing ever stops them. A high wave on coarse cells tangles the mesh there in
-the end, when it has long gone. `impulse`: the velocities that an impulsive pressure $-\varphi$ on the surface, the
-potential of the exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the mesh does not
-tangle. A small restoring force (`hourglass`) prevents it too.
+**How to start.** `sampled`: the exact velocities at the nodes, projected to constant areas. In a potential flow of the
+mesh surface nodes are slower along the surface, to first order in the cell size. With the exact velocity they slide
+over the row beneath where the wave started, and no force stops them. A high wave on coarse cells tangles the mesh there
+long after it has left. `impulse`: the velocities that an impulsive surface pressure $-\varphi$, the potential of the
+exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the mesh does not tangle. A small
+restoring force (`hourglass`) prevents tangling too.
 */
 #include <array>
 #include <cmath>

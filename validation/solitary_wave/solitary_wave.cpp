@@ -1,15 +1,13 @@
 /*
-A solitary wave of the full Euler equations travels over a flat bottom without changing its shape. Its surface, its
-speed and the velocities below it are known to round-off at every amplitude up to the limiting one, from the conformal
-solution of `seiche exact solitary`.
+A solitary wave of the full Euler equations travels over a flat bed without change of shape. The conformal solution of
+`seiche exact solitary` gives surface, speed and velocities to round-off at every amplitude up to the limiting one.
 
-**What is compared.** The case shows the wave and the identities between its integrals,
-$2 T = F (I - C)$ and $3 V = (F^2 - 1) M$. It scores others: start a solver from the exact surface and velocities
-(`seiche exact solitary --grid ...`) with the crest at $x = 0$, run it, and submit the surface at the times asked for
-and the speed of the crest.
+**What is compared.** The case shows the wave and the identities between its integrals, $2 T = F (I - C)$ and $3 V =
+(F^2 - 1) M$. It accepts external results: start a solver from the exact surface and velocities (`seiche exact solitary
+--grid ...`) with the crest at $x = 0$, run it, and submit the surface at the given times and the crest speed.
 
-**What to look at.** A solver that is too dissipative loses amplitude; one that is too dispersive, or that solves
-Boussinesq-type equations, has the wrong speed: the shift at the last time tells it to many digits.
+**What to look at.** A too dissipative solver loses amplitude; a too dispersive one, or one of Boussinesq type, has the
+wrong speed: the phase shift at the last time measures it.
 */
 
 #include <fmt/format.h>

@@ -1,24 +1,23 @@
 /*
-A solitary wave on a coarse grid keeps amplitude, energy and speed: with this Frank (1994, section 4.3) introduces both
-his models of waves in three dimensions, two-dimensional horizontal (2DH) dispersive shallow water and the hexahedral
-Lagrangian mesh. Depth and gravity are 1.
+A solitary wave on a coarse grid retains amplitude, energy and speed: with this test Frank (1994, section 4.3)
+introduces both his models of waves in three dimensions, two-dimensional horizontal (2DH) dispersive shallow water and
+the hexahedral Lagrangian mesh. Depth and gravity are 1.
 
-**Set-up.** The solitary wave of the Green-Naghdi equations,
-$\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c = \sqrt{1 + a}$, stands on columns of equal volume and runs
-along $x$, over more than a hundred depths, with time steps of $0.4\,h$. Cells are $h$ long and $h$ wide; the
-hexahedral mesh has one to three layers.
+**Set-up.** The solitary wave of the Green-Naghdi equations, $\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c
+= \sqrt{1 + a}$, starts on columns of equal volume and runs along $x$, over a distance of more than 100, with time steps
+of $0.4\,h$. Cells are $h$ long and $h$ wide; the hexahedral mesh has one to three layers.
 
-**What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become a wave
-of the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own
-wave is farther from the one it starts with. The speed is compared with the Green-Naghdi equations for the height that
-the crest has, in the 2DH model; for the hexahedral mesh with the exact solitary wave of the same height.
+**What is compared.** Crest elevation and its variation, crest speed, and energy, once the wave has become a wave of the
+grid: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own wave differs
+more from the initial one. The reference speed at the measured crest elevation is that of the Green-Naghdi equations for
+the 2DH model, that of the exact solitary wave for the hexahedral mesh.
 
-**What to look at.** The 2DH model keeps the height to half a per cent even on cells as long as the water is deep: the
-wave is then six cells long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and
-slower, which it keeps as well once it has shed what it started with too much: that takes a hundred depths, and its run
-lasts twice as long. Three layers bring the wave near the exact one. Where it started, the mesh's surface nodes keep
-sliding slowly over those below, for the exact velocities are not quite a potential flow of the mesh: it would tangle
-there in the end, long after the wave has gone, and the runs of two and three layers end at $t = 100$.
+**What to look at.** The 2DH model retains the height to 0.5 % even on cells of one depth, when the wave is six cells
+long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and slower, which it retains as
+well after shedding the excess; this takes a distance of 100, and its run lasts twice as long. With three layers the
+wave is near the exact one. Where the wave started, surface nodes continue to slide slowly over those below, because the
+exact velocities are not quite a potential flow of the mesh: the mesh would tangle there long after the wave has left,
+and the runs with two and three layers end at $t = 100$.
 */
 #include <cmath>
 

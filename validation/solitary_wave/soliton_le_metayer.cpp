@@ -1,24 +1,24 @@
 /*
-A solitary wave of the Green-Naghdi equations, $a/h_0 = 0.21$ on $h_0 = 10$ m of water with $g = 10$ m/s², travels 32
-depths in 29.2 s through a channel 700 m long. Le Métayer, Gavrilyuk and Hank (2010) set it as a test; Basilisk (S.
-Popinet) keeps it among the tests of its Green-Naghdi solver and publishes the errors.
+A solitary wave of the Green-Naghdi equations, $a/h_0 = 0.21$ on $h_0 = 10$ m of water with $g = 10$ m/s², travels a
+distance of $32\,h_0$ in 29.2 s through a channel 700 m long. Le Métayer, Gavrilyuk and Hank (2010) proposed the test;
+Basilisk (S. Popinet) includes it in the tests of its Green-Naghdi solver and publishes the errors.
 
-**What is compared.** The largest error of the elevation over the amplitude, each method at its own points: markers
-here, cell centres there. Against the number of cells, the work (markers times solves; a step of the one-step scheme is
-one solve) and the processor time, which counts from the initial markers to the last step. For the one-step scheme also
-the error between its markers, where the surface is straight.
+**What is compared.** The largest elevation error over the amplitude, each method at its own points: nodes here, cell
+centres there; as a function of the number of cells, of the work (nodes times solves; a step of the one-step scheme is
+one solve) and of the CPU time, from the initial nodes to the last step. For the one-step scheme also the error between
+its nodes, where the surface is straight.
 
 **How long the steps are.** Work is inverse to $h\tau$. With errors $Sh^2$ in space and $B\tau^p$ in time it is least
-where $Sh^2 = \tfrac{p}{2} B\tau^p$: equal for $p = 2$, also where they are of opposite sign and cancel. Both are
-measured first, on cells of `pilot`, for every scheme; $\tau$ follows for every $h$. So each scheme is at its best, for
-this wave: another one has another $S/B$. No stage of a step is longer than half the longest stable one; orders are
+where $Sh^2 = \tfrac{p}{2} B\tau^p$: equal for $p = 2$, also where both have opposite signs and cancel. Both are
+measured first, on cells of `pilot`, for every scheme; $\tau$ follows for every $h$. Each scheme is thus at its best for
+this wave; another wave has another $S/B$. No stage of a step is longer than half the longest stable one; orders are
 claimed where that does not bind.
 
-**What to look at.** The one-step scheme wins: one solve per step, and an error in time that cancels much of the one in
-space. Fourth order in time pays only against the plain conservative scheme: what remains, the error in space, is of
-second order. Suzuki's composition shows what the wave costs without that cancellation. Basilisk's error with 1024 cells
-needs about a ninth of them here, or a fifth where the straight lines between markers count. Processor times depend on
-the machine, nothing is claimed of them: the point of Basilisk is from another one.
+**What to look at.** The one-step scheme is the most efficient: one solve per step, and a time error that cancels much
+of the spatial error. Fourth order in time pays only against the plain conservative scheme: the remaining spatial error
+is second-order. Suzuki's composition shows the cost of the wave without that cancellation. Basilisk's error with 1024
+cells needs about a ninth of them here, or a fifth if the straight lines between nodes count. Processor times depend on
+the machine and are not claimed: Basilisk's point comes from another machine.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,20 +1,19 @@
 /*
-A solitary wave runs over a round shoal that takes away two fifths of the depth, and is gathered behind it: by the
-hexahedral Lagrangian mesh, whose lowest nodes slide on the bottom, and by dispersive shallow water in 2DH, over
-the same bottom. Depth and gravity are 1.
+A solitary wave passes a round shoal that reduces the depth by 40 % and is focused behind it: hexahedral Lagrangian
+mesh, whose lowest nodes slide on the bed, and dispersive shallow water in 2DH, over the same bathymetry. Depth and
+gravity are 1.
 
-**Set-up.** A channel of walls, 35 depths long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has
-its top on one wall, which mirrors it. The wave starts 12 depths before the top, a wave of the Euler equations on the
-hexahedra, a wave of the Green-Naghdi equations in 2DH. Cells are as long and as wide as a layer of the mesh is high;
-both models have the same cells and steps.
+**Set-up.** A channel between walls, 35 long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has its
+top at one wall, a plane of symmetry. The wave starts at a distance of 12 before the top, a wave of the Euler equations
+on the hexahedra, a wave of the Green-Naghdi equations in 2DH. Cells are as long and as wide as a layer of the mesh is
+high; both models have the same cells and steps.
 
-**What is compared.** The largest elevation at three places on the walls: over the top, two depths behind it, and
-across the channel beside the top. Each model comes with the uncertainty that three of its meshes give. The 2DH model
-leaves out what is of the order of $(\kappa h)^4$, with $\kappa^2 h^2 = 3a/(4(h + a))$ of the solitary wave of this
-height over the top.
+**What is compared.** Maximum elevation at three positions on the walls: over the top, a distance of 2 behind it, and
+across the channel beside the top. Three meshes of each model give its uncertainty. The 2DH model neglects terms of
+order $(\kappa h)^4$, with $\kappa^2 h^2 = 3a/(4(h + a))$ of the solitary wave of this height over the top.
 
-**What to look at.** Both models gather the wave in the lee, the 2DH model more: there the waves are steepest and
-shortest. Across, where the bottom is level, they agree to half a per cent.
+**What to look at.** Both models focus the wave in the lee, the 2DH model more: there the waves are steepest and
+shortest. Across, where the bed is level, they agree to 0.5 %.
 */
 #include <algorithm>
 #include <array>

@@ -1,23 +1,23 @@
 /*
-A solitary wave passes over a step in the bed onto a shelf and falls apart into several: Frank's example for
-particles of variable mass (1994, section 5.3). Depth before the step, gravity and density are 1.
+A solitary wave passes over a step in the bed onto a shelf and splits into several: Frank's example for variable-mass
+particles (1994, section 5.3). Depth before the step, gravity and density are 1.
 
-**Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes are kept at their $x$
-(`fixed_x`), or follow the water and are drawn back (`mapped`); those below the height of the shelf stay where they are
-at rest. The corner is sharp: the node there does not move.
+**Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes have constant $x$ (`fixed_x`),
+or follow the water and are drawn back (`mapped`); those below the height of the shelf keep their initial positions. The
+corner is sharp, with a fixed node.
 
-**Theory.** At the step a long wave changes its height by $T = 2/(1 + \sqrt{h})$ (Lamb); on the shelf it is no solitary
-wave any more. Inverse scattering of the Korteweg-de Vries equation gives the waves into which it falls apart:
+**Theory.** At the step a long wave changes its height by $T = 2/(1 + \sqrt{h})$ (Lamb); on the shelf it is no longer a
+solitary wave. Inverse scattering of the Korteweg-de Vries equation gives the waves into which it splits:
 
 $$\nu (\nu + 1) = \frac{2 T}{h^2}, \qquad \frac{a_n}{a_0} = h^2 (\nu - n + 1)^2 .$$
 
-**What is compared.** The crests on the shelf and the one reflected with that theory, whose own corrections are of
-relative order $a_1/h$. Energy and what the stabilisation took.
+**What is compared.** The crests on the shelf and the reflected crest with that theory, whose own corrections are of
+relative order $a_1/h$. Energy, and the dissipation of the stabilisation.
 
-**What to look at.** The first wave grows for some 80 depths as it leaves the others behind, and ends a few per cent
-below theory; the second is still climbing out of the third. The passage of the corner, where the flow is singular,
-costs little energy; most of what is dissipated goes on the long way over the shelf, whose rows are few for waves that
-short. The reflected wave comes back from the left wall and follows over the step.
+**What to look at.** The first wave grows over a distance of some 80 while it separates from the others, and ends a few
+per cent below theory; the second is still separating from the third. The passage of the corner, where the flow is
+singular, costs little energy; most dissipation occurs on the long way over the shelf, which has few rows for waves that
+short. The reflected wave returns from the left wall and follows over the step.
 */
 #include <algorithm>
 #include <array>

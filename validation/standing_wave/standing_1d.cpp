@@ -3,28 +3,29 @@ The frequency of a standing wave depends on its amplitude $a$. In water of depth
 
 $$\Omega = \omega\,\bigl(1 + C\,(a/H)^2\bigr),$$
 
-and $C$ changes sign: higher waves are faster in shallow water and slower in deep water. Tadjbakhsh and Keller's theory
-puts the change at $kH = 1.0581$, a wavelength of $5.938\,H$. Frank (1994, section 3.3) studies the effect with the
-discrete dispersive shallow-water model. In the limit of fine cells the model's coefficient has a closed form, with
-$z = \alpha k^2H^2$, $\alpha = 1/3$,
+and $C$ changes sign: frequency rises with amplitude in shallow water and falls in deep water. In Tadjbakhsh and
+Keller's theory the change is at $kH = 1.0581$, a wavelength of $5.938\,H$. Frank (1994, section 3.3) studies the effect
+with the discrete dispersive shallow-water model. In the limit of fine cells the model's coefficient has a closed form,
+with $z = \alpha k^2H^2$, $\alpha = 1/3$,
 
 $$C = -\frac{59 z^3 + 27 z^2 - 3 z - 3}{64\,z\,(1 + z)^2},$$
 
-zero at $kH = 0.9419$: the model has the effect at the wavelength $6.671\,H$. The source names Tadjbakhsh and Keller's
+zero at $kH = 0.9419$: the model has its critical wavelength at $6.671\,H$. The source names Tadjbakhsh and Keller's
 $5.94\,H$, which its equations do not have.
 
-**Set-up.** Half a wavelength between two walls, depth and gravity 1. The wave starts at rest, at its highest, with its
-second harmonic. The elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give $\Omega$.
+**Set-up.** Half a wavelength between two walls, depth and gravity 1. The wave starts from rest at maximum elevation,
+with its second harmonic. Elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
+$\Omega$.
 
-**What is compared.** First the wave of the parameters against the closed form. Then coefficients without the errors of
-finite amplitude and spacing: amplitudes 0.02 and 0.01, boxes of `cells` and twice as many cells, extrapolated in the
-squares of both. The critical wavelength is the root of that measured coefficient. The same is done with an added energy
-of slopes, $\gamma = 1/15$, $\alpha = 2/5$, which makes small waves nearly Airy's. Its weight is a power $s$ of the
+**What is compared.** First the wave of the parameters with the closed form. Then coefficients in the limit of small
+amplitude and spacing: amplitudes 0.02 and 0.01, boxes of `cells` and twice as many cells, extrapolated in the squares
+of both. The critical wavelength is the root of that measured coefficient. The same with an additional energy of slopes,
+$\gamma = 1/15$, $\alpha = 2/5$, which gives small waves nearly Airy's dispersion. Its weight is a power $s$ of the
 depth.
 
-**What to look at.** The model follows its theory to four digits, and water qualitatively. The added energy with $s = 2$
-takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelength equals the one in water, and longer
-waves are near Tadjbakhsh and Keller's; shorter ones slow down too little.
+**What to look at.** The model agrees with its theory to four digits, and with water qualitatively. The additional
+energy with $s = 2$ removes the effect: $C$ stays positive. With $s = 0.714$ the critical wavelength equals that of
+water, and longer waves are near Tadjbakhsh and Keller's theory; the frequency of shorter ones falls too little.
 */
 #include <algorithm>
 #include <array>

@@ -1,18 +1,17 @@
 /*
-Water sloshes between two walls, half a wavelength apart or a multiple of it. Tadjbakhsh and Keller's expansion gives
-the surface and the potential to second order in the amplitude and the frequency to third:
+Water oscillates between two walls, half a wavelength or a multiple of it apart. Tadjbakhsh and Keller's expansion gives
+surface and potential to second order in the amplitude and the frequency to third:
 
 $$\frac{\omega}{\sqrt{gk}} = w + \tfrac12 (k a)^2 \omega_2, \qquad
 \omega_2 = \frac{9 w^{-7} - 12 w^{-3} - 3 w - 2 w^5}{32}, \qquad w = \sqrt{\tanh kh}.$$
 
-In deep water higher waves are slower, in shallow water faster; the sign changes at $kh = 1.05809$, where the wavelength
-is 5.93822 depths.
+In deep water higher waves are slower, in shallow water faster; the sign changes at $kh = 1.05809$, $L/h = 5.93822$.
 
-**What is compared.** The case shows the frequency correction and the surface. It scores others: start from the surface
-at rest at its highest (the template's `t = 0`), submit the elevation at the wall and the angular frequency.
+**What is compared.** The case shows the frequency correction and the surface. It accepts external results: start from
+rest at maximum elevation (the template's `t = 0`), submit the elevation at the wall and the angular frequency.
 
-**What to look at.** The limits follow from this wave: they let neither linear theory pass, nor a tank that is a
-fiftieth too shallow. One amplitude tells little of the frequency, since the linear one carries an error of its own:
+**What to look at.** The limits follow from this wave: they exclude linear theory, and a depth 2 % too small. One
+amplitude is insufficient for the frequency correction, since the linear frequency has a numerical error of its own:
 score two amplitudes and compare the difference of frequencies with the references.
 */
 #include <algorithm>

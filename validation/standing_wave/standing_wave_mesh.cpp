@@ -3,23 +3,23 @@ The frequency of a standing wave depends on its amplitude $a$. In water of depth
 
 $$\Omega = \omega\,\bigl(1 + C\,(a/H)^2\bigr),$$
 
-and $C$ changes sign: higher waves are faster in shallow water and slower in deep water. Tadjbakhsh and Keller's theory
-puts the change at the wavelength $5.938\,H$. The two-dimensional Lagrangian mesh solves the full equations, so it must
-have the effect with water's own coefficient, up to errors of the mesh.
+and $C$ changes sign: frequency rises with amplitude in shallow water and falls in deep water. In Tadjbakhsh and
+Keller's theory the change is at the wavelength $5.938\,H$. The two-dimensional Lagrangian mesh solves the full
+equations and must therefore reproduce the coefficient, up to mesh errors.
 
-**Set-up.** Half a wavelength between two walls, depth and gravity 1, cells of nearly equal width and height. The wave
-starts at rest, at its highest, with its second harmonic. A weak hourglass potential keeps the mesh from tangling (see
-`standing_wave_mesh_life`). The elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
-$\Omega$. The elevation at a wall would not do: it holds free second harmonics, which at ten depths beat with the bound
-one and shift the fit by as much as $C$.
+**Set-up.** Half a wavelength between two walls, depth and gravity 1, nearly square cells. The wave starts from rest at
+maximum elevation, with its second harmonic. A weak hourglass potential keeps the mesh from tangling (see
+`standing_wave_mesh_life`). Elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
+$\Omega$. The elevation at a wall is unsuitable: it contains free second harmonics, which at L/H = 10 beat with the
+bound one and shift the fit by as much as $C$.
 
 **What is compared.** First the wave of the parameters, relative to smaller ones on the same mesh. Then the coefficient
 for five wavelengths on two meshes: the limit of small amplitude from $a/H = 0.01$, 0.02 and 0.04, and the limit of fine
-meshes, extrapolated in the square of the cells' size. The critical wavelength is the root of that coefficient.
+meshes, extrapolated in the square of the cell size. The critical wavelength is the root of that coefficient.
 
-**What to look at.** Eight rows of cells have the right sign and the right size: the error is a quarter of $C$ at four
-depths, 3 per cent at ten. Sixteen rows have a third to a quarter of that error. The extrapolated coefficients lie on
-Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its root 12 per cent further on.
+**What to look at.** Eight rows give the right sign and magnitude: the error is a quarter of $C$ at L/H = 4, 3 % at 10.
+Sixteen rows have a third to a quarter of that error. The extrapolated coefficients lie on Tadjbakhsh and Keller's
+curve; the root of the one-dimensional dispersive model is 12 % higher.
 */
 #include <array>
 #include <cmath>

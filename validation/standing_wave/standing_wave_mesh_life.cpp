@@ -1,23 +1,22 @@
 /*
-A Lagrangian mesh does not live for ever. Some motions of its nodes change no cell's area, so they meet no force:
-vortices, down to the hourglass motion $(-1)^{i+j}$. Standing waves feed them a little in every period, until a cell's
-corner inverts. Frank's model (1994, chapter 2) stops there. This case shows when and where, that the time step has no
-part in it, and what helps.
+A Lagrangian mesh has a finite life. Some motions of its nodes change no cell area and meet no force: vortices, down to
+the hourglass motion $(-1)^{i+j}$. Standing waves excite them in every period, until a cell corner inverts and Frank's
+model (1994, chapter 2) stops. The case shows when and where, that the time step is not the cause, and two remedies.
 
-**The remedy.** A conservative hourglass potential, $\tfrac12\kappa \sum |r_0 - r_1 + r_2 - r_3 - \text{initial}|^2$
-over the cells, $\kappa = \kappa_0\,\rho g\sqrt{h_1h_2}$. It vanishes for parallelograms: its effect on waves tends to
-zero with the cells' size. Another one needs no force: columns that lean are put upright again (`run_up_mesh_rezoned`).
+**The remedies.** A conservative hourglass potential, $\tfrac12\kappa \sum |r_0 - r_1 + r_2 - r_3 - \text{initial}|^2$
+over the cells, $\kappa = \kappa_0\,\rho g\sqrt{h_1h_2}$, vanishes for parallelograms: its effect on waves tends to zero
+with the cell size. Rezoning needs no force: tilted columns become vertical again (`run_up_mesh_rezoned`).
 
-**Set-up.** A tank of six depths, half a wavelength. The water starts from rest with the elevation $a\cos(\pi x/6)$.
+**Set-up.** A tank of $L/2 = 6$, half a wavelength. The water starts from rest with the elevation $a\cos(\pi x/6)$.
 
-**What is compared.** Without the potential: the time of tangling for two time steps and both schemes. With it: the run
-goes on; the energy of the one-step scheme stays within the band that its modified energy allows, $(\omega\tau)^2/4$ of
-itself for small waves. The potential's effect on the wave's frequency is compared with the error that the mesh has
-without it. With rezoning: the run goes on; what it takes from the wave's energy.
+**What is compared.** Without the potential: the time of tangling for two time steps and both schemes. With it: whether
+the run completes; the energy of the one-step scheme with the band of its modified energy, a fraction $(\omega\tau)^2/4$
+for small waves; the change of the wave frequency with the error of the mesh without the potential. With rezoning:
+whether the run completes; the energy that rezoning takes from the wave.
 
-**What to look at.** The worst corner falls ever faster from 1 to 0: the surface nodes drift along the row below them.
-With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before it tangles
-as at the beginning. Watch the corners.
+**What to look at.** The relative Jacobian of the worst corner falls at a growing rate from 1 to 0, as surface nodes
+drift along the row below them. With the potential it oscillates with the wave. The energy is no indicator: one step
+before tangling it is as accurate as at the start. Monitor the corners.
 */
 #include <algorithm>
 #include <array>

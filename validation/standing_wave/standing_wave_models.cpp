@@ -1,25 +1,27 @@
 /*
-Which model should one take? A standing wave in a tank, by six models: free particles under Gauss's principle, the
-Lagrangian mesh, Dirichlet cells, particles of variable mass, the discrete dispersive shallow water in one dimension,
-and weakly compressible SPH. The standing wave of Tadjbakhsh and Keller tells how far off each is.
+Which model suits a standing wave? A standing wave in a tank, computed with six models: Gauss-principle particles, the
+Lagrangian mesh, Dirichlet cells, variable-mass particles, dispersive shallow water in one dimension, and weakly
+compressible SPH. The reference is the standing wave of Tadjbakhsh and Keller.
 
-**Set-up.** Depth, gravity and density are 1; the tank is half a wave long. All begin at rest under the highest surface.
-Free particles, mesh and cells stand between walls. SPH, whose walls are rows of particles, has the wave and its mirror
-image in a periodic box instead, of which half is looked at. Nodes of variable mass are drawn back to their places, and
-cells have a hundredth of stabilisation. Each is refined in space and time together.
+**Set-up.** Depth, gravity and density are 1; the tank is half a wavelength long. All models start from rest at maximum
+elevation. Gauss-principle particles, mesh and cells have walls. SPH, whose walls are rows of particles, has the wave
+and its mirror image in a periodic box instead, of which half is evaluated. Nodes of the variable-mass model are drawn
+back to their initial positions, and the pressure stabilisation of cells is 0.01. Each model is refined in space and
+time together.
 
-**What is compared.** Elevations with the exact ones after a period and a quarter, when the surface is nearly level and
-falls fastest, so that the phase counts in full: the root mean square over the amplitude. The exact wave is of second
-order in $e = ka$, and known to $e^2$. Then each goes on for six periods, unless it breaks down or its surface is off by
-a quarter of the amplitude.
+**What is compared.** Elevations with the exact ones after 1.25 periods, when the surface is nearly level and falls
+fastest, so that phase errors count in full: rms over the amplitude. The exact wave is second-order in $e = ka$, and
+known to $e^2$. Each model then continues for six periods, unless it breaks down or its surface is in error by a quarter
+of the amplitude.
 
-**What to look at.** Free particles are as near as the exact wave is known, on any lattice. The mesh takes a fiftieth
-of their time and is nearly as near. The energy error of the mesh comes from its steps: they make it swing by
-$(\omega\tau)^2/4$. The dispersive model ends where its equations do, five per cent off after this time, by the phase,
-and takes a millisecond. Dirichlet cells are noisy, and lose the wave within a few periods; particles of variable mass
-keep it, with short waves on it. SPH loses height, and beyond some twelve rows is no nearer on finer lattices.
+**What to look at.** The error of Gauss-principle particles equals the uncertainty of the exact wave, on any grid. The
+mesh takes a fiftieth of their time with nearly the same error. The energy error of the mesh comes from its steps: a
+swing of $(\omega\tau)^2/4$. The error of the dispersive model converges to 5 % after this time, a phase error of its
+equations, in a millisecond. Dirichlet cells are noisy and lose the wave within a few periods; variable-mass particles
+retain it, with superposed short waves. SPH loses height, and beyond some twelve particles over the depth its error no
+longer falls.
 
-**When it is no test.** Longer waves have less dispersion, and higher ones tangle the mesh after some periods
+**Limits of this test.** Longer waves have less dispersion; higher ones tangle the mesh after some periods
 (`standing_wave_mesh_life`) and break the cells at once (`standing_wave_free_lagrangian`).
 */
 #include <algorithm>

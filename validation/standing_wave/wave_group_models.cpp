@@ -1,22 +1,21 @@
 /*
-Do models hold a sea of several waves together? A group of waves crosses a tank and comes to a focus at its wall,
-by six models, beside the fully nonlinear potential flow.
+Which model suits a wave group? A group crosses a tank and focuses at its wall, computed with six models, beside the
+fully nonlinear potential flow.
 
-**Set-up.** Depth, gravity and density are 1; the tank is six depths long. Six modes of equal amplitude, from six depths
-long to 1.7, start with the surface and velocities of linear theory so that all crests would meet at the wall $x = 0$ at
-the time `focus`. Laboratories make such groups since Baldock, Swan and Taylor (1996). The exact flow starts with the
-same surface and potential, and is computed from Cauchy's integral with spectral accuracy (`seiche exact
-focused_group`).
+**Set-up.** Depth, gravity and density are 1; the tank is 6 long. Six modes of equal amplitude, L/h = 6 to 1.7, start
+with the surface and velocities of linear theory so that all crests would meet at the wall $x = 0$ at the time `focus`,
+as in laboratories since Baldock, Swan and Taylor (1996). The exact flow starts with the same surface and potential, and
+is computed with Cauchy's integral to spectral accuracy (`seiche exact focused_group`).
 
-**What is compared.** Elevations along the tank at the focus, when every error of a phase counts: the root mean square
-over the height of the focus by linear theory. Each model is followed for half as long again.
+**What is compared.** Elevations along the tank at the focus, when every phase error counts: rms over the linear height
+of the focus. Each model continues for half as long again.
 
-**What to look at.** How far linear theory itself is off tells what is nonlinear: a model further off than that has lost
-more than it has gained. The dispersive model has the wrong speed for waves as long as two depths, as its dispersion law
-says beforehand. Gauss particles and mesh have every wave arrive in time.
+**What to look at.** The error of linear theory itself measures the nonlinearity: a model with a larger error is less
+accurate than linear theory. The dispersive model has the wrong celerity for waves of $L/h = 2$, as predicted by its
+dispersion relation. With Gauss-principle particles and the mesh every component arrives in phase.
 
-**When it is no test.** Of breaking: the group is not steep enough. Of runs of many waves: the way is some three
-periods.
+**Limits of this test.** Breaking is not covered, because the group is not steep enough; nor are long runs, the time to
+focus being some three periods.
 */
 #include <algorithm>
 #include <cmath>

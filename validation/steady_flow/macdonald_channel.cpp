@@ -1,20 +1,20 @@
 /*
-A river reach with friction: choose the depth, $h = (4/g)^{1/3}\left(1 + \tfrac12 e^{-16 (x/L - 1/2)^2}\right)$, the
-discharge $q = 2$ m²/s and Manning's $n = 0.033$; the momentum equation then says what the bed must be (MacDonald),
+A river reach with friction: for the depth $h = (4/g)^{1/3}\left(1 + \tfrac12 e^{-16 (x/L - 1/2)^2}\right)$, the
+discharge $q = 2$ m²/s and Manning's $n = 0.033$, the momentum equation determines the bed (MacDonald),
 
 $$z' = \left(\frac{q^2}{g h^3} - 1\right) h' - \frac{n^2 q^2}{h^{10/3}}.$$
 
 Bed, friction and the two ends act together over $L = 1000$ m.
 
-**What is compared.** Depth and discharge after the flow has settled, for several numbers of particles. Particles enter
-at their own rhythm, and no instant is like the next: errors are means over the last fifth of the time.
+**What is compared.** Depth and discharge of the settled flow, for several numbers of particles. Particles enter at
+their own rhythm, and instants differ: errors are means over the last fifth of the time.
 
-**Your solver.** `seiche exact macdonald` prints the bed z; 2 m²/s come in at x = 0, at 1000 m the depth is the
+**Your solver.** `seiche exact macdonald` prints the bed z; the inflow is 2 m²/s at x = 0, the depth at 1000 m is the
 template's reference. Depth and velocity of the settled flow are evaluated by the depth and by the discharge.
 
-**What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed section through
-which the water enters is only first-order accurate, and with the ends included it decides the mean error. At a single
-instant the errors scatter so much that the order cannot be told.
+**What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed inflow section is
+only first-order accurate, and with the ends included it dominates the mean error. At a single instant the errors
+scatter too much for an order.
 */
 #include <algorithm>
 #include <cmath>

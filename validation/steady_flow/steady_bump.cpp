@@ -1,27 +1,26 @@
 /*
-Water flows over a parabolic bump, $z = 0.2 - 0.05 (x - 10)^2$ on $8 < x < 12$ m, in a channel of 25 m, until nothing
-changes any more. Bernoulli's law gives the depth,
+Steady flow over a parabolic bump, $z = 0.2 - 0.05 (x - 10)^2$ on $8 < x < 12$ m, in a channel of 25 m. Bernoulli's law
+gives the depth,
 
 $$\frac{q^2}{2 g h^2} + h + z = E,$$
 
 in three regimes: subcritical ($q = 4.42$ m²/s, depth 2 m at the outflow), transcritical without a jump (1.53) and with
 one (0.18, 0.33 m).
 
-The ends are fixed sections: the water comes in at $q$ and goes out at the given depth (or freely, where it leaves
-supercritical), so particles are born at one end and leave at the other. No instant is like the next: errors are means
-over the last fifth of the time.
+The ends are fixed sections: the water enters at $q$ and leaves at the given depth (or freely, where supercritical), so
+that particles are created at one end and removed at the other. Instants differ: errors are means over the last fifth of
+the time.
 
-**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid comparison
-scheme with hydrostatic reconstruction beside it.
+**What is compared.** Depth, and the discharge, uniform in steady flow; beside them the fixed-grid comparison scheme
+with hydrostatic reconstruction.
 
-**Your solver.** One regime at a time (`--set regime=jump`; `subcritical` where none is set): depth and velocity of the
-settled flow are evaluated by the depth, the discharge and the place of the jump.
+**Your solver.** One regime at a time (`--set regime=jump`; default `subcritical`): depth and velocity of the settled
+flow are evaluated by the depth, the discharge and the position of the jump.
 
-**What to look at.** The discharge: it shows what the depth hides. Smooth flow converges with the second order,
-transcritical flow too once the particles, which grow as the water thins, resolve the bump: from 50 on. At a jump the
-method can do no better than the first order, and it takes many particles to see it: the jump's water is a sixth as deep
-on the bump as at the outflow, particles are as much longer, and what each does as it passes through the jump is a
-disturbance of its own.
+**What to look at.** The discharge, which shows errors that the depth hides. Smooth flow converges at second order,
+transcritical flow too once the particles, which lengthen as the water becomes shallow, resolve the bump: from 50 on. At
+a jump the method is first-order at best, and only with many particles: on the bump the water of the jump is a sixth as
+deep as at the outflow, particles are six times as long, and each disturbs the flow as it passes through the jump.
 */
 #include <algorithm>
 #include <cmath>

@@ -1,27 +1,27 @@
 /*
-A flap hinged at the bottom of a flume starts from rest and makes a regular wave: weakly compressible SPH (figure 5 of
-the publication). FlapDesign: depth $d = 4$ m, wavelength $L = 27.3$ m, height 1.02 m, stroke 2.11 m, period 4.7 s.
+A flap hinged at the bed of a flume starts from rest and generates a regular wave, computed with weakly compressible SPH
+(figure 5 of the publication). FlapDesign: depth $d = 4$ m, wavelength $L = 27.3$ m, height 1.02 m, stroke 2.11 m,
+period 4.7 s.
 
-**Set-up.** The flap turns rigidly, $X_w = \tfrac12 S\sin\omega t$ at the still-water level. $\alpha = 0.01$, density
-filter every 30 steps, $c_0 = 10\sqrt{gd}$. The flume is so long that nothing comes back from its end. Elevations at
-$x = L$: where the share of water on the vertical falls to one half.
+**Set-up.** The flap rotates rigidly, $X_w = \tfrac12 S\sin\omega t$ at the still-water level. $\alpha = 0.01$, density
+filter every 30 steps, $c_0 = 10\sqrt{gd}$. The flume is long enough to exclude reflections. Elevations at $x = L$:
+where the volume fraction of water on the vertical falls to 0.5.
 
-**What is compared.** Heights from crest to trough in each period with two references: the exact linear transient from
-rest, `wavemaker_start`; and the design, from which the publication reports a difference of "about 8 per cent" for the
-second wave. When its clock starts it does not say. Counted from the start of the flap, the second wave at $x = L$ is a
-third too low, in exact linear theory a fifth. Counted from one period later, when the wave is at the gauge, it is 5 to
-12 per cent below the design, by spacing: this is the clock that fits.
+**What is compared.** Wave heights in each period with two references: the exact linear transient from rest,
+`wavemaker_start`; and the design, from which the publication reports a difference of "about 8 per cent" for the second
+wave, without an origin of time. Counted from the start of the flap, the second wave at $x = L$ is a third below the design, in exact linear theory a fifth. Counted from one period later, when the wave is at the gauge, it is 5 to 12 % below
+the design, depending on the spacing: this origin agrees.
 
 **Where the loss is.** With the publication's cubic spline and $h = 1.3\,dx$ the second wave is too low. The table
-follows it along the flume: beside the flap it equals the exact transient, so the paddle does what it should; on the
-way it falls. Viscosity, density filter, XSPH, walls, sound speed and spacing are changed one at a time (tier `full`):
-none of them gives back much of what is lost. The number of neighbours does, with a kernel that bears it: the Wendland
-kernel with $h = 1.7\,dx$, 36 neighbours instead of 21, at 1.3 times the cost, for its steps are longer. The cubic
-spline does not: at that many neighbours its particles pair.
+follows it along the flume: beside the flap it equals the exact transient, so that the paddle is correct; on the way it
+decays. Viscosity, density filter, XSPH, walls, sound speed and spacing are changed one at a time (tier `full`): none
+restores much of the loss. The number of neighbours does, with a kernel that permits it: the Wendland kernel with $h =
+1.7\,dx$, 36 neighbours instead of 21, at 1.3 times the cost, for its steps are longer. The cubic spline does not: at
+that many neighbours its particles pair.
 
-**What to look at.** In linear theory itself the first wave at $x = L$ is almost absent, the second more than 20 per
-cent too low, the third too high. Note that period and wavelength of the design do not fit each other: with $T = 4.7$ s
-linear waves are 25.9 m long and, for this stroke, 1.08 m high.
+**What to look at.** In linear theory itself the first wave at $x = L$ is almost absent, the second more than 20 % too
+low, the third too high. Period and wavelength of the design are inconsistent: with $T = 4.7$ s linear waves are 25.9 m
+long and, for this stroke, 1.08 m high.
 */
 #include <algorithm>
 #include <array>

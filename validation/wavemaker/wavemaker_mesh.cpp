@@ -1,22 +1,22 @@
 /*
-A piston starts to oscillate at the end of a long tank at rest. The two-dimensional Lagrangian mesh (Frank 1994, chapter
-2) follows it: the nodes of its first column are where the piston is and slide up and down on it. Depth and gravity
-are 1.
+A piston at the end of a long tank starts to oscillate from rest. The two-dimensional Lagrangian mesh (Frank 1994,
+chapter 2) follows it: the nodes of its first column are on the piston and slide along it. Depth and gravity are 1.
 
 **Set-up.** The piston moves by $\tfrac12 S\,r(t)\sin\omega t$, where $r$ rises from 0 to 1 during the first period
-(`soft`) or is 1 (`jump`): its velocity then jumps, and the first velocities of the water follow from it, for the areas
-of all cells must stay. The tank ends at a wall 20 depths away, and the run ends before the first wave is back at a
+(`soft`) or is 1 (`jump`): its velocity is then discontinuous, and the constant cell areas determine the initial
+velocities of the water. The tank ends at a wall at $x = 20$, and the run ends before the reflected first wave reaches a
 gauge.
 
-**What is compared.** The elevation at gauges 2, 5 and 10 depths from the piston with the exact transient of linear
-theory; for the soft start, with Duhamel's integral of it. Runs with $S$ and $-S$ separate what changes sign with the
-stroke from what does not. Half of the difference is the linear wave, but for a third order; half of the sum is the
-second order, which linear theory leaves out. It must be four times as high for twice the stroke.
+**What is compared.** The elevation at gauges $x$ = 2, 5 and 10 with the exact transient of linear theory; for the soft
+start, with its Duhamel integral. Runs with $S$ and $-S$ separate odd from even orders in the stroke. Half of the
+difference is the linear wave, up to third order; half of the sum is the second order, which linear theory neglects and
+which must be four times as high for twice the stroke.
 
-**What to look at.** The front that arrives first is the lowest and longest part of the wave; nothing of it resembles
-the settled wave. The difference from theory falls by four when cells and steps are halved. A piston that jumps sends
-out short waves of all lengths. Their height falls with the wavenumber like $k^{-3/4}$ only, no mesh resolves them all,
-and the difference falls as slowly. The second order has twice the frequency: crests become sharper, troughs flatter.
+**What to look at.** The front that arrives first is the lowest and longest part of the wave and does not resemble the
+settled wave. The difference from theory falls by four when cells and steps are halved. A piston with discontinuous
+velocity emits short waves of all lengths. Their height falls with the wavenumber like $k^{-3/4}$ only, no mesh resolves
+them all, and the difference falls as slowly. The second order has twice the frequency: crests become sharper, troughs
+flatter.
 */
 #include <array>
 #include <cmath>

@@ -1,14 +1,13 @@
 /*
-A piston or a flap hinged at the bottom starts to oscillate in water at rest. Linear theory has the exact transient: an
+A piston, or a flap hinged at the bed, starts to oscillate in water at rest. Linear theory gives the exact transient: an
 integral over wavenumbers that tends to the progressive wave of the wavemaker's transfer function, with a near field
 that decays from the paddle.
 
-**What is compared.** The case shows the elevation at a gauge and the settled wave. It scores others: submit the
-elevation at the gauge, `seiche score wavemaker_start`.
+**What is compared.** The case shows the elevation at a gauge and the settled wave. It accepts external results, the
+elevation at the gauge: `seiche score wavemaker_start`.
 
-**What to look at.** The first waves at a gauge a wavelength away are nothing like the settled one: the front
-disperses, the second crest is too low and the third too high. A comparison over a few periods must be made with the
-transient.
+**What to look at.** The first waves at a gauge one wavelength away differ from the settled wave: the front disperses,
+the second crest is too low and the third too high. A comparison over a few periods must use the transient.
 */
 #include <cmath>
 #include <memory>
