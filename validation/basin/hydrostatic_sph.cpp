@@ -134,25 +134,26 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
                  bound);
   };
   const Bound pressure =
-      extrapolated ? Bound{.limit = cell, .reason = "the pressure of one spacing of water: no wall is known better"}
-                   : Bound{.limit = 0.05, .reason = "5 % of the pressure at the bottom is what is asked of them"};
+      extrapolated
+          ? Bound{.limit = cell, .reason = "the pressure of one spacing of water, the position uncertainty of a wall"}
+          : Bound{.limit = 0.05, .reason = "5 % of the bed pressure, the accuracy asked of a wall treatment"};
   check("velocity",
         "The rms velocity of water at rest is at most the velocity of a sound wave with the pressure limit, 5 % or one "
         "spacing",
         "rms velocity over sqrt(g H)", &Rest::velocity,
         {.limit = pressure.limit.value() * std::sqrt(compression),
-         .reason = "waves of sound, of pressure rho c u, as high as the pressure may be wrong"});
+         .reason = "sound waves of pressure rho c u equal to the pressure limit"});
   check("core",
         "The pressure away from walls and surface agrees with the hydrostatic one within 5 %, or one spacing of water",
         "rms error over rho g H", &Rest::core, pressure);
   Bound level{.limit = 2 * settings_of(values).smoothing * cell * compression,
               .reason =
-                  "wall particles feel the water within 2h, and carry its weight when it has come nearer by the share "
-                  "g H/c^2 of that"};
+                  "wall particles interact with water within 2h and bear its weight once it has approached by the "
+                  "fraction g H/c^2 of that distance"};
   if (extrapolated) {
-    level = {.limit = 0.5 * cell * compression, .reason = "the pressure of one spacing squeezes the water by as much"};
+    level = {.limit = 0.5 * cell * compression, .reason = "compression by the pressure of one spacing of water"};
   } else if (option.name == "filter") {
-    level = {.limit = 0.5 * cell, .reason = "half a spacing: filtered densities forget the volume of the water"};
+    level = {.limit = 0.5 * cell, .reason = "half a spacing: filtered densities do not retain the volume of the water"};
   }
   check("level",
         "The sinking of the centre of mass is at most the compression g H/c^2 over two smoothing lengths, or half a "
@@ -177,25 +178,24 @@ void claims(const Values& values, const Claims<Results>& claims) {
   };
   const Bound half{.limit = 0.095,
                    .reason =
-                       "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three lattices, "
+                       "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three spacings, "
                        "1.0 and 0.8, differ by that much",
                    .expected = 0.5};
   const bool quick = values.tier() == Tier::quick;
   claims
       .fails({.value = quick ? 0.72 : 1.2,
               .width = quick ? 0.1 : 0.2,
-              .reason =
-                  "sound that the start sets off at the walls dies away slowly, and noise in the densities, which no "
-                  "pressure gradient feels, grows with the number of steps: of both there is as much with finer "
-                  "spacings; density diffusion removes the noise, walls that follow the water the sound"},
+              .reason = "sound emitted by the walls at the start decays slowly, and density noise without effect on "
+                        "pressure gradients grows with the number of steps; neither falls with the spacing; density "
+                        "diffusion removes the noise, extrapolated wall pressure the sound"},
              values.standard())
       .check(converges(options.front()), ratio(0), half);
   claims
       .fails({.value = 1.1,
               .width = 0.3,
-              .reason = "the error, 0.3 % of the pressure at the bottom, is about half of g H/c^2, by which the water "
-                        "is compressed, and does not fall below it; after some 1.5 s the lattice begins to break in "
-                        "the corners"},
+              .reason =
+                  "the error, 0.3 % of the pressure at the bottom, is about half of the compression g H/c^2, and does "
+                  "not fall below it; after some 1.5 s the particle arrangement begins to break up in the corners"},
              values.standard() && !quick)
       .check(converges(options.back()), ratio(options.size() - 1), half);
 }

@@ -126,7 +126,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 }  // namespace
 
 void thacker_bowl(Case& c) {
-  c.title = "Water circles or pulsates in a paraboloid";
+  c.title = "Circulating or pulsating water in a paraboloid";
   c.source =
       "W. C. Thacker, Some exact solutions to the nonlinear shallow-water wave equations, J. Fluid Mech. 107 (1981) "
       "499";

@@ -115,7 +115,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     figure.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.4g} s", t), .equal_aspect = true})
         .line("surface", profile.x, profile.y, Role::exact);
   }
-  auto& film = exhibit.figure("film", "The wave overturns", "Surfaces over one wavelength, from the start to the jet.");
+  auto& film =
+      exhibit.figure("film", "Overturning of the wave", "Surfaces over one wavelength, from the start to the jet.");
   film.drawing = "film";
   for (const double t : evenly(0, instants_of(r.wave).back(), 25)) {
     const auto profile = r.wave.profile(t, 401);
@@ -143,8 +144,8 @@ std::vector<WantedTable> wanted(const Values& values) {
   const std::vector<Requirement> close{
       {.measure = Measure::largest_error,
        .criterion = Bound{.limit = values.real("tolerance") * values.real("amplitude"),
-                          .reason = "the case's parameter `tolerance`, of the amplitude; by default 3.5 %, "
-                                    "less than the jet grows between the instants asked for"},
+                          .reason = "the case's parameter `tolerance`, of the amplitude; by default 3.5 %, less than "
+                                    "the growth of the jet between the instants of the template"},
        .text = "The surface agrees with potential flow within the tolerance, by default 3.5 % of the amplitude.",
        .source = source}};
   return {
@@ -170,7 +171,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 }  // namespace
 
 void overturning_wave(Case& c) {
-  c.title = "A wave overturns and plunges";
+  c.title = "Overturning and plunging of a wave";
   c.source = "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. A 350 (1976) 1; " + literature::baker_meiron_orszag;
   c.tiers = {Tier::quick};
   c.parameters = {
@@ -178,7 +179,7 @@ void overturning_wave(Case& c) {
       real("wavelength", 2 * std::numbers::pi, "m", {1e-9, 1e6}, "wavelength"),
       real("depth", 0.0, "m", {0, 1e6}, "depth; 0 is infinitely deep water"),
       real("gravity", 1.0, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-      real("periods", 0.7, "1", {1e-3, 1}, "periods of the linear wave that are computed"),
+      real("periods", 0.7, "1", {1e-3, 1}, "computed periods of the linear wave"),
       integer("markers", {384, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
       tolerance_parameter(),
   };

@@ -252,8 +252,10 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
   const auto nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
   claims.from("Frank (1994), formulas 4 to 7")
       .check(
-          "momentum", "Horizontal momentum of the water changes by the forces of the walls and the bottom.",
-          "largest defect of a step's balance [rho g depth^2]",
+          "momentum",
+          "The change of the water's horizontal momentum equals the impulse of the forces of walls and bed, to "
+          "round-off.",
+          "largest error of a step's momentum balance [rho g depth^2]",
           [s, nodes](const Results& r) -> Measurement {
             const auto defect = over<Worst>(r.high.steps, &MomentumBalance::Step::defect, &MomentumBalance::Step::time);
             const double water = r.high.wave.flow.model().mass();
@@ -263,8 +265,8 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
           },
           Roundoff{.operations = 20 * nodes,
                    .scale = Amount::told_by_run(10 * s.berm.length / nodes / s.tau),
-                   .reason = "some twenty rounded operations per node and step, of the momentum of a node that moves "
-                             "as fast as the fastest, over the step"});
+                   .reason = "some twenty rounded operations per node and step, of the momentum at the maximum node "
+                             "velocity, over the step"});
   const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
   claims.check(
       "pressures",
@@ -296,7 +298,7 @@ void claim_energy(const Claims<Results>& claims, const SetUp& s) {
       .check(
           "energy",
           "The energy of the wave changes by at most (omega tau)^2, four times the swing of the one-step scheme.",
-          "largest change over the energy at the beginning",
+          "largest change over the energy initial",
           [s](const Results& r) -> Measurement {
             return {.value = r.high.energy.value() / r.high.first_energy,
                     .where = fmt::format("t = {:.3g}", r.high.energy.where()),
@@ -304,12 +306,12 @@ void claim_energy(const Claims<Results>& claims, const SetUp& s) {
           },
           Bound{.limit = Amount::told_by_run(std::pow(fastest * s.tau, 2)),
                 .reason =
-                    "the one-step scheme keeps T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi sways by "
-                    "(omega tau)^2/4 of the energy; four times that as if all of it were in the second harmonic"});
+                    "the one-step scheme conserves T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi oscillates "
+                    "by (omega tau)^2/4 of the energy; four times that, as if all energy were in the second harmonic"});
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
-  const auto half = claims.only_if(s.half_wave(), "for a berm half a wave wide, as it is by default");
+  const auto half = claims.only_if(s.half_wave(), "for a berm half a wavelength wide, the default");
   half.check(
       "antiphase",
       "The phase between the forces of the high wave on front and rear differs from pi by at most their ratio of "
@@ -325,12 +327,12 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
         return {.value = std::abs(std::arg(front / rear)), .told = {.limit = second / first}};
       },
       Bound{.limit = Amount::told_by_run(0.5),
-            .reason = "what is of second order on the front over what is of first, as if all of it had the wave's "
-                      "frequency: free waves are no harmonics",
+            .reason = "second-order over first-order force on the front, as if all of it had the wave frequency: free "
+                      "waves are not harmonics",
             .expected = std::numbers::pi});
   half.check(
       "less-than-plain-wall",
-      "The breakwater bears less than a plain wall by a factor that the second order allows for.",
+      "The total force on the breakwater over that on a plain wall is at most 0.1 plus the second-order terms.",
       "largest total force over that on a plain wall",
       [s](const Results& r) -> Measurement {
         const double contact = 0.5 * std::pow(r.rear_height() * s.height, 2);
@@ -338,8 +340,8 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
         return {.value = worst(r.high.wave.history.total) / r.plain_peak(), .told = {.limit = 0.1 + second}};
       },
       Bound{.limit = Amount::told_by_run(1),
-            .reason = "a tenth for small waves, and the second order: the contact point's part and a second harmonic, "
-                      "grown on the berm, that pushes front and rear together"});
+            .reason = "0.1 for small waves, and the second order: the contribution of the contact point and a second "
+                      "harmonic, grown on the berm, that loads front and rear in phase"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -409,11 +411,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("plain_wall_peak", r.plain_peak());
   exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
   exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
-  auto& panel = add_panel(exhibit, "history", "Forces of the high wave",
-                          fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
-                                      "the same wave before a plain wall.",
-                                      r.high.small.load.wavelength, s.height),
-                          {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
+  auto& panel = add_panel(
+      exhibit, "history", "Forces of the high wave",
+      fmt::format(
+          "A standing wave of L/h = {:.3g} and height {:g} at the far wall; dashed: the same wave before a plain wall.",
+          r.high.small.load.wavelength, s.height),
+      {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
   draw_momentum(r.high, exhibit);
@@ -433,9 +436,9 @@ void breakwater_high_wave(Case& c) {
       real("berm_width", 2.0, "depth", {0.5, 6}, "from the middle of the front face to the rear wall"),
       real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
       integer("rows", 6, {2, 24}, "rows of cells"),
-      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave: the nearest in the basin"),
+      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave: the nearest mode of the basin"),
       real("height", 0.1, "depth", {1e-6, 0.2}, "of the wave at the far wall"),
-      integer("periods", 3, {2, 20}, "periods that the wave runs"),
+      integer("periods", 3, {2, 20}, "length of the run in periods"),
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
       real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential"),
   };

@@ -186,14 +186,14 @@ Measurement farthest(const Results& r, Value value, Limit limit) {
   }
   const Periodic& one = r[static_cast<std::size_t>(share.where())];
   return {.value = value(one),
-          .where = fmt::format("waves of {:.3g} depths", one.small.load.wavelength),
+          .where = fmt::format("waves of L/h = {:.3g}", one.small.load.wavelength),
           .told = {.limit = limit(one)}};
 }
 
 const std::string reason =
-    "twice what linear theory says has not settled, in force and elevation, on the way in, back, and once more around; "
-    "and the mesh: its nodes drift with the square of the height, and one of 0.02 tangles it at the edge of the berm "
-    "within two periods, so that (height/0.02)^2 of that drift is made in every two";
+    "twice the unsettled part of linear theory, in force and elevation, on the way in, back, and once more around; and "
+    "the mesh drift, proportional to the square of the height: a height of 0.02 tangles the mesh at the edge of the "
+    "berm within two periods, so that (height/0.02)^2 of that drift accumulates every two periods";
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
@@ -224,7 +224,7 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
       Bound{.limit = Amount::told_by_run(3 * largest_limit), .reason = reason + "; of the smaller force"});
   claims.from("Havelock (1929)")
       .check(
-          "antinode", "The standing wave is two incident waves high.",
+          "antinode", "The height of the standing wave agrees with twice the incident height of linear piston theory.",
           "largest relative difference of the antinode from twice the theory of the piston",
           [s](const Results& r) {
             const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
@@ -235,12 +235,12 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
                 });
           },
           Bound{.limit = Amount::told_by_run(0.1),
-                .reason = "the paddle's cells are of second order, (k h)^2; and what has not settled"});
+                .reason = "second order of the cells at the paddle, (k h)^2; and the unsettled part"});
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
-      "antiphase", "Where the berm is half a wave wide, front and rear are pushed in antiphase.",
+      "antiphase", "The forces on front and rear are in antiphase where the berm is half a wavelength wide.",
       "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
         const Periodic& half = r.front();
@@ -251,7 +251,9 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
             .reason = "the phases of both, " + reason,
             .expected = std::numbers::pi});
   claims.check(
-      "less-than-plain-wall", "The breakwater then bears less than a tenth of the force on a plain wall.",
+      "less-than-plain-wall",
+      "The total force on a breakwater with a berm half a wavelength wide is below a tenth of the force on a plain "
+      "wall.",
       "|total|/plain wall", [](const Results& r) { return r.front().relative(); },
       Bound{.limit = 0.1, .reason = "a tenth"});
   claims.check(
@@ -326,8 +328,8 @@ Results compute(const Run& run) {
 void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
   evidence::Table& table =
       add_table(exhibit, "forces", "Forces of periodic waves",
-                "Amplitudes over the height of the antinode, and how far the phases of front and rear are apart. In "
-                "brackets: small standing waves.",
+                "Amplitudes over the height of the antinode, and phase difference between front and rear. In brackets: "
+                "small standing waves.",
                 {"wavelength [depth]", "front [rho g depth]", "(front) [rho g depth]", "rear [rho g depth]",
                  "(rear) [rho g depth]", "phase [rad]", "total/plain wall [1]", "(total/plain wall) [1]",
                  "antinode/2 incident [1]", "not settled [1]"},
@@ -370,15 +372,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SetUp s(values);
   tabulate(r, s, exhibit);
   draw_loads(r, s, exhibit);
-  auto& figure = exhibit.figure(
-      "tank", "Periodic waves arrive",
-      "Forces on front, rear and both, over the height of the antinode that the standing wave is to have.",
-      {"frank-breakwater"});
+  auto& figure =
+      exhibit.figure("tank", "Arrival of periodic waves",
+                     "Forces on front, rear and both, over the intended height of the antinode.", {"frank-breakwater"});
   for (const Periodic* one : {&r.front(), &r.back()}) {
     draw_tank(*one, s,
               figure.panel({.x = "t [sqrt(depth/g)]",
                             .y = "force/height [rho g depth]",
-                            .title = fmt::format("waves of {:.3g} depths", one->small.load.wavelength)}));
+                            .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}));
   }
 }
 
@@ -389,8 +390,8 @@ void breakwater_periodic(Case& c) {
   c.source = literature::frank + ", section 2.3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      real("sea", 36.0, "depth", {20, 200}, "by which the tank is longer than the basin of 14 depths"),
-      real("height", 1e-4, "depth", {1e-6, 1e-3}, "that the standing wave is to have at its antinodes"),
+      real("sea", 36.0, "depth", {20, 200}, "excess length of the tank over the basin of 14 h"),
+      real("height", 1e-4, "depth", {1e-6, 1e-3}, "intended height of the standing wave at its antinodes"),
       real("columns_per_depth", 8.0, "1", {8, 32}, "columns of cells per depth"),
       integer("rows", 6, {6, 24}, "rows of cells"),
       integer("steps", 60, {60, 1000}, "time steps in a period"),

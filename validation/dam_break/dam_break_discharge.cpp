@@ -87,7 +87,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
         .where("t = {:.3g} s")
         .check(
             "discharge-" + s.id,
-            fmt::format("The discharge through the dam stays equal to the exact solution, depth ratio {:g}.", s.ratio),
+            fmt::format(
+                "The discharge through the dam section agrees with the exact solution at all times (depth ratio {:g}).",
+                s.ratio),
             "largest deviation of the discharge [m^2/s]",
             [k, exact = s.exact](const Results& r) {
               const Discharge& q = r.discharges.at(k);
@@ -96,8 +98,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                   [&](std::size_t i) { return q.time[i]; });
             },
             Bound{.limit = 2.5 / n * s.exact,
-                  .reason = "the start spoils the water of about one particle on either side of the dam, and its trace "
-                            "at the dam decays as 1/N"});
+                  .reason = "the start disturbs about one particle on either side of the dam, an error at the dam that "
+                            "decays as 1/N"});
   }
   claims.from("section 7 of the paper; Stoker (1957)")
       .fails({.value = 0.138270,
@@ -150,7 +152,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exact.panel({.x = "x - dam [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 
   auto& panel = add_panel(exhibit, "discharge", "Discharge through the section of the dam",
-                          "By particles, relative to the exact one.", {.x = "t [s]", .y = "q / q exact"});
+                          "Of the particle method, relative to the exact one.", {.x = "t [s]", .y = "q / q exact"});
   const std::vector<Setting> all = settings(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Setting& s = all[k];

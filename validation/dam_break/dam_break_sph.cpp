@@ -90,7 +90,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .at(&SphCollapse::resolution)
       .check("contained", "The number of particles that leave the tank through a wall is zero.",
              "particles outside the tank at the end", &SphCollapse::lost,
-             Bound{.limit = 0, .reason = "walls are tight"});
+             Bound{.limit = 0, .reason = "walls are impermeable"});
 }
 
 void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
@@ -114,11 +114,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   measure_run(exhibit, computed);
   measure_sound(exhibit, r.collapse);
   if (!computed.roundings.empty()) {
-    evidence::Table& table = add_table(exhibit, "roundings", "Lengths that were rounded", "", {"what"});
+    evidence::Table& table = add_table(exhibit, "roundings", "Lengths adjusted to the spacing", "", {"what"});
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
   }
   auto& panel = add_panel(exhibit, "front", "Position of the front",
-                          fmt::format("Over the width of the column; {}.", computed.resolution()),
+                          fmt::format("Over the column width; {}.", computed.resolution()),
                           {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
   if (compared) compare(exhibit, computed, data, dam, panel);
@@ -136,7 +136,7 @@ struct Judged {
 
 Judged judged_by(const Values& values) {
   if (values.text("data") == "none") {
-    throw std::invalid_argument("data = none: there is nothing to score a front by; choose a published one");
+    throw std::invalid_argument("data = none: no reference front to score by; choose a published one");
   }
   const ColumnFront data = column_front(values.text("data"), values);
   const double whole = data.tank > 0 ? data.tank - 0.1 : largest(data.X);
@@ -165,23 +165,23 @@ std::vector<std::string> data_choices() {
 }  // namespace
 
 void dam_break_sph(Case& c) {
-  c.title = "A column of water collapses: weakly compressible SPH";
+  c.title = "Collapse of a water column: weakly compressible SPH";
   c.source = "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; " + literature::plunging_sph + ", section 3";
-  c.parameters = with(
-      {real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
-       real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
-       real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
-       real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
-       real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
-       choice("lattice", "square", {"square", "body_centred"}, "lattice of the particles"),
-       integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
-       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-       real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
-       real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
-       integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
-       choice("data", "martin_moyce_tall_wide", data_choices(), "published front that is compared"),
-       real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all that is known")},
-      sph_dam_parameters({.alpha = 0.3}));
+  c.parameters =
+      with({real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
+            real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
+            real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
+            real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
+            real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
+            choice("lattice", "square", {"square", "body_centred"}, "arrangement of the particles"),
+            integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
+            real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+            real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
+            real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
+            integer("frames", 9, {2, 10000}, "instants whose particles are written for ParaView"),
+            choice("data", "martin_moyce_tall_wide", data_choices(), "published front for comparison"),
+            real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all points")},
+           sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");
   c.submission = {.tables = wanted, .judge = judge};
 }

@@ -99,20 +99,21 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
   };
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
-              .reason = "artificial viscosity, which goes with the spacing, holds the column back as well: "
-                        "the shift is 0.09 with a/30, 0.15 with a/50, 0.20 with a/71"},
+              .reason = "artificial viscosity, proportional to the spacing, retards the column as well: the shift is "
+                        "0.09 with a/30, 0.15 with a/50, 0.20 with a/71"},
              cells < 50)
       .check("shift",
              "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
              "shift of the time origin, in sqrt(a/2g)", fitted(&ShiftedFront::shift), release_delay());
-  claims.check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
-               fitted(&ShiftedFront::rms), through_points(data));
-  claims.only_if(cells >= 50, "the viscosity of wider spacings holds the column back by as much")
+  claims.check("rms", "The front position after one time shift agrees with the measured points.",
+               "rms difference of X/a", fitted(&ShiftedFront::rms), through_points(data));
+  claims.only_if(cells >= 50, "the viscosity at larger spacings retards the column by as much")
       .fails({.width = std::numeric_limits<double>::infinity(),
-              .reason = "let go at once, the water is ahead of one behind a diaphragm that has to melt, by its speed "
+              .reason = "released instantaneously, the front is ahead of one behind a melting diaphragm by its speed "
                         "times the shift"})
       .check(
-          "unshifted", "Without a shift of time the front goes through the measured points.", "rms difference of X/a",
+          "unshifted", "The front position without a time shift agrees with the measured points.",
+          "rms difference of X/a",
           [data](const SphCollapse& run) { return over<Mean>(fit_of(run, data).raw_off, std::identity{}).rms(); },
           through_points(data));
   claims.from(publication)
@@ -124,7 +125,7 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
           [data, vof](const SphCollapse& run) {
             return fit_of(run, data).raw_rms / shifted_front(vof.curve(), data.curve(), tank - 0.1).raw_rms;
           },
-          Bound{.limit = 1, .reason = "nearer is less than one"});
+          Bound{.limit = 1, .reason = "nearer means a ratio below 1"});
 }
 
 /// By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
@@ -152,7 +153,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;
   };
   claim_speed(claims.of(published).at(&SphCollapse::resolution), data);
-  claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
+  claims.only_if(ladder.size() >= 3, "its uncertainty needs three spacings, computed in the full tier")
       .at([](const Results& runs) { return runs.back().run.resolution(); })
       .check(
           "speed-uncertain",
@@ -166,7 +167,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Uncertainty{.expected = speed_of(data.curve()),
                       .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
                       .useful = 0.4 * speed_of(data.curve()),
-                      .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is said"});
+                      .reason = "two points, uncertain by 0.05 each, 0.55 apart in T; inconclusive beyond 40 %"});
 }
 
 void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const ColumnFront& data,
@@ -178,18 +179,16 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
     x[which].push_back(start.x[p] / a);
     z[which].push_back(start.z[p] / a);
   }
-  auto& sketch =
-      add_panel(exhibit, "domain", "Domain of the dam break",
-                fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
-                {.x = "x/a", .y = "z/a", .equal_aspect = true}, {"sph-fig-1"});
+  auto& sketch = add_panel(exhibit, "domain", "Domain of the dam break",
+                           fmt::format("Initial particles: {} of water, {} of the walls.", x[0].size(), x[1].size()),
+                           {.x = "x/a", .y = "z/a", .equal_aspect = true}, {"sph-fig-1"});
   sketch.points("water", x[0], z[0], Role::computed);
   sketch.points("walls", x[1], z[1], Role::data);
 
   const SphCollapse& finest = runs.back().run;
   const ShiftedFront fit = fit_of(finest, data);
-  auto& figure =
-      exhibit.figure("front", "Position of the front",
-                     "As it stands, and later by one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
+  auto& figure = exhibit.figure("front", "Position of the front",
+                                "Without and with one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
   auto& panel = figure.panel({.x = "t sqrt(2g/a)", .y = "X/a", .x_min = 0, .x_max = last, .y_min = 1, .y_max = tank});
   panel.line("SPH", finest.T, finest.front, Role::computed);
   panel.line(fmt::format("SPH, {:.2f} later", fit.shift), each(finest.T, [&](double T) { return T + fit.shift; }),
@@ -226,10 +225,10 @@ void dam_break_sph_front(Case& c) {
   c.title = "The dam break of Martin and Moyce by weakly compressible SPH";
   c.source = literature::plunging_sph + ", figures 1 and 2; " + literature::martin_moyce;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
-  c.parameters = with(
-      {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
-       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
-      sph_dam_parameters({.alpha = 0.3}));
+  c.parameters = with({integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
+                       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"},
+                              "arrangement of the particles")},
+                      sph_dam_parameters({.alpha = 0.3}));
   c.published = {{.tiles = {"sph-fig-1"},
                   .stated = {"alpha", "courant", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",
                              "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},

@@ -115,12 +115,12 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, boo
   const auto fitted = [data](double ShiftedFront::*member) {
     return [data, member](const SphCollapse& series) { return fit_of(series, data).*member; };
   };
-  claims.only_if(enough, "spacings of a twentieth of the column delay the front by a tenth of sqrt(a/g)")
+  claims.only_if(enough, "a spacing of a/20 delays the front by 0.1 sqrt(a/g)")
       .from(data.citation)
       .check("shift", "The measured front of the square column lags by the delay expected of its diaphragm.",
              "shift of the time origin, in sqrt(a/g)", fitted(&ShiftedFront::shift), release_delay());
   claims.from(data.citation)
-      .check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
+      .check("rms", "The front position after one time shift agrees with the measured points.", "rms difference of X/a",
              fitted(&ShiftedFront::rms), through_points(data));
 }
 
@@ -136,10 +136,10 @@ void claim_events(const Claims<Frames>& claims) {
         [unit](const Frames& frames) {
           return frames.series().reaches_wall > 0.160 * unit && frames.series().reaches_wall < 0.364 * unit;
         });
-  event("runs-up", "At the fourth frame the jet along the wall is higher than the column was.",
+  event("runs-up", "The jet along the wall at the fourth frame is higher than the initial column.",
         "connected particles within six spacings of the wall above z = a at 0.485 s",
         [](const Frames& frames) { return frames.heights.at(3).far_wall > a; });
-  event("falls-back", "At the fifth or sixth frame water hangs over the layer away from the wall.",
+  event("falls-back", "Water overhangs the layer away from the wall at the fifth or sixth frame.",
         "connected particles above half of the column's height, a quarter to one a from the wall",
         [](const Frames& frames) { return frames.heights.at(4).jet > 0.5 * a || frames.heights.at(5).jet > 0.5 * a; });
 }
@@ -148,12 +148,11 @@ void claim_events(const Claims<Frames>& claims) {
 void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
-              .reason = "cause unknown: by sixty spacings to the column one of 4776 particles of a square lattice "
-                        "passes the rows of a wall"},
+              .reason = "cause unknown: at a/60 one of 4776 particles of a square arrangement passes the wall layers"},
              passed)
       .check("contained", "The number of particles beside or below the tank at the end is zero.",
              "particles beside or below the tank at the end", &SphCollapse::lost,
-             Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
+             Bound{.limit = 0, .reason = "walls are impermeable, and spray that rises above them falls back inside"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -200,7 +199,7 @@ void draw(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& da
         {.title = fmt::format("t = {:.3f} s", times[k]), .frame = {-0.03 * a, (tank + 0.03) * a, -0.03 * a, 2.2 * a}});
   }
   auto& panel = add_panel(exhibit, "front", "Position of the front",
-                          "Beside the square column of Martin and Moyce: as it stands, and with one shift.",
+                          "Beside the square column of Martin and Moyce: without and with one shift.",
                           {.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
   for (const Frames& one : runs) {
     panel.line(fmt::format("SPH, a/{:.0f}", a / one.series().spacing), one.series().T, one.series().front,
@@ -226,11 +225,11 @@ void dam_break_sph_turbulence(Case& c) {
   c.title = "A dam break with sub-particle-scale turbulence";
   c.source = literature::plunging_sph + ", figure 3; " + literature::martin_moyce;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
-  c.parameters = with(
-      {integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
-       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles"),
-       integer("wall_rows", {2, 3, 3}, {2, 3}, "rows of wall particles")},
-      sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));
+  c.parameters = with({integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
+                       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"},
+                              "arrangement of the particles"),
+                       integer("wall_rows", {2, 3, 3}, {2, 3}, "rows of wall particles")},
+                      sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));
   c.published = {{.tiles = {"sph-fig-3"},
                   .tier = Tier::paper,
                   .stated = {"cells", "lattice", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",

@@ -113,11 +113,12 @@ RefinementStudy study_of_table() {
 /// The order of the case's own stabilisation.
 Order order_of(double stabilisation) {
   if (stabilisation == 0) {
-    return {1, 0.3, "chequered pressures of the size of the step at the free faces, one cell wide: first order"};
+    return {1, 0.3,
+            "chequered pressures of the size of the pressure step at the free faces, one cell wide: first order"};
   }
   return {2, 0.3,
-          "cells of regular rows: second order; at the toe the pressure is like r log r, which takes 1/log(1/h), 0.25 "
-          "to 0.5 on these meshes, off the part of the error that comes from there"};
+          "cells of regular rows: second order; at the toe the pressure is like r log r, which reduces the order of "
+          "the error from there by 1/log(1/h), 0.25 to 0.5 on these meshes"};
 }
 
 struct Results {
@@ -139,7 +140,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "rms", "The rms error of the pressure inside is below the hydrostatic pressure over one cell.",
           "error over rho g H, rms", [](const Results& r) { return r.finest.rms; },
           Bound{.limit = 1 / static_cast<double>(finest),
-                .reason = "the hydrostatic pressure over one cell, twice what the cells of the free faces are off by"});
+                .reason = "the hydrostatic pressure over one cell, twice the error of the cells at the free faces"});
   claims
       .only_if(tabulated && stabilisation == 0.1, "less leaves the pressure chequered, more smooths it; " + other_shape)
       .at(fmt::format("h = H/{}", mesh_of_corner))
@@ -149,15 +150,16 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "H).",
           "error over rho g H", [](const Results& r) { return r.corner - r.exact.pressure(0, 0) / r.height; },
           Bound{.limit = std::pow(std::numbers::pi / 2 / mesh_of_corner, 2) / 8,
-                .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): what a second-order difference is off by"});
+                .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): the error of a second-order difference"});
   claims
       .only_if(tabulated && (stabilisation == 0 || (stabilisation >= 0.001 && stabilisation <= 0.1)),
-               "with less the order changes from 2 to 1 on the way; more than 0.1 smooths the pressure; " + other_shape)
+               "with less the order changes from 2 to 1 with refinement; more than 0.1 smooths the pressure;  " +
+                   other_shape)
       .at(fmt::format("h = H/{} to H/{}", coarsest, finest_of_order))
       .check(
           "order",
-          stabilisation == 0 ? "Without stabilisation the pressure is of first order."
-                             : "The pressure is of second order on these meshes.",
+          stabilisation == 0 ? "The pressure error without stabilisation converges at first order."
+                             : "The pressure error converges at second order on these meshes.",
           "order of the error, rms", [](const Results& r) { return r.own.order(0, coarsest); },
           order_of(stabilisation));
 }
@@ -179,7 +181,7 @@ Results compute(const Run& run) {
 
 void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   auto& figure =
-      exhibit.figure("pressure", "Pressure of a column of water at its release",
+      exhibit.figure("pressure", "Pressure of a water column at its release",
                      "Along the floor and along the wall, over rho g H, on the finest mesh.", {"frank-dirichlet"});
   struct Side {
     std::string axis;
@@ -212,7 +214,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void dam_pressure_dirichlet(Case& c) {
-  c.title = "Pressure at the release of a column of water, on the Dirichlet mesh";
+  c.title = "Pressure at the release of a water column, on the Dirichlet mesh";
   c.source =
       "Series for the initial pressure (Pohle 1950; Stoker, Water Waves, 12.1); model: A. M. Frank, doctoral thesis "
       "(1994), section 5.2";

@@ -69,7 +69,7 @@ struct Results {
 };
 
 void draw_setup(evidence::Exhibit& exhibit, double depth) {
-  auto& panel = add_panel(exhibit, "setup", "Dam break over a dry bed: the problem", "Water behind the dam at t = 0.",
+  auto& panel = add_panel(exhibit, "setup", "Dam break over a dry bed: initial state", "Water behind the dam at t = 0.",
                           {.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = 20, .y_min = -0.1, .y_max = 1.3},
                           {"bzz-fig-5"});
   panel.fill("water", std::vector<double>{0, dam}, std::vector<double>{depth, depth}, Role::water);
@@ -79,9 +79,10 @@ void draw_setup(evidence::Exhibit& exhibit, double depth) {
 
 /// The exact parabola at the paper's times with the particles' tip (figure 7).
 void draw_parabola(evidence::Exhibit& exhibit, const FlowRun& flow, double front) {
-  auto& panel = add_panel(exhibit, "parabola", "The dry dam-break parabola",
-                          "Ritter's profile and the particles' own curve: parabola tip in the front particle.",
-                          {.x = "x [m]", .y = "depth h [m]"}, {"bzz-fig-7"});
+  auto& panel =
+      add_panel(exhibit, "parabola", "The dry dam-break parabola",
+                "Ritter's profile and the reconstruction of the particles: parabola tip in the front particle.",
+                {.x = "x [m]", .y = "depth h [m]"}, {"bzz-fig-7"});
   const ProfileCurve exact = exact_curve(flow.problem, 0, front * 1.02, flow.time());
   const ProfileCurve own = computed_curve(flow.profile());
   panel.line("exact", exact.x, exact.depth, Role::exact);
@@ -99,7 +100,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              Roundoff{.operations = std::pow(end / s.discretisation.time_step / 4, 2),
                       .scale = front,
                       .reason = "two roundings per step, of the increment and of the position, each by at most half an "
-                                "eps; the increment is the same in every step, so that they repeat and add up "
+                                "eps; the increment is the same in every step, so that roundings repeat and add up "
                                 "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
                       .expected = front});
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, end);
@@ -110,7 +111,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "maccormack", "MacCormack's scheme breaks down over a dry bed.", "finished",
           [](const Results& r) { return by_scheme(r.contestants, "maccormack").finished() ? 1.0 : 0.0; },
           Qualitative{.detector = "no negative or undefined depth until the end",
-                      .reason = "its predictor makes negative depths at a dry front",
+                      .reason = "the predictor gives negative depths at a dry front",
                       .expected = false});
 }
 

@@ -84,13 +84,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           scheme),
               "cell L1(h) over the error of the difference scheme",
               [=, scheme = scheme](const Results& r) { return r.error(particles) / r.error(scheme); },
-              Bound{.limit = 1, .reason = "the paper says so of its figures 24 and 25; equal errors would give 1"});
+              Bound{.limit = 1, .reason = "stated by the paper on its figures 24 and 25; equal errors would give 1"});
     }
   }
   published.at(s.by("muscl").text())
       .from("Stoker, Water Waves (1957), 10.8")
       .check(
-          "cell_l1_h_muscl", "Mean depths of the limited second-order scheme are within a cell of the exact profile.",
+          "cell_l1_h_muscl",
+          "The mean error of cell depths with the limited second-order scheme is below the error of the exact profile "
+          "moved by one cell.",
           "cell L1(h) [m]", [](const Results& r) { return r.error("muscl"); },
           Bound{.limit = 0.9 / static_cast<double>(s.discretisation.particles),
                 .reason = "the exact depth falls from 1 m to 0.1 m: moved by the width of one of N cells it differs by "

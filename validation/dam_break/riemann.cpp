@@ -146,9 +146,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double stretched = s.discretisation.scheme == "G1" && !s.dry() ? deepest / s.solution.star().depth : 1;
   const double cell = std::max(1.0, stretched) * s.problem.length() / static_cast<double>(s.discretisation.particles);
   claim_states(here.of(&Results::flow), states_of(values), cell, viscosity_of(s));
-  here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 follows a dry front, where there is one")
+  here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 tracks a dry front")
       .check(
-          "dry-front", "The dry front is where the exact one is.", "front position [m]",
+          "dry-front", "The position of the dry front equals the exact solution to round-off.", "front position [m]",
           [](const Results& r) -> Measurement {
             return {.value = r.set_up.judged_position(r.flow.profile()),
                     .told = {.operations = std::pow(static_cast<double>(r.flow.steps()) / 4, 2)}};
@@ -156,8 +156,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Roundoff{.operations = Amount::told_by_run(std::pow(most_steps(s.problem, s.discretisation, s.time) / 4, 2)),
                    .scale = std::abs(s.judged.front.position) + s.problem.length(),
                    .reason = "two roundings per step, of the increment and of the position, each by at most half an "
-                             "eps; the increment is the same in every step, so that they repeat and add up linearly: "
-                             "eps per step, which the criterion's factor 4 makes of steps/4",
+                             "eps; the increment is the same in every step, so that roundings repeat and add up "
+                             "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
                    .expected = s.judged.front.position});
 }
 

@@ -63,8 +63,8 @@ struct Results {
 
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
   const ProfileCurve curve = exact_curve(problem, 0, length, 0);
-  auto& panel = add_panel(exhibit, "setup", "Hydraulic jump at rest: the problem",
-                          "Water flows from left to right through a jump that stands.",
+  auto& panel = add_panel(exhibit, "setup", "Stationary hydraulic jump: initial state",
+                          "Water flows from left to right through a stationary jump.",
                           {.x = "x [m]",
                            .y = "elevation [m]",
                            .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity,
@@ -98,13 +98,13 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   draw_sketches(exhibit, s.problem, s.jump);
-  show_figure(r.figure, exhibit, "Particles stream through a jump at rest", {"bzz-fig-18"});
+  show_figure(r.figure, exhibit, "Particles passing a stationary jump", {"bzz-fig-18"});
 }
 
 }  // namespace
 
 void stationary_jump(Case& c) {
-  c.title = "A hydraulic jump at rest";
+  c.title = "Stationary hydraulic jump";
   c.source = literature::bogomolov + ", figures 16 to 18";
   c.tiers = {Tier::quick};
   c.parameters = {

@@ -29,7 +29,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void breaking_on_shoal(Case& c) {
-  c.title = "Regular waves break on an elliptic shoal";
+  c.title = "Breaking of regular waves on an elliptic shoal";
   c.source = source;
   set_laboratory<experiment>(c);
 }

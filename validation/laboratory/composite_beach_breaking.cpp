@@ -26,7 +26,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void composite_beach_breaking(Case& c) {
-  c.title = "A solitary wave breaks on a beach of three slopes";
+  c.title = "Breaking of a solitary wave on a beach of three slopes";
   c.source = composite_beach_source;
   c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);

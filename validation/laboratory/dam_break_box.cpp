@@ -46,7 +46,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void dam_break_box(Case& c) {
-  c.title = "A broken dam against a box";
+  c.title = "Dam break against a box";
   c.source = source;
   set_laboratory<experiment>(c);
 }

@@ -94,18 +94,18 @@ Experiment experiment(const Values& values) {
           .order = 1,
           .coarsenings = {1, 1.5, 2},
           .miss =
-              "cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 "
-              "was measured"};
+              "cause unknown: the computed head is that of shallow water without friction, 0.8 to 1, compared with 0.6 "
+              "measured"};
 }
 
 }  // namespace
 
 void dam_break_wall_pressure(Case& c) {
-  c.title = "Pressure of a broken dam on a wall, with its repeats";
+  c.title = "Pressure of a dam break on a wall, with repeats";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = with({real("dx", {0.005, 0.005, 0.0025}, "m", {0.001, 0.02},
-                            "spacing of the particles, where the model computes; and 1.5 and 2 times it")},
+                            "particle spacing, for the model run; also 1.5 and 2 times that")},
                       sph_parameters({.kernel = std::string("wendland_c2"),
                                       .smoothing = 2.0,
                                       .viscosity = "laminar",

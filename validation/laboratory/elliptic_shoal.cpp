@@ -102,8 +102,8 @@ Experiment experiment(const Values& values) {
           .model = basin_model,
           .coarsenings = {1, 1.5, 2},
           .miss =
-              "cause unknown: waves of y = 0 are a tenth higher than measured over the shoal and a tenth "
-              "lower four metres behind the focus"};
+              "cause unknown: the computed amplitude on y = 0 is 10 % above the measured one over the shoal and 10 % "
+              "below it 4 m behind the focus"};
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ void elliptic_shoal(Case& c) {
   c.title = "Regular waves on an elliptic shoal";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "of the columns, where the model computes")};
+  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "column width, for the model run")};
   set_laboratory<experiment>(c);
 }
 

@@ -36,7 +36,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void fission_on_shelf(Case& c) {
-  c.title = "A long wave splits into solitons on a shelf";
+  c.title = "Fission of a long wave into solitons on a shelf";
   c.source = source;
   set_laboratory<experiment>(c);
 }

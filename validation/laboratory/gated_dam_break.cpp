@@ -24,7 +24,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void gated_dam_break(Case& c) {
-  c.title = "A dam breaks over water behind a gate";
+  c.title = "Dam break over water behind a gate";
   c.source = gated_dam_break_source;
   c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "size")};
   set_laboratory<experiment>(c);

@@ -25,9 +25,9 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void gated_dam_break_particles(Case& c) {
-  c.title = "A dam breaks over water behind a gate: shallow-water particles";
+  c.title = "Dam break over water behind a gate: shallow-water particles";
   c.source = gated_dam_break_source;
-  c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "width of a particle at the beginning")};
+  c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "initial particle width")};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
 }

@@ -84,9 +84,9 @@ Experiment experiment(const Values& values) {
   one.coarsenings = {1, 1.5, 2};
   if (values.tier() == Tier::quick) {
     one.miss =
-        "artificial viscosity, which goes with the spacing, holds the jet back: in 0.6 s the front falls behind by 4.7 "
-        "cm on spacings of 6 mm, by 3.8 cm on 3.75 mm, where that is within the uncertainty, and by 3.4 cm "
-        "on 6 mm with half of that viscosity";
+        "artificial viscosity, proportional to the spacing, retards the jet: after 0.6 s the front lags by 4.7 cm at a "
+        "spacing of 6 mm, by 3.8 cm at 3.75 mm, within the uncertainty there, and by 3.4 cm at 6 mm with half of that "
+        "viscosity";
   }
   return one;
 }
@@ -94,11 +94,11 @@ Experiment experiment(const Values& values) {
 }  // namespace
 
 void gated_dam_break_sph(Case& c) {
-  c.title = "A dam breaks over water behind a gate: weakly compressible SPH";
+  c.title = "Dam break over water behind a gate: weakly compressible SPH";
   c.source = gated_dam_break_source;
-  c.parameters = with(
-      {real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "spacing of the particles; and 1.5 and 2 times it")},
-      sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
+  c.parameters =
+      with({real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "particle spacing; also 1.5 and 2 times that")},
+           sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
 }

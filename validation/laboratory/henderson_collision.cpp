@@ -53,7 +53,7 @@ Experiment experiment(const Values& /*values*/) {
               .abscissa = {"x", "m", "distance along the window"},
               .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
-              .input_reason = "area of the profiles, which should not change: 2.2 %",
+              .input_reason = "variation of the area of the profiles, which should be constant: 2.2 %",
               .telling = 0.05};
   const Window window{0.1, 1.5};
   for (const double frame : frames) {
@@ -75,8 +75,8 @@ Experiment experiment(const Values& /*values*/) {
           .compute = compute,
           .model = "dispersive shallow water",
           .miss =
-              "the waves start with the heights and places that the literature uses, up to 7 mm and 2 % from the "
-              "frame at 18.5 s; viscosity, some per cent per metre in 0.05 m of water, does not lower them"};
+              "the initial wave heights and positions follow the literature, up to 7 mm and 2 % from the frame at 18.5 "
+              "s; viscous damping, some per cent per metre in 0.05 m of water, is not modelled"};
 }
 
 }  // namespace

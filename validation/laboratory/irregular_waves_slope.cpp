@@ -113,23 +113,23 @@ Experiment experiment(const Values& values) {
       .source = source,
       .parts = {statistic("std", {"std", "m", "standard deviation of the elevation"}),
                 statistic("skewness", {"skewness", "1", "skewness of the elevation"}),
-                statistic("asymmetry", {"asymmetry", "1", "asymmetry: less the skewness of the Hilbert transform"})},
+                statistic("asymmetry", {"asymmetry", "1", "asymmetry: minus the skewness of the Hilbert transform"})},
       .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"},
       .compute = values.tier() == Tier::quick ? nullptr : compute,
       .model = "dispersive shallow water with breaking, improved dispersion",
       .coarsenings = {1, 1.5, 2},
       .miss =
-          "28 % of the record, above 1.2 Hz, is too short for the model at the toe, k h above 2.8, where its waves "
-          "carry their energy 15 to 80 % too fast and grow on the slope like longer ones: driven up to 2.2 Hz even "
-          "very small waves come to 0.35 m of water 5 % higher than at the toe, up to 1.6 Hz 2 %; and the viscosity "
-          "that leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half as "
-          "large again, and the waves are then a fifth too high"};
+          "28 % of the record, above 1.2 Hz, is too short for the model at the toe, k h above 2.8, where its group "
+          "velocity is 15 to 80 % too high and waves grow on the slope like longer ones: driven up to 2.2 Hz even very "
+          "small waves are 5 % higher in 0.35 m of water than at the toe, up to 1.6 Hz 2 %; and the viscosity that "
+          "leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half as large "
+          "again, and the waves are then 20 % too high"};
 }
 
 }  // namespace
 
 void irregular_waves_slope(Case& c) {
-  c.title = "Irregular waves shoal and break on a slope";
+  c.title = "Shoaling and breaking of irregular waves on a slope";
   c.source = source;
   c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the markers"),
                   real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};

@@ -134,12 +134,10 @@ Experiment experiment(const Values& values) {
       .compute = values.tier() == Tier::quick ? nullptr : compute,
       .model = "dispersive shallow water, 2DH",
       .coarsenings = {1, 1.5, 2},
-      .miss =
-          wave.letter < 3
-              ? "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls "
-                "below its level and stays there, where the model has what the island sends back"
-              : "the wave breaks on the island: the model's roller takes less from it than the experiment's bore "
-                "lost"};
+      .miss = wave.letter < 3
+                  ? "behind its crest the experimental wave is not a solitary wave: the surface at gauges 1 to 4 falls "
+                    "below the still-water level and stays there, while the model shows the reflection from the island"
+                  : "the wave breaks on the island: the model dissipates less energy than the bore of the experiment"};
 }
 
 }  // namespace
@@ -149,8 +147,8 @@ void island_gauges(Case& c) {
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      choice("wave", "A", {"A", "B", "C"}, "the wave: 0.0445, 0.0872 or 0.179 depths high"),
-      real("spacing", 0.25, "m", {0.2, 0.5}, "of the columns along the walls of the basin, where the model computes")};
+      choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.0445 (A), 0.0872 (B) or 0.179 (C)"),
+      real("spacing", 0.25, "m", {0.2, 0.5}, "column width along the walls of the basin, for the model run")};
   set_laboratory<experiment>(c);
 }
 

@@ -47,7 +47,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void isolated_building(Case& c) {
-  c.title = "A broken dam against an oblique building";
+  c.title = "Dam break against an oblique building";
   c.source = source;
   set_laboratory<experiment>(c);
 }

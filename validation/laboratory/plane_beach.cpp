@@ -44,7 +44,7 @@ Experiment experiment(const Values& values) {
                   .abscissa = {"x_over_d", "1", "distance from the shoreline at rest, positive offshore"},
                   .quantity = {"eta_over_d", "1", "surface elevation (the beach where dry)"},
                   .input = wave.input,
-                  .input_reason = "half a thousandth of a depth in the height of the wave"};
+                  .input_reason = "0.0005 depths in the wave height"};
   for (const double t : wave.instants) profiles.readings.push_back(misfit(t, {}));
   // Off the shore, where the beach that stands for a dry surface lies below the water.
   for (const double t : wave.with_crest) profiles.readings.push_back(highest(t, {1, 20}));
@@ -55,7 +55,7 @@ Experiment experiment(const Values& values) {
                .quantity = {"R_over_d", "1", "maximum run-up"},
                .rows = {{"A_over_d", wave.run_up_amplitude}},
                .input = wave.run_up_input,
-               .input_reason = "half a thousandth of the wave's height, by the run-up laws",
+               .input_reason = "0.05 % of the wave height, by the run-up laws",
                .readings = {at(0, wave.run_up_amplitude, Kind::run_up)}};
   return {.source = source, .parts = {profiles, runup}};
 }
@@ -65,7 +65,7 @@ Experiment experiment(const Values& values) {
 void plane_beach(Case& c) {
   c.title = "Solitary waves on a plane beach 1 : 19.85: surfaces and run-up";
   c.source = source;
-  c.parameters = {choice("wave", "0.0185", {"0.0185", "0.3"}, "height of the wave in depths")};
+  c.parameters = {choice("wave", "0.0185", {"0.0185", "0.3"}, "wave height over depth, H/h")};
   set_laboratory<experiment>(c);
 }
 

@@ -100,7 +100,7 @@ Experiment experiment(const Values& values) {
           .parts = {part},
           .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
           .ceiling = 0.3,
-          .ceiling_reason = "the incident amplitude is known to a tenth, and the case says so in its title",
+          .ceiling_reason = "uncertainty of the incident amplitude, 10 %, as stated in the title",
           .compute = values.tier() == Tier::quick ? nullptr : compute,
           .model = basin_model,
           .coarsenings = {1, 1.5, 2}};
@@ -112,7 +112,7 @@ void semicircular_shoal(Case& c) {
   c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";
   c.source = source;
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", 0.06, "m", {0.05, 0.15}, "of the columns, where the model computes")};
+                  real("spacing", 0.06, "m", {0.05, 0.15}, "column width, for the model run")};
   set_laboratory<experiment>(c);
 }
 

@@ -67,7 +67,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void solitary_shoaling(Case& c) {
-  c.title = "A solitary wave shoals until it breaks";
+  c.title = "Shoaling of a solitary wave until breaking";
   c.source = source;
   c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the markers")};
   set_laboratory<experiment>(c);

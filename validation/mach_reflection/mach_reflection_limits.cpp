@@ -159,26 +159,27 @@ Measurement relative(const Measurement& found, double expected) {
 }
 
 void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
-  const Bound bound{.limit = wave.amplitude, .reason = "what the theory leaves out is of the order of the amplitude"};
+  const Bound bound{.limit = wave.amplitude, .reason = "the neglected terms are of the order of the amplitude"};
   claims.check(
-      "wall-" + wave.id(), wave.text() + ": the wave height on the wall agrees with the theory.",
-      "a_w/a_i for fine lattices and infinite time over the theory's, less 1",
+      "wall-" + wave.id(), fmt::format("The wall amplitude agrees with the theory ({}).", wave.text()),
+      "a_w/a_i for fine grids and infinite time over theory, minus 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::limit_ratio), w.theory().wall_ratio()); }, bound);
   const MachReflection nominal = wave.nominal();
   const bool unsteady = wave.model == WaveModel::hexahedra && wave.amplitude < small && !wave.stem();
   claims
       .only_if(nominal.reflected_ratio() * wave.amplitude > lowest_reflected,
-               "waves lower than 0.03 depths these lattices do not know to a tenth")
-      .only_if(!unsteady, "the three lattices of hexahedra leave two fifths of this regular reflection open")
+               "waves of a/h < 0.03 are not resolved to 10 % on these grids")
+      .only_if(!unsteady, "the three grids of hexahedra leave 40 % of this regular reflection undetermined")
       .check(
-          "reflected-" + wave.id(), wave.text() + ": so is the reflected wave.",
-          "a_r/a_i for fine lattices over the theory's, less 1",
+          "reflected-" + wave.id(),
+          fmt::format("The amplitude of the reflected wave agrees with the theory ({}).", wave.text()),
+          "a_r/a_i for fine grids over theory, minus 1",
           [](const Wave& w) { return relative(w.limit(&Reflection::reflected_ratio), w.theory().reflected_ratio()); },
           Bound{.limit = 2 * wave.amplitude,
                 .reason = "kappa is known to the order of the amplitude, its square to twice that"});
   claims.check(
-      "angle-" + wave.id(), wave.text() + ": it leaves the wall at the theory's angle.",
-      "psi_r for fine lattices over the theory's, less 1",
+      "angle-" + wave.id(), fmt::format("The angle of the reflected wave agrees with the theory ({}).", wave.text()),
+      "psi_r for fine grids over theory, minus 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::reflected_angle), w.theory_angle()); }, bound);
 }
 
@@ -187,8 +188,9 @@ void claim_small(const Claims<Wave>& claims, const Wave& wave) {
   claims.from("Kodama and Yeh (2016)")
       .at([](const Wave& w) { return w.lattices.front().run.resolution(); })
       .check(
-          "settling-" + wave.id(), wave.text() + ": the stem settles at the theory's rate.",
-          "rate of the fitted exponential over the theory's, less 1",
+          "settling-" + wave.id(),
+          fmt::format("The settling rate of the stem agrees with the theory ({}).", wave.text()),
+          "rate of the fitted exponential over theory, minus 1",
           [](const Wave& w) {
             const Reflection& r = w.lattices.front();
             return r.limit.exponential.rate / r.run.settling_rate() - 1;
@@ -201,7 +203,8 @@ void claim_small(const Claims<Wave>& claims, const Wave& wave) {
 void claim_start(const Claims<Wave>& claims, const Wave& wave) {
   claims.from("Frank (1994), section 4.3")
       .check(
-          "start-" + wave.id(), wave.text() + ": a wave that starts half as high again next to the wall ends alike.",
+          "start-" + wave.id(),
+          fmt::format("The wall amplitude does not depend on the initial height next to the wall ({}).", wave.text()),
           "difference of a_w/a_i for infinite time",
           [](const Wave& w) -> Measurement {
             const Measurement usual = w.lattices.back().limit_ratio();
@@ -211,17 +214,18 @@ void claim_start(const Claims<Wave>& claims, const Wave& wave) {
                     .told = {.limit = std::hypot(usual.half_width(), other.half_width())}};
           },
           Bound{.limit = Amount::told_by_run(0.1),
-                .reason = "how well the two limits are known, together; a tenth at most, where a start that is half "
-                          "remembered would leave a quarter of a_w/a_i"});
+                .reason = "the combined uncertainty of the two limits, 0.1 at most; a half-remembered initial state "
+                          "would leave a quarter of a_w/a_i"});
 }
 
 void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t columns, std::size_t hexahedra) {
   claims.from("Frank (1994), section 4.3")
       .check(
           fmt::format("models-{}-{:g}", id_of(wave.amplitude), wave.angle),
-          fmt::format("a = {:g}, {:g} deg: the two models have nearly the same amplitude at the wall.", wave.amplitude,
-                      wave.angle),
-          "a_w/a_i of the hexahedra over a_w/a_i of the columns, less 1",
+          fmt::format(
+              "The wall amplitudes of both models for a = {:g} at {:g} deg agree to the order of the neglected terms.",
+              wave.amplitude, wave.angle),
+          "a_w/a_i of the hexahedra over a_w/a_i of the columns, minus 1",
           [=](const Results& r) {
             const Measurement layered = r.at(hexahedra).limit(&Reflection::limit_ratio);
             const Measurement plain = r.at(columns).limit(&Reflection::limit_ratio);
@@ -229,7 +233,7 @@ void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t c
                                .uncertainty = std::hypot(layered.half_width(), plain.half_width()) / plain.value,
                                .resolution = layered.resolution};
           },
-          Bound{.limit = wave.amplitude, .reason = "they differ by what the theory of both leaves out"});
+          Bound{.limit = wave.amplitude, .reason = "they differ by the neglected terms of their common theory"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -276,7 +280,7 @@ Results compute(const Run& run) {
 
 void draw(evidence::Exhibit& exhibit, const Results& all) {
   auto& figure = exhibit.figure(
-      "amplitudes", "Amplitudes for fine lattices and long times, by both models",
+      "amplitudes", "Amplitudes for fine grids and long times, by both models",
       "Against kappa for finite angles, by the measured incident amplitude. Lines: theory for small waves.",
       {"frank-fig-7"});
   auto& wall = figure.panel({.x = "kappa", .y = "a_w/a_i"});
@@ -303,7 +307,7 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
       points(reflected, &Reflection::reflected_ratio);
     }
   }
-  auto& growth = exhibit.figure("start", "Two starts", "The second one is half as high again next to the wall.");
+  auto& growth = exhibit.figure("start", "Two starts", "The second run starts half as high again next to the wall.");
   for (const Wave& wave : all) {
     if (!wave.strengthened) continue;
     auto& panel = growth.panel({.x = "t [sqrt(depth/g)]", .y = "a_w [depth]", .title = wave.text()});
@@ -315,9 +319,8 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw(exhibit, all);
   evidence::Table& table = add_table(
-      exhibit, "limits", "Limits of fine lattices and long times",
-      "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. Time: "
-      "processor's, of the finest run.",
+      exhibit, "limits", "Limits of fine grids and long times",
+      "h: the finest spacing. Settling: rate of the fitted exponential over theory. Time: processor time of the finest run.",
       {"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]", "a_w/a_i [1]", "theory [1]",
        "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]", "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"});
   for (const Wave& wave : all) {
@@ -338,7 +341,7 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 }  // namespace
 
 void mach_reflection_limits(Case& c) {
-  c.title = "Mach reflection by two models: limits of fine lattices, small waves and long times";
+  c.title = "Mach reflection by two models: limits of fine grids, small waves and long times";
   c.source = literature::frank + ", chapter 4, figure 7; " + literature::miles;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {

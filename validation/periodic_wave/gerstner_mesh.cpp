@@ -185,14 +185,15 @@ std::vector<long> meshes_up_to(long n) {
 RefinementStudy study_of(const Values& values) {
   return {
       .quantities =
-          {{"shape", "shape of the surface", "The shape of the surface is of second order.",
-            Order{2, 0.2, "second order, and what the ends, where slipping nodes meet led ones, leave at a distance"}},
+          {{"shape", "shape of the surface", "The error of the surface shape converges at second order.",
+            Order{2, 0.2,
+                  "second order, with the remaining effect of the ends, where slipping nodes meet prescribed ones"}},
            {"pressure", "pressure, rms", "The pressure converges at second order in the cell size.",
             Order{2, 0.2, "the same"}},
-           {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.",
-            Order{1.5, 0.1, "errors of first order in a layer of one cell"}},
-           {"largest", "places, largest", "Surface nodes slip along the surface to first order.",
-            Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}}},
+           {"position", "places, rms", "The rms error of all node positions converges at order 1.5.",
+            Order{1.5, 0.1, "first-order errors in a layer of one cell"}},
+           {"largest", "places, largest", "The slip of surface nodes converges at first order.",
+            Order{1, 0.1, "slip by the pressure gradient half a cell below; the next term is second-order"}}},
       .source = "Gerstner (1804); Lamb, Hydrodynamics (1932), section 251",
       .coarsest = values.integer("n") / 4};
 }
@@ -233,9 +234,8 @@ void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
 void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const double amplitude = values.real("amplitude");
   const double time = values.real("time");
-  auto& panel =
-      add_panel(exhibit, "slip", "Slip of surface nodes",
-                "Horizontal distance of surface nodes from where they should be, in rows.", {.x = "a", .y = "slip/h"});
+  auto& panel = add_panel(exhibit, "slip", "Slip of surface nodes",
+                          "Horizontal error of surface node positions, in row heights.", {.x = "a", .y = "slip/h"});
   for (std::size_t m = 0; m < r.slips.size(); ++m) {
     panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
@@ -248,7 +248,7 @@ void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhib
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const RefinementStudy study = study_of(values);
   study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors under refinement",
-                                     "Against the number of rows in a unit of depth; grey lines have slopes 1 and 2.",
+                                     "Against the number of rows per unit depth; grey lines have slopes 1 and 2.",
                                      {.x = "n", .y = "error", .log_x = true, .log_y = true}));
   draw_slips(r, values, exhibit);
   draw_wave(r.flows.front(), *r.wave, exhibit);

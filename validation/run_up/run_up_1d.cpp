@@ -64,10 +64,10 @@ Surface surface_of(const Flow& flow) {
 /// Time zero of the shoreline is when the undisturbed crest would be at the toe.
 void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const exact::SolitaryRunup& theory,
                     double law) {
-  auto& panel = add_panel(exhibit, "shoreline", "The shoreline",
-                          "Elevation of the water's edge, with the exact shoreline of the shallow-water equations "
-                          "until that breaks, and the run-up law.",
-                          {.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
+  auto& panel =
+      add_panel(exhibit, "shoreline", "The shoreline",
+                "Shoreline elevation, with the exact shallow-water shoreline until it breaks, and the run-up law.",
+                {.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
   constexpr double visible = 0.01;  // of the law
   const auto rises = std::ranges::find_if(history.shoreline, [&](double y) { return y > visible * law; });
   const auto first = rises == history.shoreline.end() ? 0 : rises - history.shoreline.begin();
@@ -82,8 +82,8 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
 }
 
 void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfaces, double cot_slope) {
-  auto& figure = exhibit.figure("profiles", "The wave climbs",
-                                "Surface and bottom when the crest is at the toe, and at the maximum run-up.");
+  auto& figure = exhibit.figure("profiles", "Run-up of the wave",
+                                "Surface and bed when the crest is at the toe, and at the maximum run-up.");
   for (const Surface& one : surfaces) {
     const double lowest = -0.3;
     auto& panel = figure.panel(
@@ -114,12 +114,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(theory.nonbreaking(), "the wave breaks on its way up")
       .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
       .check(
-          "law", "The run-up agrees with the run-up law.", "run-up [depth]",
+          "law", "Maximum run-up agrees with Synolakis' run-up law within 5 %.", "run-up [depth]",
           [](const Results& r) { return r.up.height; },
           Bound{.limit = 0.05 + std::abs(theory.highest().elevation / theory.law() - 1),
                 .reason =
-                    "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. OAR "
-                    "PMEL-135 (2007), and the law's own distance from the integral of which it is the leading term",
+                    "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 "
+                    "(2007), and the difference of the law from the integral of which it is the leading term",
                 .expected = theory.law(),
                 .relative = true});
 }
@@ -156,12 +156,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void run_up_1d(Case& c) {
-  c.title = "A solitary wave climbs a plane slope";
+  c.title = "Run-up of a solitary wave on a plane slope";
   c.source = literature::frank + ", section 3.2; " + literature::synolakis;
   c.parameters = joined({{
-                             real("cot_slope", 10.0, "1", {0.5, 50}, "cotangent of the slope"),
+                             real("cot_slope", 10.0, "1", {0.5, 50}, "s of the slope 1:s"),
                              real("amplitude", 0.03, "depth", {1e-3, 0.6}, "height of the incident wave"),
-                             real("time", 400.0, "sqrt(depth/g)", {1, 1e4}, "the run ends then at the latest"),
+                             real("time", 400.0, "sqrt(depth/g)", {1, 1e4}, "latest end of the run"),
                          },
                          climb_parameters({0.25, 0.125, 0.0625}),
                          slope_parameters()});

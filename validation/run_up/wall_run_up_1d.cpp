@@ -129,8 +129,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                             .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
                                             climb.spacing, climb.tau_over_spacing));
   compared.check("second-order",
-                 "At all heights the model is nearer to the Euler equations than the second-order series.",
-                 "largest distance over the distance of 2A + A^2/2", over_series,
+                 "The run-up error against the Euler equations at all heights is smaller than the error of the "
+                 "second-order series.",
+                 "largest difference over the difference of 2A + A^2/2", over_series,
                  Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
@@ -153,7 +154,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("su_mirie", WallRunup::su_mirie(r.climb.amplitude));
   measure_comparison(exhibit, r.comparison);
   add_panel(exhibit, "wall", "Water level at the wall",
-            fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude),
+            fmt::format("A = {:g}; time since the undisturbed crest is at the wall.", r.climb.amplitude),
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("model", r.time, r.level, Role::computed);
   draw_comparison(exhibit, r.comparison);
@@ -162,7 +163,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void wall_run_up_1d(Case& c) {
-  c.title = "A solitary wave climbs a vertical wall: Serre's equations against Euler's";
+  c.title = "Run-up of a solitary wave on a vertical wall: Serre against Euler equations";
   c.source = literature::su_mirie + "; F. Serre, La Houille Blanche 8 (1953) 374; " + literature::frank + ", chapter 3";
   c.parameters = joined({{real("amplitude", 0.4, "depth", {0.05, 0.6}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});

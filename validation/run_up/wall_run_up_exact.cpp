@@ -70,7 +70,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   return {
       {.name = "numbers",
        .quantities = {wanted_number(
-           {"runup", "m", "largest elevation of the water at the wall"}, runup, values,
+           {"runup", "m", "maximum elevation at the wall"}, runup, values,
            "The run-up agrees with fully nonlinear potential flow within the tolerance, by default 3.5 %.", source)},
        .exact = {fmt::format("seiche exact wall_runup --set amplitude={},depth={}", values.real("amplitude"),
                              values.real("depth"))}}};
@@ -80,7 +80,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 void wall_run_up_exact(Case& c) {
   c.former_names = {"wall_runup"};
-  c.title = "A solitary wave climbs a vertical wall: fully nonlinear potential flow";
+  c.title = "Run-up of a solitary wave on a vertical wall: fully nonlinear potential flow";
   c.source = literature::su_mirie + "; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. 342 (1997) 141";
   c.parameters = {
       real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.05 to 0.6 depth"),

@@ -130,7 +130,7 @@ Trial trial_of(const FocusedGroup& group) {
           .last = 1.5 * group.focus(),
           .looks = 6,
           .useless = 1,
-          .useless_in_words = "the surface is off by the height of the focus",
+          .useless_in_words = "the surface error exceeds the height of the focus",
           .energy_scale = (start.kinetic_energy + start.potential_energy) / 2,
           .reference_uncertainty = group.uncertainty(group.focus())};
 }
@@ -158,8 +158,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   const auto at_focus = all.at("the finest, at the focus");
   const double amplitude = values.real("amplitude");
   const auto nonlinear = at_focus.only_if(amplitude >= 0.05 && amplitude <= 0.1 && values.real("focus") <= 10,
-                                          "lower groups and longer ways differ from linear theory by less than the "
-                                          "lattices' own errors of phase; higher groups tangle the mesh");
+                                          "lower groups and longer runs differ from linear theory by less than the "
+                                          "phase errors of the grids; higher groups tangle the mesh");
   for (const Named& model : {particles, mesh}) {
     nonlinear.from("potential flow by Cauchy's integral, spectral")
         .check(
@@ -168,8 +168,8 @@ void claims(const Values& values, const Claims<Results>& all) {
             "rms error of the surface over that of linear theory",
             [id = model.id](const Results& r) { return r.contest.of(id).finest().error / r.linear; },
             Bound{.limit = 0.25,
-                  .reason = "what linear theory misses is what the group is nonlinear by: below a quarter of it a "
-                            "model tells it four times finer than without"});
+                  .reason = "the error of linear theory measures the nonlinearity of the group: below a quarter of it "
+                            "a model resolves the nonlinearity"});
   }
   const Claims<Contest> claims = at_focus.of(&Results::contest);
   const double spacing = 1 / values.number("markers");
@@ -178,17 +178,16 @@ void claims(const Values& values, const Claims<Results>& all) {
     return exact::discrete_frequency(law.frequency(k), 0.25 * spacing, exact::TimeScheme::one_step);
   });
   claims_of(claims, "dispersive")
-      .only_if(amplitude <= 0.1, "higher groups differ from linear waves by more than a tenth of the law's error")
+      .only_if(amplitude <= 0.1, "higher groups differ from linear waves by more than a tenth of the dispersion error")
       .from("Frank (1994), formula (13); linear waves")
-      .check(
-          "dispersive-law",
-          "The surface error of the dispersive model agrees within a tenth with the error of linear waves of its "
-          "dispersion law.",
-          "rms error of the surface over the amplitude", error_of_finest,
-          Bound{.limit = 0.1 * apart,
-                .reason = "the law says how late each wave is at the focus; linear theory's own error, a twenty-fifth "
-                          "of the amplitude, is a tenth of it",
-                .expected = apart});
+      .check("dispersive-law",
+             "The surface error of the dispersive model agrees with the error of linear waves of its dispersion "
+             "relation within 10 %.",
+             "rms error of the surface over the amplitude", error_of_finest,
+             Bound{.limit = 0.1 * apart,
+                   .reason = "the dispersion relation gives the lag of each wave at the focus; the error of linear "
+                             "theory itself, 4 % of the amplitude, is a tenth of it",
+                   .expected = apart});
   claim_energy(claims_of(claims, "particles"), particles, values.real("focus") * values.number("particles") / 0.15, 2,
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
@@ -223,17 +222,17 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void wave_group_models(Case& c) {
-  c.title = "Model comparison: a wave group comes to a focus at a wall";
+  c.title = "Model comparison: focus of a wave group at a wall";
   c.source = "T. E. Baldock, C. Swan, P. H. Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; " +
              literature::longuet_higgins_cokelet;
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.001, 0.2}, "of the crest at the focus by linear theory"),
-      real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "when the crests meet at the wall"),
-      integer("particles", {4, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
+      real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "time at which the crests meet at the wall"),
+      integer("particles", {4, 12, 12}, {4, 40}, "cells of the Gauss-principle particles per depth, finest of three"),
       integer("mesh", {16, 32, 32}, {8, 96}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {8, 16, 16}, {8, 48}, "rows of Dirichlet cells and variable masses, the finest"),
-      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
-      integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
+      integer("markers", {32, 64, 64}, {8, 512}, "nodes of the dispersive model per depth, finest of four"),
+      integer("sph", {8, 32, 32}, {8, 96}, "SPH particles over the depth, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

@@ -206,36 +206,35 @@ using Results = std::vector<Settling>;  // of the regimes
 void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
   const auto claim = [&](const std::string& what, const std::string& text,
                          const std::string& quantity) -> evidence::Claim {
-    return {regime.name + "-" + what, fmt::format("{}: {}", regime.name, text), quantity, "1",
+    return {regime.name + "-" + what, fmt::format("{} ({}).", text, regime.name), quantity, "1",
             "Delestre et al. (2013), section 3.1"};
   };
   if (regime.name != "jump") {
-    const Order second{
-        2, 0.5,
-        "second order; the bump's corners, and particles that enter at their own rhythm, change it by a few tenths"};
+    const Order second{2, 0.5,
+                       "second order; the corners of the bump, and particles that enter at their own rhythm, change it "
+                       "by a few tenths"};
     claims.check(
-        claim("order", "the depth converges to the exact steady state at second order.",
-              "observed order of cell L1(h)"),
+        claim("order", "The depth converges to the exact steady state at second order", "observed order of cell L1(h)"),
         [](const Settling& r) { return r.order(&Errors::depth); }, second);
     claims.check(
-        claim("discharge", "the discharge converges to a uniform value at second order.", "observed order of L1(q)"),
+        claim("discharge", "The discharge converges to a uniform value at second order", "observed order of L1(q)"),
         [](const Settling& r) { return r.order(&Errors::discharge); }, second);
     return;
   }
   const Order first{1, 0.5,
-                    "first order at a jump: errors as large as the jump on as many particles as it is wide, whatever "
-                    "their number; its place between particles changes it by a few tenths"};
+                    "first order at a jump: errors of the height of the jump over a fixed number of particles; the "
+                    "position of the jump between particles changes the order by a few tenths"};
   claims.check(
-      claim("order", "within a metre of the jump the depth converges at first order.", "observed order of cell L1(h)"),
+      claim("order", "The depth within 1 m of the jump converges at first order", "observed order of cell L1(h)"),
       [](const Settling& r) { return r.order(&Errors::jump_depth); }, first);
   claims.check(
-      claim("discharge", "the discharge converges at first order.", "observed order of L1(q)"),
+      claim("discharge", "The discharge at the jump converges at first order", "observed order of L1(q)"),
       [](const Settling& r) { return r.order(&Errors::jump_discharge); }, first);
   claims.check(
-      claim("discharge-below", "below the jump the discharge equals the inflow within 1 %.", "mean |q/q_in - 1|"),
+      claim("discharge-below", "The discharge downstream of the jump equals the inflow within 1 %",
+            "mean |q/q_in - 1|"),
       [](const Settling& r) { return r.errors.back().below_jump_discharge.value(); },
-      Bound{.limit = 0.01,
-            .reason = "what passes the jump makes waves; one per cent is what a measuring weir knows of a discharge"});
+      Bound{.limit = 0.01, .reason = "what passes the jump makes waves; 1 %, the uncertainty of a measuring weir"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -251,8 +250,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       judged_flow(regime, values), regime.flow.bump().length / static_cast<double>(finest),
                       regime.name + "-judged-");
     here.check(
-        regime.name + "-mass", fmt::format("{}: mass changes by inflow minus outflow alone.", regime.name),
-        "mass less the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
+        regime.name + "-mass",
+        fmt::format("The mass change equals inflow minus outflow to round-off ({}).", regime.name),
+        "mass minus the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
         open_ends_roundoff({.length = regime.flow.bump().length,
                             .depth = depth,
                             .discharge = regime.flow.discharge(),
@@ -365,9 +365,9 @@ void steady_bump(Case& c) {
       choice("regime", {"smooth", "all", "all"}, {"all", "smooth", "subcritical", "transcritical", "jump"},
              "which steady states; smooth: those without a jump"),
       integer("particles", {25, 100, 400}, {8, 1e5},
-              "coarsest number of particles, up to 8 times as many run too; twice that in transcritical flow, four "
+              "smallest number of particles; up to 8 times as many run too; twice that in transcritical flow, four "
               "times with a jump"),
-      real("time", {100, 200, 400}, "s", {1, 1e5}, "time in which the flow settles"),
+      real("time", {100, 200, 400}, "s", {1, 1e5}, "settling time of the flow"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       level_tolerance_parameter(),
   };

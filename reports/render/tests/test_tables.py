@@ -87,7 +87,7 @@ class CasePage(unittest.TestCase):
         self.assertEqual(self.rows("Quantity", "Expected"), [
             ["Defect m", "1.5", "✓pass 1.25 ± 0.50", "✓pass 1.312"], ["Defect s", "2", "✓pass 2.25", "✓pass 2.312"],
             ["Defect", "2", "✓pass 2.12 ± 0.25", "✓pass 2.188"], ["Defect", "present", "✗fail absent", "not claimed"],
-            ["Time", "", "1 min 15 s", "30.0 s"], ["Threads", "", "1", "not said"]])
+            ["Time", "", "1 min 15 s", "30.0 s"], ["Threads", "", "1", "not stated"]])
 
     def test_parameters_measurements_tables_and_arrays(self):
         self.assertEqual(self.rows("Name", "seiche", "theirs", "Unit", "Default"), [
