@@ -13,7 +13,7 @@ from render import experiments, side_by_side
 PROBLEMS = pathlib.Path(__file__).resolve().parent.parent / "problems.toml"
 STEPS = (0.01, 0.05, 0.1, 0.25)     # of the error, between the shades of a cell
 ENERGY = 0.05                       # a relative change of the energy that is said beside the error
-TIMES = {"sqrt(depth/g)": "√(h/g)", "sqrt(width/g)": "√(a/g)"}
+TIMES = {"sqrt(depth/g)": " √(h/g)", "sqrt(width/g)": " √(a/g)", "1/strain rate": "/α"}
 
 
 @dataclasses.dataclass
@@ -162,7 +162,7 @@ def _of_contest(contest, rows):
                 where=f"{cells['size of']} {cells['size']:g} {contest.units['size']}" if cells["size"] is not None else "")
     if finest.broke:
         unit, lasted = contest.units["lasted"], finest.cells["lasted"]
-        time = f"t = {lasted:.2g} {TIMES.get(unit, unit)}".rstrip().replace(" ", "\u00a0") if lasted else ""
+        time = f"t = {lasted:.2g}{TIMES.get(unit, f' {unit}')}".rstrip().replace(" ", "\u00a0") if lasted else ""
         cell.flaws.append(f"stops at {time}" if time else "stops")
     elif cells["energy"] is not None and abs(cells["energy"]) > ENERGY:
         cell.flaws.append(f"energy {100 * cells['energy']:+.0f}\u00a0%".replace("-", "−"))

@@ -78,7 +78,9 @@ void claim_self_test(const Claims<exact::SelfTest>& claims) {
   for (std::size_t k = 0; k < identities.size(); ++k) {
     claims.check(
         fmt::format("identity-{}", k + 1),
-        fmt::format("The reference satisfies its own identity: {}.", identities[k].name), "relative defect",
+        fmt::format("The residual of the reference solution's identity is within its accuracy: {}.",
+                    identities[k].name),
+        "relative defect",
         [k](const exact::SelfTest& test) -> Measurement {
           return {.value = test.at(k).defect, .told = {.limit = test.at(k).accuracy}};
         },

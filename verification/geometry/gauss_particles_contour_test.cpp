@@ -50,10 +50,10 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
            two = two && lines.size() == 2 && area(lines[0]) > 0 && area(lines[1]) < 0;
            return std::abs(area(lines[0]) - std::numbers::pi);
          });
-  check.that("lines", "There are two lines, each the right way round.", "so at all spacings",
+  check.that("lines", "The contour consists of two lines, each correctly oriented.", "so at all spacings",
              {.value = two ? 1.0 : 0.0, .resolution = "10 to 80 rings"},
              Qualitative{"two lines, areas of opposite sign", "a ring has an outer and an inner edge"});
-  check.holds("A marker far from the water changes no line.", {marked ? 1.0 : 0.0},
+  check.holds("The contour is unchanged by a marker far from the water.", {marked ? 1.0 : 0.0},
               Qualitative{"equal bits at all spacings", "markers have no mass"});
 }
 
