@@ -110,9 +110,9 @@ Values::Values(std::vector<Parameter> declared, const Published& set, Sets sets)
 }
 
 const Parameter& Values::find(std::string_view name) const {
-  const auto found = std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) {
-    return p.name == name || (!p.former_name.empty() && p.former_name == name);
-  });
+  const std::string_view now = name == "beyond_folds" ? "beyond_tangling" : name;  // its name in version 0.1
+  const auto found =
+      std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == now; });
   if (found == declared_.end()) {
     std::vector<std::string> names;
     for (const Parameter& p : declared_) names.push_back(p.name);

@@ -30,7 +30,6 @@ struct Parameter {
   double lowest = 0;       ///< closed range of a number
   double highest = 0;
   std::vector<std::string> choices = {};  ///< of a text
-  std::string former_name = {};           ///< which is still understood
 
   /// "in [0, 100]" or "one of G1, M2, H2".
   [[nodiscard]] std::string range() const;

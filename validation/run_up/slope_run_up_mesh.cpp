@@ -422,7 +422,6 @@ void slope_run_up_mesh(Case& c) {
                          mesh_parameters(0.25, 8, 0.025),
                          {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: fixed toe node"),
                           toggle("beyond_tangling", true, "continue when a cell inverts, as in Frank's model")}});
-  c.parameters.back().former_name = "beyond_folds";
   c.published = {{.tiles = {"frank-slopes-2d"}, .stated = {"tan_slope", "scheme"}}};
   c.study = Study(claims, compute, show, source);
 }
