@@ -10,13 +10,13 @@ gradients. SPH starts from the same velocities and exact pressures, as in its ow
 **What is compared.** The surface with the boundary-integral computation (`seiche exact overturning_wave`) at five times
 up to a developed jet: the line of surface markers until the exact front is vertical, then the outline of the particles,
 because markers in a jet thinner than a cell have no mass around them. The time of the first vertical front; the energy,
-which changes by what the penalty dissipates. A table shows the distances beside those of SPH, and the processor time of both,
-which is not scored.
+which changes by what the penalty dissipates. A table shows the distances beside the SPH ones, and the processor time of
+both, which is not scored.
 
 **What to look at.** Up to the vertical front the distance of the Gauss-principle particles from the exact surface is
-smaller than that of SPH by two orders of magnitude at equal processor time, and by more than one with a developed jet; no
-resolution of `overturning_sph` is as accurate, up to 800 spacings per wavelength. The whole jet is accurate to a
-fraction of a cell.
+smaller than the SPH distance by two orders of magnitude at equal processor time, and by more than one with a developed
+jet; no resolution of `overturning_sph` is as accurate, up to 800 spacings per wavelength. The whole jet is accurate to
+a fraction of a cell.
 
 **Limits of this test.** The jet does not impact here; impact is tested with SPH (`flap_plunging_sph`).
 */
@@ -204,10 +204,10 @@ void claims(const Values& values, const Claims<Results>& all) {
                   .where = fmt::format("t = {:.3f}", r.times.at(i)),
                   .told = {.limit = r.limits.at(i)}};
         },
-        Bound{
-            .limit = Amount::told_by_run(2 * cell),
-            .reason = "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
-                      "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"});
+        Bound{.limit = Amount::told_by_run(2 * cell),
+              .reason =
+                  "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
+                  "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"});
   }
   claims.check(
       "vertical-tangent",

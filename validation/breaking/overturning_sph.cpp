@@ -12,16 +12,16 @@ that the start emits no sound. Lengths are in metres, $L = 1$ m; the scheme has 
 spacings. The time at which the front first overhangs by $L/100$. Energy, mean level, jet impact.
 
 A table compares schemes of the same kind: without viscosity, with sub-particle-scale (SPS) stress, with other walls,
-with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline); and at equal processor time, at
-larger spacings, with density diffusion and with particle shifting.
+with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline); and at equal processor time,
+at larger spacings, with density diffusion and with particle shifting.
 
 **What to look at.** Until the front is steep the surface is accurate to a few tenths of a spacing, with a developed jet
 to about 0.5; the distance falls in proportion to the spacing, down to the error of the finite sound speed, and the tip
-of the jet lags most. At the processor time of 200 columns density diffusion and particle shifting together conserve energy to
-0.1 %, of which the first scheme loses 5 %. By their distances, 0.0024 to 0.0031 $L$ with a developed jet, the schemes
-are indistinguishable: two more columns change the distance with shifting by a quarter. The energy lost is mostly
-potential, because the layer settles on its bed by a fraction of a spacing; the kinetic energy is within a few per cent
-of potential flow.
+of the jet lags most. At the processor time of 200 columns density diffusion and particle shifting together conserve
+energy to 0.1 %, of which the first scheme loses 5 %. By their distances, 0.0024 to 0.0031 $L$ with a developed jet, the
+schemes are indistinguishable: two more columns change the distance with shifting by a quarter. The energy lost is
+mostly potential, because the layer settles on its bed by a fraction of a spacing; the kinetic energy is within a few
+per cent of potential flow.
 */
 #include <algorithm>
 #include <array>
@@ -259,7 +259,7 @@ void tabulate_variants(const Results& r, const Values& values, evidence::Exhibit
   evidence::Table& table =
       add_table(exhibit, "variants", "Schemes of the same kind",
                 "Rms distance of the surfaces from potential flow in thousandths of the wavelength; energies with a "
-                "developed jet, kinetic over that of potential flow, total over the initial one; times over the "
+                "developed jet, kinetic over the potential-flow value, total over the initial one; times over the "
                 "period. Schemes with more work per step have fewer columns at equal processor time. Two spacings of "
                 "the first scheme show the uncertainty of the resolution.",
                 {"", "columns"});

@@ -2,12 +2,12 @@
 Periodic waves arrive at a breakwater whose front and rear walls are loaded in antiphase (Frank 1994, section 2.3). A
 distant piston generates them; they are reflected, and a standing wave forms before the breakwater.
 
-**Set-up.** Depth, gravity and density are 1. The breakwater is that of the case `breakwater`: a berm 2 wide under water
-of depth 0.4 before the rear wall. The piston is at a distance of 50 from the wall. Its motion ramps up over 28 time
-units, four periods of a wave of $L/h = 6$, and generates waves of half the height of the intended standing wave. The
-run ends before re-reflection from the paddle reaches the breakwater: little of it travels faster than $0.6\,c_g + 0.4$,
-between the group velocity and the maximum group velocity, 1. The last whole periods, two or more, are analysed, with a
-window $1 - \cos$.
+**Set-up.** Depth, gravity and density are 1. The breakwater is the one of the case `breakwater`: a berm 2 wide under
+water of depth 0.4 before the rear wall. The piston is at a distance of 50 from the wall. Its motion ramps up over 28
+time units, four periods of a wave of $L/h = 6$, and generates waves of half the height of the intended standing wave.
+The run ends before re-reflection from the paddle reaches the breakwater: little of it travels faster than $0.6\,c_g +
+0.4$, between the group velocity and the maximum group velocity, 1. The last whole periods, two or more, are analysed,
+with a window $1 - \cos$.
 
 **What is compared.** Amplitude and phase of the forces on front and rear, per elevation at an antinode, with small
 standing waves from the eigenvalues of the same mesh. The frequencies are eigenfrequencies of a basin of length 14,

@@ -233,8 +233,7 @@ Results compute(const Run& run) {
 }
 
 void draw_drops(const Results& r, evidence::Exhibit& exhibit) {
-  auto& particles =
-      exhibit.figure("particles", "The drop", "Its particles, and the exact outline.", {"frank-overlapping"});
+  auto& particles = exhibit.figure("particles", "The drop", "Particles, and the exact outline.", {"frank-overlapping"});
   for (const Places& frame : r.own.frames) {
     auto& panel =
         particles.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});

@@ -225,7 +225,7 @@ void claim_statistics(const SetUp& s, const Claims<Results>& all) {
                       "be identified",
             .expected = 1});
   claims.check(
-      "kurtosis", "The kurtosis of the velocities minus the exact flow equals that of a Gaussian distribution, 3.",
+      "kurtosis", "The kurtosis of the velocities minus the exact flow equals the Gaussian value, 3.",
       "kurtosis, mean over the copies and the rest of the run",
       [](const Results& r) { return Estimate(r.kurtosis).measured(); },
       Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),

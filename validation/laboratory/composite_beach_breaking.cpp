@@ -4,7 +4,7 @@ the wall as a bore.
 
 **Set-up.** The one-dimensional dispersive model from a solitary wave of the height measured at gauge 4. Fronts begin to
 break at a slope of 30 degrees and stop at a Froude number of 1.3, with the viscosity that leaves no waves behind a
-bore; friction is that of glass. No parameter is fitted to the experiment.
+bore; the friction coefficient is the value for glass. No parameter is fitted to the experiment.
 
 **What is compared.** As in `composite_beach`: elevation at seven gauges and the run-up on the wall.
 

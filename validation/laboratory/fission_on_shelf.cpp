@@ -2,7 +2,7 @@
 A wave of 20 s runs up a 1:200 shelf and splits into solitons (Matsuyama and others 2007), in a flume of 205 m.
 
 **What is compared.** Surface elevation at six gauges: maximum of the first waves, its time, and the rms difference.
-Time is that of the wavemaker, whose motion comes with the data. The case accepts external results.
+Time counts from the start of the wavemaker, whose motion comes with the data. The case accepts external results.
 
 **What to look at.** The first soliton breaks near x = -31 m. Walls and bed damp the solitons by some per cent over 160
 m; models without friction overestimate them.

@@ -8,7 +8,7 @@ The gate vanishes at t = 0.
 **What is compared.** As in `gated_dam_break`: the front position, with one fitted time origin.
 
 **What to look at.** The equations are the same as in `gated_dam_break`, and so is the front, to a millimetre: the
-common error is that of the equations, not of the schemes.
+common error comes from the equations, not from the schemes.
 */
 #include "validation/laboratory/gated_dam_break_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"

@@ -8,7 +8,8 @@ model with the record over 0.47 m of water, which the template names.
 
 **Model set-up.** A body force along the bed 4 m before the slope generates the record at its toe, as linear waves from
 0.2 to 2.2 Hz; waves travelling back or to the left are absorbed behind it. Breaking begins at a slope of 30 degrees and
-stops at a Froude number of 1.3; friction is that of glass. No parameter is fitted to the gauges on the slope.
+stops at a Froude number of 1.3; the friction coefficient is the value for glass. No parameter is fitted to the gauges
+on the slope.
 
 **What to look at.** In the breaking zone the standard deviation agrees within 8 %. Skewness grows as the waves steepen
 and then falls; asymmetry grows up to the shore.

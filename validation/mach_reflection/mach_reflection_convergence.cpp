@@ -88,7 +88,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at([](const Results& r) { return r.solver.run.resolution(); })
       .check(
           "solver",
-          "The stem amplitude a_w/a_i with a solver tolerance of 1e-10 equals that with 1e-7 within the solver error.",
+          "The stem amplitude a_w/a_i with a solver tolerance of 1e-10 agrees with the one for 1e-7 within the solver "
+          "error.",
           "difference of a_w/a_i",
           [](const Results& r) { return r.solver.wall_ratio().value - r.usual.wall_ratio().value; },
           Bound{.limit = 4 * tolerance * std::sqrt(steps),

@@ -17,9 +17,9 @@ feels the gradient of the dynamic pressure half a cell below it and slips along 
 
 $$\mathrm{slip} = \tfrac{h}{2} A\,\bigl[\sin(a - t) - \sin a + t \cos a\bigr],$$
 
-including a drift: the orbits of the water are closed, those of surface nodes only as $h \to 0$. The second figure shows
-the slip beside this estimate. At its ends slipping nodes meet prescribed ones, and the mesh zigzags within a few cells,
-slightly more on finer meshes.
+including a drift: the orbits of the water are closed, the orbits of surface nodes only as $h \to 0$. The second figure
+shows the slip beside this estimate. At its ends slipping nodes meet prescribed ones, and the mesh zigzags within a few
+cells, slightly more on finer meshes.
 */
 #include <algorithm>
 #include <cmath>

@@ -17,8 +17,8 @@ waves, mostly a difference of celerity, known beforehand. Times are shown and ne
 **What to look at.** For waves of $L/h$ of 6 or more and a phase error of 1 %, the dispersive model suffices: it takes
 milliseconds. For a smaller error Gauss-principle particles are the most accurate for their time. The mesh has twice
 their error or more at equal time, and gives wall pressures. SPH takes a hundred times as long for an error as large as
-that of the dispersive model, most of it lost height, which hardly falls with the spacing; its use is water that impacts
-on itself. Gauss-principle particles, too, continue when the surface overturns (`breaking_gauss`).
+the error of the dispersive model, most of it lost height, which hardly falls with the spacing; its use is water that
+impacts on itself. Gauss-principle particles, too, continue when the surface overturns (`breaking_gauss`).
 
 **Limits of this test.** Walls, shores, breaking and long times are not covered: Gauss-principle particles conserve
 energy, SPH does not. A longer wave has less dispersion, and the dispersive model a smaller error.

@@ -8,8 +8,8 @@ before it reaches the structure of interest; height lost on the way is missing t
 not periodic: it follows one wave of a longer chain, for fewer periods. The dispersive model starts from the exact wave
 of its own equations with the same height and length.
 
-**What is compared.** At intervals of three quarters of a period, the fundamental of the surface: its amplitude over
-that of the exact wave, and its phase. (After whole periods a wave that is stationary or runs the other way would look
+**What is compared.** At intervals of three quarters of a period, the fundamental of the surface: its amplitude over the
+exact amplitude, and its phase. (After whole periods a wave that is stationary or runs the other way would look
 correct.) The change per wavelength is the slope of a straight line through the instants, so that a wrong initial value
 does not count. It is shown as a function of the cells over the wave height and of the processor time per wavelength.
 

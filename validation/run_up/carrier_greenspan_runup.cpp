@@ -1,7 +1,7 @@
 /*
 A solitary wave of height $a$ on water of depth $d$ climbs a plane beach of slope $1 : \cot\beta$. While the wave does
 not break, the shallow-water equations have an exact solution: Carrier and Greenspan's transformation makes them linear,
-and the extremes of its shoreline equal those of linear theory,
+and the extremes of its shoreline equal the extremes of linear theory,
 
 $$R(\tau) = \int \Phi(k)\,\frac{2 e^{-ik\tau}}{J_0(2 k X_0) - i J_1(2 k X_0)}\,dk, \qquad X_0 = \cot\beta,$$
 

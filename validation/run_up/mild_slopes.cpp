@@ -105,8 +105,8 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
   meshes.from("Hall and Watts (1953), in Frank (1994)")
       .check(
           "mild-friction",
-          "The number of waves measured as high as the frictionless Euler run-up or higher on slopes milder than 1:2 "
-          "is zero.",
+          "The number of waves with a measured run-up at or above the frictionless Euler run-up on slopes milder than "
+          "1:2 is zero.",
           "waves measured as high or higher",
           [](const MildSlopes& r) {
             Count higher;

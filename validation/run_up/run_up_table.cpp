@@ -16,8 +16,8 @@ for small waves, and, on slopes milder than 1:2, with the Euler equations on the
 (`slope_run_up_mesh`).
 
 **What to look at.** Steep slopes. The thesis's model falls below the measurements, by a quarter at 1:1; with the
-kinetic energy of Green and Naghdi the run-up equals the measured one, and that of Frank's two-dimensional model. On
-milder slopes the measurements are 10 % lower, and not because of the model: the Euler equations, which neglect only
+kinetic energy of Green and Naghdi the run-up equals the measured one, and the run-up of Frank's two-dimensional model.
+On milder slopes the measurements are 10 % lower, and not because of the model: the Euler equations, which neglect only
 friction, give the same run-up as the model with the kinetic energy of Green and Naghdi, to 2 %, and exceed the
 measurements by the same 10 %. The thesis's kinetic energy is nearer to the measurements there because its error has the
 sign of friction.

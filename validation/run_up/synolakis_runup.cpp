@@ -8,8 +8,8 @@ shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}\,A^
 thesis, $V/4$, and with $V/6$, for which a plane surface over a plane slope has the exact acceleration. The run-up of
 all 29 non-breaking laboratory waves, $A \le 0.045$.
 
-**What to look at.** Both tips converge to the same run-up. The error of the $V/6$ tip at $h = 1/2$ is smaller than that
-of the other at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as in theory, higher waves less.
+**What to look at.** Both tips converge to the same run-up. The error of the $V/6$ tip at $h = 1/2$ is smaller than the
+error of the other at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as in theory, higher waves less.
 */
 #include <cmath>
 #include <functional>

@@ -9,8 +9,8 @@ of $0.4\,h$. Cells are $h$ long and $h$ wide; the hexahedral mesh has one to thr
 
 **What is compared.** Crest elevation and its variation, crest speed, and energy, once the wave has become a wave of the
 grid: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own wave differs
-more from the initial one. The reference speed at the measured crest elevation is that of the Green-Naghdi equations for
-the 2DH model, that of the exact solitary wave for the hexahedral mesh.
+more from the initial one. The reference at the measured crest elevation is the speed of the Green-Naghdi equations for
+the 2DH model, the speed of the exact solitary wave for the hexahedral mesh.
 
 **What to look at.** The 2DH model retains the height to 0.5 % even on cells of one depth, when the wave is six cells
 long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and slower, which it retains as
@@ -197,8 +197,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "2DH model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
   evidence::Table& table = add_table(exhibit, "travels", "Solitary waves on coarse grids",
-                                     "Mean height, its variation and speed of the settled wave; speed against that of "
-                                     "the equations at this height; largest relative energy error.",
+                                     "Mean height, its variation and speed of the settled wave; speed against the "
+                                     "equations at this height; largest relative energy error.",
                                      {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]",
                                       "speed [sqrt(gH)]", "speed error", "energy defect"});
   for (const Travel& travel : r.travels) {

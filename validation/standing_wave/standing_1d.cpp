@@ -24,8 +24,8 @@ $\gamma = 1/15$, $\alpha = 2/5$, which gives small waves nearly Airy's dispersio
 depth.
 
 **What to look at.** The model agrees with its theory to four digits, and with water qualitatively. The additional
-energy with $s = 2$ removes the effect: $C$ stays positive. With $s = 0.714$ the critical wavelength equals that of
-water, and longer waves are near Tadjbakhsh and Keller's theory; the frequency of shorter ones falls too little.
+energy with $s = 2$ removes the effect: $C$ stays positive. With $s = 0.714$ the critical wavelength equals the value
+for water, and longer waves are near Tadjbakhsh and Keller's theory; the frequency of shorter ones falls too little.
 */
 #include <algorithm>
 #include <array>

@@ -11,12 +11,12 @@ maximum kinetic energy outside the velocity field of the linear wave, over the i
 the time that a model lasts, up to `periods`.
 
 **What to look at.** The source states that the spurious motion of Dirichlet cells costs accuracy. The frequency does
-not show it: it converges at second order everywhere. The noise does: without stabilisation it is many times that of the
-quadrilaterals and does not fall with the mesh. High waves end the run: no force restores the position of a node in its
-cell, and after about one period a triangle of the outline inverts. The quadrilaterals, here without hourglass force,
-last for nearly five periods. Variable-mass particles complete. Where their nodes follow the water and are drawn back,
-the energy of the motion passes into short waves after a few periods, on finer meshes too. Nodes of constant $x$, here
-on twice as many rows, exchange more water per step, and lose about 1 % of the energy in ten periods.
+not show it: it converges at second order everywhere. The noise does: without stabilisation it is many times the noise
+of the quadrilaterals and does not fall with the mesh. High waves end the run: no force restores the position of a node
+in its cell, and after about one period a triangle of the outline inverts. The quadrilaterals, here without hourglass
+force, last for nearly five periods. Variable-mass particles complete. Where their nodes follow the water and are drawn
+back, the energy of the motion passes into short waves after a few periods, on finer meshes too. Nodes of constant $x$,
+here on twice as many rows, exchange more water per step, and lose about 1 % of the energy in ten periods.
 */
 #include <array>
 #include <cmath>

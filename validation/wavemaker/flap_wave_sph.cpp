@@ -344,8 +344,8 @@ void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
 void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table& table =
       add_table(exhibit, "loss", "Loss of wave height, and its remedies",
-                "Rms elevation after one period, over that of the exact transient, at distances from the flap over the "
-                "gauge distance; fraction lost between flap and gauge; escaped particles.",
+                "Rms elevation after one period, over the exact transient, at distances from the flap over the gauge "
+                "distance; fraction lost between flap and gauge; escaped particles.",
                 {"", "layers", "neighbours"});
   for (const double place : places) table.columns.emplace_back(fmt::format("{:g}", place), "");
   table.columns.emplace_back("lost", "");
@@ -381,7 +381,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
              r.wide.back().elevation[at_gauge], Role::peer);
 
   auto& along = add_panel(exhibit, "loss", "Height of the waves along the flume",
-                          "Rms elevation after one period, over that of the exact transient.",
+                          "Rms elevation after one period, over the exact transient.",
                           {.x = "x/L", .y = "fraction of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
     along.line(label, places, each(indices(places.size()), [&](std::size_t k) { return r.share(one, k); }), role);

@@ -81,7 +81,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
                           finest.condition)});
     if (problem.window.reach) {
       check.that("shifts-" + problem.id,
-                 "The number of columns left behind by the moving window equals that of one process.",
+                 "The number of columns left behind by the moving window equals the number in one process.",
                  "columns left behind, less those on one process",
                  {.value = static_cast<double>(finest.shifts - reference.shifts),
                   .resolution = fmt::format("{} columns left behind", finest.shifts)},

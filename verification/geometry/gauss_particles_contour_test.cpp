@@ -59,7 +59,7 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
 
 TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc", "[geometry]") {
   Check check("gauss_particles_disc", "Gauss-principle particles: a disc",
-              "Rings of particles on a disc of radius 2 and density 3: mass and second moments are those of the disc.");
+              "Rings of particles on a disc of radius 2 and density 3: mass and second moments equal the disc's.");
   const Particles particles = disc(2, 20, 16, 3);
   double mass = 0, along = 0, up = 0, mixed = 0;
   for (std::size_t k = 0; k < particles.size(); ++k) {

@@ -100,7 +100,7 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
     check.holds(id + "-built: The initial mesh equals the rebuilt one.", {first},
                 Bound{0, "the Delaunay triangulation is unique"});
     check.holds(
-        id + ": The triangles after flips equal those of a rebuild after every motion.",
+        id + ": The triangles after flips equal the triangles of a rebuild after every motion.",
         {static_cast<double>(different)},
         Bound{0, "the Delaunay triangulation is unique but for nodes on one circle, which random ones are not"});
     check.holds(id + "-edges: No edge is left that should be flipped.", {static_cast<double>(doubtful)},

@@ -105,7 +105,7 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
       }
     }
     check.holds(std::string("too-long-") + stepping_names[k] +
-                    ": The state after the breakdown of a wave in far too long steps is that before the step.",
+                    ": The state after the breakdown of a wave in far too long steps is the state before the step.",
                 {stopped ? 1.0 : 0.0},
                 Qualitative{"seiche::Divergence within 100 steps, coordinates, rates and what friction took as before",
                             "as for any failure"});
