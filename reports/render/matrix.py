@@ -13,7 +13,7 @@ from render import experiments, side_by_side
 PROBLEMS = pathlib.Path(__file__).resolve().parent.parent / "problems.toml"
 STEPS = (0.01, 0.05, 0.1, 0.25)     # of the error, between the shades of a cell
 ENERGY = 0.05                       # a relative change of the energy that is said beside the error
-TIMES = {"sqrt(depth/g)": " √(h/g)", "sqrt(width/g)": " √(a/g)", "1/strain rate": "/α"}
+TIMES = {"sqrt(depth/g)": " √(h/g)", "sqrt(width/g)": " √(a/g)", "1/strain rate": "/\u2060α"}
 
 
 @dataclasses.dataclass
