@@ -271,7 +271,7 @@ void add_score(CLI::App& app, Action& action) {
   command->add_flag("--bless", options->bless, "Accept this result as the new baseline")->needs(baseline);
   command->add_flag("--json", options->json, "Print verdict, notes, diagnosis and record as JSON");
   command->footer(
-      "Results are interpolated linearly to the reference points and never extrapolated.\n"
+      "Results are interpolated linearly to the reference points, never extrapolated.\n"
       "A further file with columns t and volume, energy or momentum is checked for\n"
       "conservation.\n"
       "Examples:\n"
@@ -303,8 +303,8 @@ void add_compare(CLI::App& app, Action& action) {
                                           "Compare A with the baseline: table B, or the table of this version");
   command->add_flag("--whole", options->whole, "Treat claims missing from A as changed, with --record")->needs(record);
   command->footer(
-      "Exit status 1. Two sets: a verdict or an error got worse. One set: a claim is not\n"
-      "as expected. With --record: a value changed beyond its uncertainty.");
+      "Exit status 1. Two sets: a verdict or an error got worse. One set: a claim is\n"
+      "not as expected. With --record: a value changed beyond its uncertainty.");
   command->add_option("--tier", options->tier, "Tier, with --record: quick, full or paper")
       ->capture_default_str()
       ->needs(record);
@@ -342,7 +342,7 @@ int parse_and_call(int argc, char** argv) {
                   " seiche list                                        what is available\n"
                   " seiche run riemann --out results                   one case, 0.1 s\n"
                   " seiche report results                              results/report/index.html\n"
-                  " seiche score riemann --template > mine.csv         table for your solver to fill in",
+                  " seiche score riemann --template > mine.csv         template for your results",
                   build_facts::version)};
   app.formatter(std::make_shared<Narrow>());
   app.set_version_flag("--version", std::string(build_facts::version));
