@@ -155,7 +155,7 @@ class QuantityScore {
       record.check({table_.name + "-coverage",
                     fmt::format("The submitted points cover {:.3g} % of the reference points of the {} or more.",
                                 100 * table_.least_coverage, table_.name),
-                    "share of the reference points within the submitted ones", "1", "what the case asks for"},
+                    "share of the reference points within the submitted ones", "1", "required by the case"},
                    {.value = coverage_, .resolution = resolution() + uncovered_},
                    evidence::Bound{.limit = 1 - table_.least_coverage,
                                    .reason = "N cell centres leave half a cell out at either end, 1/N of the points",
@@ -328,9 +328,8 @@ evidence::Table blank_table(const WantedTable& wanted) {
     return table;
   }
   table.caption =
-      "The submitted values, joined by straight lines, at the reference points; nothing is extrapolated. Shift and "
-      "peak "
-      "in the units asked for.";
+      "Submitted values, interpolated linearly to the reference points, without extrapolation. Shift and peak in the "
+      "units of the template.";
   for (const char* name : {"points", "coverage", "relative L1", "relative L2", "relative Linf", "skill",
                            "amplitude ratio", "shift", "error of the peak"}) {
     table.columns.emplace_back(name, "1");
@@ -345,7 +344,7 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
   record.check({table.name + "-coverage",
                 fmt::format("The submission contains the table {}, {:.3g} % of its reference points or more.",
                             table.name, 100 * table.least_coverage),
-                "share of the reference points within the submitted ones", "1", "what the case asks for"},
+                "share of the reference points within the submitted ones", "1", "required by the case"},
                {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},
                evidence::Bound{.limit = 1 - table.least_coverage,
                                .reason = "a part of the result is scored alone only with --table",
@@ -364,7 +363,7 @@ void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& g
   record.check(
       {table.name + "-given",
        fmt::format("All {} values of {} in the table {} are submitted.", table.groups->size(), name, table.name),
-       "share of the groups that were submitted", "1", "what the case asks for"},
+       "share of the groups that were submitted", "1", "required by the case"},
       {.value = static_cast<double>(given.size()) / static_cast<double>(table.groups->size()),
        .resolution = fmt::format("{} of {} given, without {} = {}", given.size(), table.groups->size(), name,
                                  fmt::join(missing, ", "))},
