@@ -385,7 +385,7 @@ class Command(Scratch):
             self.assertEqual(result.returncode, 0, result.stdout)
             self.assertRegex(result.stdout, "2c is constant")
         result = seiche("exact", "solitary", "--self-test")
-        self.assertRegex(result.stdout, r"3 V = \(F\^2 - 1\) M: defect \S+, accuracy \S+ ")
+        self.assertRegex(result.stdout, r"3 V = \(F\^2 - 1\) M: residual \S+, accuracy \S+ ")
 
 if __name__ == "__main__":
     unittest.main()
