@@ -164,7 +164,7 @@ struct Curves {
   std::vector<std::pair<Integrator, WorkPrecision>> fixed;
   std::vector<std::pair<std::string, WorkPrecision>> adaptive;
   double uncertainty = 0;  ///< of the state they are compared with
-  double projection = 0;   ///< solves in a step of Frank's projection scheme (21)
+  WorkPrecision projection;  ///< Frank's projection scheme (21), with steps of the parameter tau
 
   [[nodiscard]] const WorkPrecision& of(Integrator integrator) const {
     return std::find_if(fixed.begin(), fixed.end(), [&](const auto& entry) { return entry.first == integrator; })
@@ -189,11 +189,11 @@ Curves compute(const Run& run) {
   const mechanics::State truth = adaptive_state(problem, time, 1e-14);
   // The error is proportional to the tolerance: a ninth of the difference, times a factor of safety of three.
   curves.uncertainty = distance(truth, adaptive_state(problem, time, 1e-13)) / 3;
-  rigid_chain::RigidChain chain = problem.chain;
-  mechanics::State state = problem.start;
-  const long before = chain.solves();
-  mechanics::ProjectedStep(chain).step(state, run.real("tau"));
-  curves.projection = static_cast<double>(chain.solves() - before);
+  measure(curves.projection, problem, truth, [&](RigidChain& chain, State& state) {
+    mechanics::ProjectedStep scheme(chain);
+    const long steps = curves.steps[middle];
+    for (long n = 0; n < steps; ++n) scheme.step(state, time / static_cast<double>(steps));
+  });
   for (const Integrator integrator : mechanics::all_integrators) {
     curves.fixed.emplace_back(integrator, work_and_precision(problem, integrator, curves.steps, time, truth));
   }
@@ -227,8 +227,7 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
           "cost-of-projection", "The number of solves per step equals the projection scheme (21), which loses energy.",
           "solves of the scheme / solves of the projection scheme",
           [](const Curves& curves) {
-            return curves.of(Integrator::one_step).solves[middle] / static_cast<double>(curves.steps[middle]) /
-                   curves.projection;
+            return curves.of(Integrator::one_step).solves[middle] / curves.projection.solves.front();
           },
           Bound{.limit = 0, .reason = "one solve per step in both", .expected = 1});
   claims.at(range).check(
@@ -286,6 +285,8 @@ void show(const Curves& curves, const Values& values, evidence::Exhibit& exhibit
   exhibit.measure("reference_uncertainty", curves.uncertainty);
   exhibit.measure("cpu_time_of_rk2_over_own",
                   curves.of(Integrator::runge_kutta_2).cpu.back() / curves.of(judged(values)).cpu.back());
+  exhibit.measure("cpu_time_of_projection_over_own",
+                  curves.projection.cpu.front() / curves.of(judged(values)).cpu[middle]);
   draw_curves(exhibit, curves);
 }
 
