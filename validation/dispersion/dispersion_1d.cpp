@@ -137,13 +137,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.of(&Results::own)
       .at(fmt::format("{} cells, tau = {:g}", own.cells, own.tau))
       .check("frequency",
-             "The frequency of the wave of the parameters equals the discrete dispersion relation to round-off.",
+             "The frequency of the wave of the parameters equals the exact discrete dispersion relation to round-off.",
              "relative deviation of the frequency", worst_of,
              frequency_roundoff(std::vector{own}, periods, &StandingBox::cells));
   claims.of(&Results::figure)
       .at("40 cells, 1 to 37 half-waves, tau = s/2")
       .check("figure",
-             "The frequencies of all waves of the figure, up to the shortest resolved one, equal the dispersion "
+             "The frequencies of all waves of the figure, up to the shortest resolved one, equal the exact dispersion "
              "relation to round-off.",
              "largest relative deviation of the frequency", worst_of,
              frequency_roundoff(figure, periods, &StandingBox::cells));

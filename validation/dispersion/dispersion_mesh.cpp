@@ -187,14 +187,14 @@ void claim_waves(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("{} x {} cells, tau = {:g}", own.columns, own.rows, own.tau))
       .check(
           "frequency",
-          "The frequency of the wave of the parameters equals the dispersion relation of the mesh to round-off.",
+          "The frequency of the wave of the parameters equals the exact dispersion relation of the mesh to round-off.",
           "relative deviation of the frequency", [own](const Results& r) { return deviation(own, r.own); },
           frequency_roundoff(std::vector{own}, periods, &MeshTank::columns));
   const std::vector<MeshTank> tanks = tanks_of_figure();
   claims.at("20 columns, 2, 4 and 8 rows, tau = 0.05")
       .check(
           "figure",
-          "The frequencies of all waves of the figure, up to the shortest that the meshes resolve, equal the "
+          "The frequencies of all waves of the figure, up to the shortest that the meshes resolve, equal the exact "
           "dispersion relation to round-off.",
           "largest relative deviation of the frequency",
           [tanks](const Results& r) { return worst_deviation(tanks, r.figure); },

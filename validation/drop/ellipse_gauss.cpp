@@ -165,7 +165,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at(fmt::format("{:g} particles, tau = {:g}", s.particles(), s.tau));
   const double strain = s.gradient.norm() / std::numbers::sqrt2;
   claims.check(
-      "places", "The rms error of particle positions is below the square of strain rate times step.",
+      "places", "The rms error of particle positions is below its second-order estimate, (strain rate times step)^2.",
       "rms distance from the exact positions [radius]", [](const Results& r) { return r.splines.rms; },
       Bound{std::pow(strain * s.tau, 2),
             "second order: the square of strain rate times step, in radii; the error of Frank's first-order projection "

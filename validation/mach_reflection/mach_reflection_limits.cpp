@@ -204,7 +204,9 @@ void claim_start(const Claims<Wave>& claims, const Wave& wave) {
   claims.from("Frank (1994), section 4.3")
       .check(
           "start-" + wave.id(),
-          fmt::format("The wall amplitude does not depend on the initial height next to the wall ({}).", wave.text()),
+          fmt::format(
+              "The wall amplitude from 1.5 times the initial height next to the wall equals the usual one ({}).",
+              wave.text()),
           "difference of a_w/a_i for infinite time",
           [](const Wave& w) -> Measurement {
             const Measurement usual = w.lattices.back().limit_ratio();
@@ -320,7 +322,8 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
   draw(exhibit, all);
   evidence::Table& table = add_table(
       exhibit, "limits", "Limits of fine grids and long times",
-      "h: the finest spacing. Settling: rate of the fitted exponential over theory. Time: processor time of the finest run.",
+      "h: the finest spacing. Settling: rate of the fitted exponential over theory. Time: processor time of the finest "
+      "run.",
       {"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]", "a_w/a_i [1]", "theory [1]",
        "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]", "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"});
   for (const Wave& wave : all) {

@@ -226,7 +226,7 @@ void judge_island(evidence::Record& record, const Options& options, const Findin
                       .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, "
                                 "at the highest frequency sqrt(3 g/depth)"});
   record.check({.id = "run-up",
-                .text = "The maximum run-up on the island is at most that on a plane beach of its slope.",
+                .text = "The maximum run-up on the island is at most Synolakis' run-up on a plane beach of its slope.",
                 .quantity = "highest shoreline elevation",
                 .unit = "depth",
                 .source = "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523"},

@@ -233,7 +233,7 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
                               "and rates before it are finite",
                   .reason = "a failure must not pass as a result"});
   claims.check(
-      "later-below", "The later shoreline elevation below the limit stays below the first run-up.",
+      "later-below", "The later shoreline elevation below the limit stays below 1.0 times the first run-up.",
       "largest later shoreline elevation over the run-up",
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
       Bound{.limit = 1,

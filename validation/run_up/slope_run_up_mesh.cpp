@@ -289,7 +289,7 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
   claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
       .where("A = {:g}")
       .check(
-          "toe", "The difference of run-up between fixed and sliding toe is within the mesh errors of both.",
+          "toe", "The difference of run-up between fixed and sliding toe is at most 1.0 times the mesh errors of both.",
           "largest difference of run-up over the change by the last halving of the cells with both toes",
           [](const std::vector<Climbed>& all) { return over<Worst>(all, &Climbed::toe_matters, &Climbed::amplitude); },
           Bound{.limit = 1,
